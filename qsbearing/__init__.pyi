@@ -9,7 +9,6 @@ from qsbearing.files.set_file import load_set as load_set
 from qsbearing.inference.data_sheet import DataSheet as DataSheet
 from qsbearing.inference.infer import InferredBearing as InferredBearing, infer_bearing as infer_bearing
 from qsbearing.inference.practice import RatingPractice as RatingPractice
-from qsbearing.messages import message as message, warnings as warnings
 from qsbearing.model.contact.hertz import (
     HertzForm as HertzForm,
     PointContact as PointContact,
@@ -59,6 +58,7 @@ from qsbearing.model.units import (
 )
 from qsbearing.model.validation import ErrorDetail as ErrorDetail, SceneError as SceneError
 from qsbearing.model.version import __version__ as __version__
+from qsbearing.results.remarks import message as message, warnings as warnings
 from qsbearing.studies.chooser.choose import solve as solve
 from qsbearing.studies.design.compare import compare as compare
 from qsbearing.studies.design.find import find as find

@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qsbearing import messages
 from qsbearing.app import drawn
 from qsbearing.app.inputs import addable, fields
 from qsbearing.documents.html import part
@@ -28,9 +27,9 @@ from qsbearing.model.solution.judgement import WORDS
 from qsbearing.model.solution.solution import Solution
 from qsbearing.reports.key_results import key_results
 from qsbearing.results import report
-from qsbearing.results.readings_record import taken, warnings_of
+from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
-from qsbearing.results.tables import remarks
+from qsbearing.results.remarks import blocks, every_remark, message
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chooser.explain import explain
 
@@ -67,11 +66,10 @@ def solved(document: Tables, label: str) -> Answer:
     """How the case ended, its key results and warnings, and the section."""
     solution = solve(_scene(document, label))
     found = taken(solution)
-    warnings = [*messages.warnings(solution), *warnings_of(found)]
-    key = key_results(solution, found) if solution.converged else Remark(messages.message(solution), "fail")
+    key = key_results(solution, found) if solution.converged else Remark(message(solution), "fail")
     return {
         "is_solved": bool(solution.converged), "key": part([key]),
-        "warnings": part(remarks(warnings)), **pictured(document, label, "section"),
+        "warnings": part(blocks(every_remark(solution, found))), **pictured(document, label, "section"),
     }  # fmt: skip
 
 

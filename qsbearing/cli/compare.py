@@ -66,6 +66,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 def _tables(found: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.model.solution.result_keys import printed_unit
+    from qsbearing.results import remarks
 
     given = [(name, f"{value:.7g}", printed_unit(unit)) for name, value, unit in found.conditions]
     parts: list[Block] = [Table(("key", "value", "unit"), given, "lrl", f"Operating point of {found.job}")]
@@ -80,7 +81,7 @@ def _tables(found: Comparison) -> list[Block]:
                 rows.append((line.name, *(_cell(line, i) for i in block), printed_unit(line.unit)))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
     note = "In brackets: the difference from the first bearing, where it is more than 1 % and both have one sign."
-    return [*parts, Paragraph(note, is_apart=True)]
+    return [*parts, Paragraph(note, is_apart=True), *remarks.blocks(found.remarks, is_apart=True)]
 
 
 def _cell(line: Line, number: int) -> str:

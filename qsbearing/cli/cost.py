@@ -34,7 +34,7 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
         check_installed("--out needs", ("matplotlib",), "plot")
     solution = solve(load(scene))
     if not solution.converged:
-        from qsbearing.messages import message
+        from qsbearing.results.remarks import message
 
         note(message(solution))
         sys.exit(UNSOLVED)

@@ -50,8 +50,8 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     """
     from dataclasses import replace
 
-    from qsbearing.messages import message
     from qsbearing.model.scene.scene import Scene
+    from qsbearing.results.remarks import blocks, every_remark, message
     from qsbearing.studies.chooser.explain import explain
 
     if not 0.0 < tolerance <= 1.0:
@@ -63,7 +63,9 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
         with solving():
             solution, rows = explain(replace(loaded, tolerance=None), tolerance)
         found: dict[str, Any] = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
-        shown = [] if as_json else _effects(rows, tolerance)
+        said = every_remark(solution)
+        found |= {"remarks": [each.record() for each in said]}
+        shown = [] if as_json else [*_effects(rows, tolerance), *blocks(said, is_apart=True)]
     else:
         solution, rows, found, shown = _of_set(loaded, as_json, tolerance)
     if as_json:
@@ -80,22 +82,23 @@ def _of_set(
 ) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
     """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
     from qsbearing.documents.model import Paragraph
+    from qsbearing.results.remarks import blocks, every_remark, remarks_record
     from qsbearing.results.set_record import set_record
     from qsbearing.results.set_report import heading, rows_tables
-    from qsbearing.results.tables import remarks
     from qsbearing.studies.chooser.explain_set import explain_set
     from qsbearing.systems.sets.preload_limits import preload_summary
 
     with solving():
         solution, rows = explain_set(of, tolerance)
         said = preload_summary(solution) if solution.converged else []
+        remarks = every_remark(solution)
     found = set_record(solution, [{}] * len(solution.rows))
-    of_set = {key: found[key] for key in ("status", "message", "arrangement", "warnings")}
+    of_set = {key: found[key] for key in ("status", "message", "arrangement")} | remarks_record(remarks)
     of_set |= {"preload": said, "tolerance": tolerance}
     parts = heading(solution, found)
     if solution.converged and not as_json:
         told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(said)]
-        parts += [*rows_tables(found), *told, *_effects(rows, tolerance), *remarks(found["warnings"], is_apart=True)]
+        parts += [*rows_tables(found), *told, *_effects(rows, tolerance), *blocks(remarks, is_apart=True)]
     return solution, rows, of_set, parts
 
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from qsbearing.documents.guide import Page
+    from qsbearing.remarks.kinds import Kind
 
 
 @click.command(short_help="Read the guide: topics, a page, or all as HTML.")
@@ -76,7 +77,18 @@ def _results() -> str:
     )
 
 
-LISTS = {"readings": _readings, "results": _results}
+def _remarks() -> str:
+    """Rows of the table of remarks."""
+    from qsbearing.remarks.kinds import KINDS
+
+    def row(kind: Kind) -> str:
+        values = ", ".join(f"`{name}`" for name in kind.values)
+        return f"| `{kind.code}` | {kind.severity.words} | {values} | {kind.outline} |\n"
+
+    return "".join(map(row, KINDS.values()))
+
+
+LISTS = {"readings": _readings, "results": _results, "remarks": _remarks}
 
 
 def _list(pages: dict[str, Page]) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
-from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse
+from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
 from qsbearing.cli.scene import load_scene_or_set, solve
 
@@ -90,12 +90,16 @@ def run(
     targets = {"--csv": csv_target, "--plot": plot_target}
     with ExitStack() as stack:
         writers = claimed(stack, targets, csv_problems(csv_target) + picture_problems(plot_target), scene)
-        loaded = load_scene_or_set(scene)
+        loaded = load_scene_or_set(scene, may_infer=True)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
         from qsbearing.model.scene.scene import Scene
 
-        found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
+        if isinstance(loaded, Scene) and loaded.bearing.inferred is not None:
+            refuse_all(_not_of_list(loaded, {"--plot": plot_target, "--accuracy": accuracy}))
+            found = _of_data_sheet(loaded)
+        else:
+            found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
         if as_json:
             print_result(found.input, found.record())
         else:
@@ -144,7 +148,7 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         if solution.choice is None:
             return result(solution, readings)
-        from qsbearing.messages.bearing import chosen
+        from qsbearing.remarks.bearing import chosen
 
         said = enumerate(chosen(solution, scene))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
@@ -157,6 +161,33 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         return found(spectrum_record, spectrum_result)
     return found(record, blocks)
+
+
+def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
+    """What cannot be done with every bearing that a data sheet allows."""
+    from qsbearing.files.data_sheet_table import refusal
+
+    return [f"{name}: {refusal(scene.bearing)}" for name, given in options.items() if given is not None]
+
+
+def _of_data_sheet(scene: Scene) -> Found:
+    """Results as ranges; in JSON beside those of the set whose ratings fit best."""
+    from dataclasses import replace
+
+    from qsbearing.results.json_record import record
+    from qsbearing.results.readings_record import Readings, all_columns, taken
+    from qsbearing.studies import inferred
+
+    solution = _solved(scene, None)
+
+    def with_ranges(solution: Solution, _: Readings) -> dict[str, Any]:
+        best = _solved(replace(scene, bearing=scene.bearing.inferred.at(0)), None)
+        return record(best, taken(best), said=inferred.said(solution)) | inferred.inferred_record(solution)
+
+    def blocks(solution: Solution, _: Readings) -> list[Block]:
+        return inferred.inferred_tables(solution)
+
+    return _found(solution, scene, taken(solution), all_columns, with_ranges, blocks)
 
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:

@@ -7,6 +7,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from qsbearing.cli.output import note, refuse, warnings_as_notes
@@ -25,16 +26,20 @@ PATIENCE = 2.0
 
 def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
-    from qsbearing.files.scene_file import load_scene
+    from qsbearing.files.scene_file import document_of, scene_of
 
-    return _of_one_point(_loaded(load_scene, source), source)
+    return _of_one_point(_loaded(lambda given: scene_of(*document_of(given)), source), source)
 
 
-def load_scene_or_set(source: str) -> Scene | BearingSet:
-    """Likewise, but a file with rows is a set; of several operating points, if it says so."""
+def load_scene_or_set(source: str, may_infer: bool = False) -> Scene | BearingSet:
+    """Likewise, but a file with rows is a set; of several operating points, if it says so.
+
+    Args:
+        may_infer: whether a bearing may be a list, those that its data sheet allows.
+    """
     from qsbearing.files.scene_or_set import load_scene_or_set
 
-    return _loaded(load_scene_or_set, source)
+    return _loaded(partial(load_scene_or_set, may_infer=may_infer), source)
 
 
 def load_one(source: str) -> Scene | BearingSet:

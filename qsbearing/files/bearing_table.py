@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files import catalogue
+from qsbearing.files.data_sheet_table import bearing_of_sheet, is_data_sheet, without_sheet
 from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
@@ -46,11 +47,16 @@ _OUTSIDE = {key.name for key in PRINTED}
 _EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
 """One given replaces the other of a catalogue's entry."""
 
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), {"name": as_word} | choice_fields("kind"))
+_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", "rating_practice")
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), _WORDS)
 
 
-def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBearing | None:
-    """The bearing of a file's table [bearing]; None where errors were found and added."""
+def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: bool = False) -> BallBearing | None:
+    """The bearing of a file's table [bearing]; None where errors were found and added.
+
+    Args:
+        may_infer: whether it may be a list of bearings, those that a data sheet allows.
+    """
     if "bearing" not in document:
         cause = f'At the least name = "{catalogue.entries()[0].name}"'
         errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
@@ -63,7 +69,11 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors) -> BallBear
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
+    by_sheet = is_data_sheet({*good, *unusable})
     good = designated(good, unusable)
+    if by_sheet and ("name" not in good or catalogue.named(good["name"]) is None):
+        return bearing_of_sheet(good, label, _outline(good), errors, may_infer) if len(errors) == before else None
+    errors += without_sheet(good)
     # Which the model does not need: `with_printed` has handed them on.
     printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
     of_radius = _coefficients(good, unusable, errors)
@@ -178,12 +188,12 @@ def entry_of(bearing: BallBearing) -> catalogue.Entry | None:
 
 
 def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
-    """What a bearing is called of which a file gives an entry's name and these keys beside it."""
+    """What a bearing is called of which a file gives an entry's name and these keys with it."""
     return f"{entry.name}{MODIFIED}" if changed_keys(entry, given) else entry.name
 
 
 def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
-    """Which of the keys that a file gives beside an entry's name have another value than the entry."""
+    """Which of the keys that a file gives with an entry's name have another value than the entry."""
     numbers = {key: value for key, value in given.items() if key != "name"}
     return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
 

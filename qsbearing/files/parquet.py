@@ -9,7 +9,7 @@ from qsbearing.files.file_errors import refused
 from qsbearing.files.limits import LARGEST_TABLE, LONGEST_CELL, check_size, is_empty
 
 KINDS = ("integer", "floating", "decimal", "boolean", "temporal", "dictionary", "null")
-"""Of columns that are read, beside texts."""
+"""Of columns that are read, apart from texts."""
 
 
 def columns_of_parquet(data: bytes, path: Path) -> dict[str, list[Any]]:

@@ -15,16 +15,19 @@ import numpy as np
 
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, designated, entry_of, kept
+from qsbearing.files.designations import read
 from qsbearing.files.effects_table import flattened
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.fits import CLASS
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.effects import ElasticRings
+from qsbearing.model.effects import ElasticRings, RingExpansion
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     BEARING,
     EFFECT_TABLES,
     MATERIALS,
     PRINTED,
+    SEAT_FITS,
 )
 
 _OF_RINGS = {
@@ -116,10 +119,13 @@ def _known(bearing: Any) -> dict[str, Any]:
         return {}
     bearing = designated(bearing)
     own = {key.name: bearing[key.name] for key in PRINTED if key.name in bearing}
-    entry = catalogue.find(bearing["name"]) if isinstance(bearing.get("name"), str) else None
+    name = bearing["name"] if isinstance(bearing.get("name"), str) else ""
+    told, entry = read(name), catalogue.find(name)
+    by_name = {CLASS: told.tolerance_class} if told is not None and told.tolerance_class else {}
     if entry is None:
-        return own
-    return kept(entry, changed_keys(entry, {key: each for key, each in bearing.items() if key not in own})) | own
+        return by_name | own
+    changed = changed_keys(entry, {key: each for key, each in bearing.items() if key not in own})
+    return kept(entry, changed) | by_name | own
 
 
 _PLACES = ("effects", "readings")
@@ -164,11 +170,14 @@ def _given(name: str, table: Any, known: dict[str, Any]) -> dict[str, Any]:
     if not isinstance(table, dict) and table is not True:
         return {}
     own = set() if table is True else set(flattened(table))
-    return {
+    found = {
         key: known[printed]
         for key, printed in _taken(name).items()
         if printed in known and key not in own and not own & _BY_GEOMETRY.get(key, set()) and _has_section(key, own)
     }
+    if name == RingExpansion.name and CLASS in known and own & set(SEAT_FITS) and CLASS not in own:
+        found[CLASS] = known[CLASS]  # a designation's, as P4
+    return found
 
 
 def _has_section(key: str, own: set[str]) -> bool:

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
 
 STUDY_TABLES = ("vary", "study")
-"""What a study file has beside the tables of a scene."""
+"""What a study file has in addition to the tables of a scene."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
 
@@ -55,12 +55,12 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     Args:
         source: a path, or the name of a catalogue entry, such as "b218". A file with this name has precedence; "-" is
             standard input. From a result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that
-            it holds is read.
+            it holds is read. A bearing given by its data sheet is a case for each set that it allows.
 
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
     """
-    return scene_of(*document_of(source))
+    return scene_of(*document_of(source), may_infer=True)
 
 
 def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple[dict[str, Any], str, str]:
@@ -102,12 +102,13 @@ def text_of(source: str) -> str:
     return read_text(path, LARGEST_FILE) if is_file(path) and path.suffix.lower() not in result_file.ENDINGS else ""
 
 
-def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
+def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bool = False) -> Scene:
     """The scene of a parsed file.
 
     Args:
         file: what to call the file in errors.
         label: name of the bearing where the catalogue gives none.
+        may_infer: whether a bearing may be given by its data sheet, whose ball sets are then the scene's cases.
 
     Raises:
         SceneFileError: everything that is wrong with it.
@@ -124,7 +125,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "") -> Scene:
     document, thermal = heated(with_preload_class(document, errors), errors)
     document = with_printed(document)
     _find_unknown_tables(document, errors)
-    bearing = bearing_of(document, label, errors)
+    bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors)

@@ -13,17 +13,22 @@ if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
 
 
-def load_scene_or_set(source: str | os.PathLike[str]) -> Scene | BearingSet:
+def load_scene_or_set(source: str | os.PathLike[str], may_infer: bool = False) -> Scene | BearingSet:
     """What a file describes: a set where it has [[rows]], else a scene.
+
+    Args:
+        may_infer: as for `scene_of`.
 
     Raises:
         SceneFileError: everything that is wrong with it, at once.
     """
     document, file, label = document_of(source)
-    return scene_or_set_of(document, file, label)
+    return scene_or_set_of(document, file, label, may_infer)
 
 
-def scene_or_set_of(document: dict[str, Any], file: str, label: str = "") -> Scene | BearingSet:
+def scene_or_set_of(
+    document: dict[str, Any], file: str, label: str = "", may_infer: bool = False
+) -> Scene | BearingSet:
     """Likewise of a parsed file.
 
     Args:
@@ -31,7 +36,7 @@ def scene_or_set_of(document: dict[str, Any], file: str, label: str = "") -> Sce
         label: the scene's or set's name.
     """
     if not is_set(document):
-        return scene_of(document, file, label)
+        return scene_of(document, file, label, may_infer)
     from qsbearing.files.set_file import set_of
 
     return set_of(document, file, label)

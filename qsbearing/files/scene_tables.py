@@ -11,6 +11,7 @@ import numpy as np
 
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
+from qsbearing.files.data_sheet_table import sheet_tables
 from qsbearing.files.effects_table import AUTO
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
@@ -91,6 +92,9 @@ def _row(row: Row, with_bearing: bool) -> Tables:
 
 
 def _bearing(bearing: BallBearing) -> Tables:
+    if bearing.inferred is not None:
+        tables = sheet_tables(bearing) | {side: _material(getattr(bearing, side)) for side in MATERIALS}
+        return tables | _outline(bearing, None)
     entry = entry_of(bearing)
     table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
     table["ball_count"] = int(table["ball_count"])

@@ -15,6 +15,7 @@ from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
+from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
@@ -23,7 +24,12 @@ from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, comma_advice, near
 
-CHOICES_OF_FILES: dict[str, type[StrEnum]] = {"kind": BearingKind, "moment_shares": MomentShares, **CHOICES}
+CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
+    "kind": BearingKind,
+    "rating_practice": RatingPractice,
+    "moment_shares": MomentShares,
+    **CHOICES,
+}
 """The keys of a file whose words are those of a choice."""
 Errors = list[FileErrorDetail]
 Made = TypeVar("Made")

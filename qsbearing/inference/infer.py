@@ -16,10 +16,9 @@ from qsbearing.inference.practice import ACCEPTED, FACTORS, HOW_TO_STATE, ISO, O
 from qsbearing.inference.ratings_fit import Fitted, fitted, joined
 from qsbearing.inference.rigidity import grooves_of_rigidity, pair_rigidity
 from qsbearing.model.bearing import BallBearing, BearingKind, Outline
-from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know
 from qsbearing.model.validation import ErrorDetail, SceneError, raise_if_any
+from qsbearing.remarks.remark import Warned, remark
 
-PAGE = "data_sheet"
 TYPICAL_PRELOAD = 0.01
 """Part of C at which a rigidity is predicted that nobody gave: about a medium preload."""
 MOST_LISTED = 30
@@ -42,7 +41,7 @@ class InferredBearing:
     practice: NDArray
     """What C and C0 were read as."""
     sheet: DataSheet
-    remarks: tuple[RankedWarning, ...] = ()
+    remarks: tuple[Warned, ...] = ()
 
     def at(self, case: int) -> BallBearing:
         """The bearing of one case; of case 0 that which fits best, which often is not the true one."""
@@ -103,12 +102,12 @@ def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> Inferred
     raise_if_any(sheet_errors(sheet))
     sheet = replace(sheet, kind=BearingKind(sheet.kind))
     practice = practice_of(sheet.maker, sheet.rating_practice, tuple(getattr(sheet, name) for name in FACTORS))
-    remarks: list[RankedWarning] = []
+    remarks: list[Warned] = []
     found = _unstated(sheet, remarks) if practice is None else fitted(sheet, practice)
     if not found.misfit.size and practice is not None:
         raise SceneError([_no_set(sheet, practice.kind)])
     if found.misfit.size > MOST_LISTED:
-        remarks.append(check_data(f"of {found.misfit.size} ball sets the {MOST_LISTED} that fit best are solved", PAGE))
+        remarks.append(remark("sheet_sets_left_out", sets=found.misfit.size, solved=MOST_LISTED).said())
         found = found.taken(np.arange(MOST_LISTED))
     known = sheet.groove_radius_coefficient
     if sheet.pair_rigidity is not None and sheet.pair_preload is not None and known is None:
@@ -121,9 +120,7 @@ def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> Inferred
             cause = "Axial, of a back-to-back pair: twice the stiffness of one bearing under the preload"
             raise SceneError([ErrorDetail("bearing.pair_rigidity", problem, sheet.pair_rigidity, cause=cause)])
     elif known is None and (found.practice != RatingPractice.OWN_GROOVE).any():
-        remarks.append(
-            good_to_know("the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed", PAGE)
-        )
+        remarks.append(remark("sheet_groove_assumed").said())
     f = found.groove[:, GROOVES].reshape(-1)
     repeated = [np.repeat(each, len(GROOVES)) for each in (*found.sets, found.misfit, found.practice)]
     number = np.repeat(np.arange(found.misfit.size), len(GROOVES))
@@ -131,19 +128,13 @@ def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> Inferred
     return InferredBearing(bearing, number, repeated[2], repeated[3], sheet, tuple(remarks))
 
 
-def _unstated(sheet: DataSheet, remarks: list[RankedWarning]) -> Fitted:
+def _unstated(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
     """Where nobody states the practice: ISO's, if both ratings agree closely, beside own grooves; else it asks."""
     if not fitted(sheet, replace(ISO, within=ACCEPTED)).misfit.size:
         problem = "cannot be read: nothing states what the ratings mean, and they are not ISO's as printed"
         cause = f"{HOW_TO_STATE}. Without it a ball set that seems to fit is mostly wrong"
         raise SceneError([ErrorDetail("bearing.dynamic_load_rating", problem, sheet.dynamic_load_rating, cause=cause)])
-    remarks.append(
-        check_data(
-            "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
-            "are read so and as those of the bearing's own grooves",
-            PAGE,
-        )
-    )
+    remarks.append(remark("sheet_ratings_unstated").said())
     return joined([fitted(sheet, ISO), fitted(sheet, OWN_GROOVE)])
 
 
@@ -153,7 +144,8 @@ def _no_set(sheet: DataSheet, kind: RatingPractice) -> ErrorDetail:
         RatingPractice.OWN_GROOVE: "with grooves of f = 0.508 to 0.535",
         RatingPractice.SERIES_FACTORS: "by ISO 281 and ISO 76 times the factors",
     }[kind]
-    known = ", ".join(name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None)
+    given = [name for name in ("ball_count", "ball_diameter", "f0") if getattr(sheet, name) is not None]
+    known = ", ".join(name.replace("_", " ") for name in given)
     problem = f"no ball set between these rings has these ratings {how}{f', with this {known}' if known else ''}"
     cause = (
         "Of one row, in newtons? Series of light balls, such as GMN's KH, follow neither: "

@@ -65,6 +65,8 @@ class BallBearing:
     ring."""
     outline: Outline | None = field(default=None, compare=False, repr=False)
     """Its rings from outside. No solve looks at it: what elastic or expanding rings would change is told by it."""
+    inferred: Any = field(default=None, compare=False, repr=False)
+    """Of a bearing given by its data sheet, whose arrays are the sets that it allows: what they were inferred from."""
 
     def __post_init__(self) -> None:
         kind, errors = choose("bearing.kind", self.kind, BearingKind)

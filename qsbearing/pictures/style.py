@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mrad, rpm, um
+from qsbearing.remarks.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -240,7 +240,7 @@ def _write_title(
         if speed is not None:
             parts.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[place]) / rpm:.6g} rpm")
     for i, channel in enumerate(CHANNELS):
-        if i in solution._free_channels:
+        if i in solution.free_channels:
             value, unit = solution.load[place][i], "N m" if channel.is_rotation else "N"
             if abs(value) > 1e-6 * np.abs(solution.load[place]).max():  # a channel without load is not named
                 parts.append(f"{channel.label.replace('tilt', 'moment')} {value:.5g} {unit}")

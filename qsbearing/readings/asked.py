@@ -162,7 +162,7 @@ def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tupl
 
 
 def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str, NDArray]:
-    """Readings as columns beside those of `Solution.to_dataframe`: one row per ball of every case, units in the names.
+    """More columns for `Solution.to_dataframe`: readings, one row per ball of every case, units in the names.
 
     Args:
         readings: results by the name of their reading, as `take_asked` gives them.

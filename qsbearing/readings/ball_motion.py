@@ -29,7 +29,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry, kernel
-from qsbearing.model.ranked_warning import good_to_know
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -37,7 +36,7 @@ from qsbearing.model.units import MPa, rpm
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
 """Arrays of the balls that their motion in the contacts follows from."""
@@ -66,14 +65,14 @@ class RacewayMotion:
 
 
 @dataclass(frozen=True)
-class BallMotion:
+class BallMotion(Remarked):
     """How the balls of a solution move."""
 
     orbital_speed: NDArray
     """omega_m of each ball's centre; shape (*cases, ball) [rad/s]."""
     inner: RacewayMotion
     outer: RacewayMotion
-    warnings: Remarks
+    remarks: Remarks
 
 
 def kinematics(solution: Solution) -> BallMotion:
@@ -106,9 +105,7 @@ def motion_arrays(solution: Solution) -> tuple[Any, ...]:
 
 def control_remarks(solution: Solution) -> Remarks:
     """That raceway control was assumed, where it was."""
-    assumed = solution.scene.raceway_control is None
-    said = good_to_know("no raceway control is named: all spin is put on the inner raceway", CHOICES)
-    return remarks([(assumed, said)], ())
+    return remarks([(solution.scene.raceway_control is None, remark("control_assumed"))], ())
 
 
 def ring_speeds(solution: Solution) -> tuple[NDArray, NDArray]:

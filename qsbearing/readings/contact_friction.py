@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.elliptic import second_kind
-from qsbearing.model.ranked_warning import wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -41,7 +40,7 @@ from qsbearing.readings.ellipse_sliding import (
 from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.readings.remarks import Remarks, remarks
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 
@@ -64,7 +63,7 @@ class RacewayFriction:
 
 
 @dataclass(frozen=True)
-class Friction:
+class Friction(Remarked):
     """Friction of a solution."""
 
     inner: RacewayFriction
@@ -75,7 +74,7 @@ class Friction:
     """All that is computed; shape (*cases) [W]."""
     torque: NDArray
     """power over the speed of one ring against the other; shape (*cases) [N m]; NaN at rest."""
-    warnings: Remarks
+    remarks: Remarks
     models: tuple[FrictionModel, ...] = (CONTACTS,)
     """What it contains, its range, and its use."""
 
@@ -188,14 +187,12 @@ def _drag(solution: Solution, coefficient: NDArray, density: NDArray) -> NDArray
     return np.asarray(0.5 * coefficient[..., None] * density[..., None] * disc * (speed * speed * speed))
 
 
-def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, str]]:
-    found: list[tuple[Any, str]] = []
+def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
+    found: list[tuple[Any, Remark]] = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
             slips = (side.required_friction > np.asarray(mu, float)[..., None]).any(axis=-1)
-            more = f"at an {name} contact the gyroscopic moment requires more friction than the coefficient given"
-            slip = "the ball slips, and the heat of this slip is not included"
-            found.append((slips, wrong_model(f"{more}: {slip}", "limits#hypotheses")))
+            found.append((slips, remark("friction_given_exceeded", name)))
     return found
 
 

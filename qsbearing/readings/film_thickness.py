@@ -16,7 +16,7 @@ Shear heats the oil in the inlet, which thins it and the film by the factor
 
     phi = 1/[1 + 0.1 (1 + 14.8 S^0.83) L^0.64],     L = beta eta (2 u)^2/k,   S: sliding over the sum of the speeds
 
-told beside the isothermal film. It is usually put down to W. Wilson & S. Sheu 1983, whose paper was not at hand: the
+told next to the isothermal film. It is usually put down to W. Wilson & S. Sheu 1983, whose paper was not at hand: the
 constants and the sum of the speeds are those of github.com/PedroTayer/contact_mechanics and
 github.com/cfernandesFEUP/GEARpie, which agree. They give no range; it was made for rolling line contacts. S is zero
 here: raceway control lets the contact's centre roll, and spin drags in on one side what it holds back on the other.
@@ -35,7 +35,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry, kernel
-from qsbearing.model.ranked_warning import check_data, good_to_know, wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -47,7 +46,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 MIXED = 1.0
 """Film parameter below which surfaces touch over much of the contact; full separation takes about 3."""
@@ -84,7 +83,7 @@ class RacewayFilm:
 
 
 @dataclass(frozen=True)
-class Film:
+class Film(Remarked):
     """Oil films of a solution."""
 
     inner: RacewayFilm
@@ -94,7 +93,7 @@ class Film:
     where the oil's kinematic viscosity is not known."""
     combined_roughness: NDArray | None
     """Root mean square of ball and raceway together [m]; None without roughness."""
-    warnings: Remarks
+    remarks: Remarks
 
 
 @dataclass(frozen=True)
@@ -251,26 +250,19 @@ def _raceway(
     return RacewayFilm(found[0], found[1], parameter, reduction)
 
 
-def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, str]]:
-    found: list[tuple[Any, str]] = []
+def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, Remark]]:
+    found: list[tuple[Any, Remark]] = []
     if oil.is_estimated:
-        rough = "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %"
-        found.append((True, check_data(f"{rough} (15 % of the film thickness)", CHOICES)))
+        found.append((True, remark("pressure_viscosity_estimated")))
     if factor is not None and inner.thermal_reduction is None:
-        hot = f"SKF's inlet shear heating factor is below {WARM_INLET:g}"
-        isothermal = wrong_model(f"{hot}: the true film is thinner than this isothermal one", CHOICES)
-        found.append((factor < WARM_INLET, isothermal))
+        found.append((factor < WARM_INLET, remark("film_isothermal", limit=WARM_INLET)))
+    spread = {"limit_percent": 100.0 * (1.0 - WARM_INLET), "spread_percent": 100.0 * FACTOR_SPREAD}
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.thermal_reduction is not None:
-            heated = np.asarray(raceway.thermal_reduction < WARM_INLET).any(axis=-1)
-            part = f"{100 * (1 - WARM_INLET):.0f} %"
-            much = f"inlet heating reduces the film of an {name} contact by more than {part}"
-            differ = f"published factors of this reduction differ by {100 * FACTOR_SPREAD:.0f} %"
-            found.append((heated, good_to_know(f"{much}; {differ}", CHOICES)))
+            heated = (raceway.thermal_reduction < WARM_INLET).any(axis=-1)
+            found.append((heated, remark("film_reduced", name, **spread)))
         if raceway.film_parameter is not None:
-            thin = np.asarray(raceway.film_parameter < MIXED).any(axis=-1)
-            touched = f"a film parameter is below 1: asperities touch over much of that {name} contact"
-            found.append((thin, good_to_know(touched, CHOICES)))
+            found.append(((raceway.film_parameter < MIXED).any(axis=-1), remark("film_thin", name)))
     return found
 
 

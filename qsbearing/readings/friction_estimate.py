@@ -1,4 +1,4 @@
-"""Catalogue estimates of a bearing's frictional torque, to set beside the integrated one: SKF's and Palmgren's.
+"""Catalogue estimates of a bearing's frictional torque, to compare with the integrated one: SKF's and Palmgren's.
 
 Sources: SKF General Catalogue, pp. 88-103; A. Palmgren's formula with Schaeffler's factors (HR 1, pp. 54-60; ISO 15312
 uses the same form). Both rest on whole bearings: bore, outside diameter and series, which a scene does not hold.
@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing, BearingKind
-from qsbearing.model.ranked_warning import good_to_know, wrong_model
 from qsbearing.model.scene.keys import DIAMETERS, Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -39,8 +38,8 @@ from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.lubricant import OilState
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import static_equivalent_load
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 
 class Series(StrEnum):
@@ -75,7 +74,7 @@ HYBRID = 0.41
 
 
 @dataclass(frozen=True)
-class FrictionEstimate:
+class FrictionEstimate(Remarked):
     """A catalogue's estimate; arrays of shape (*cases)."""
 
     torque: NDArray
@@ -84,11 +83,11 @@ class FrictionEstimate:
     """torque times the speed of one ring against the other [W]."""
     model: FrictionModel
     """What it contains, its range, and its use."""
-    warnings: Remarks = ()
+    remarks: Remarks = ()
 
 
 @dataclass(frozen=True)
-class FrictionEstimates:
+class FrictionEstimates(Remarked):
     """What catalogues would estimate; None for an estimate whose numbers are not given."""
 
     skf: FrictionEstimate
@@ -104,9 +103,9 @@ class FrictionEstimates:
         return tuple(each.model for each in (self.skf, self.palmgren) if each is not None)
 
     @property
-    def warnings(self) -> Remarks:
+    def remarks(self) -> Remarks:  # type: ignore[override]
         """Those of SKF's estimate; Palmgren's has none."""
-        return self.skf.warnings
+        return self.skf.remarks
 
 
 @dataclass(frozen=True)
@@ -152,7 +151,7 @@ def _arguments(oil: OilState, bore_diameter: Any, outside_diameter: Any, **given
 
 @with_arguments(EstimateArguments)
 def friction_estimates(solution: Solution, given: EstimateArguments) -> FrictionEstimates:
-    """SKF's estimate; Palmgren's beside it where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
+    """SKF's estimate; Palmgren's too where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
     whole = {name: getattr(given, name) for name in ("bore_diameter", "outside_diameter", "kinematic_viscosity")}
     rating, palmgren = given.static_load_rating, None
     skf = skf_torque(solution, **whole, series=given.series, static_load_rating=rating, speed_rating=given.speed_rating)
@@ -210,16 +209,9 @@ def skf_torque(
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
-    found: tuple[ArrayLike, str]
-    if speed_rating is None:
-        unknown = "SKF's friction model is valid below the bearing's speed rating, which is not given (speed_rating)"
-        found = (True, good_to_know(unknown, CHOICES))
-    else:
-        above = "the speed is above the bearing's speed rating, the limit of SKF's friction model"
-        found = (
-            n * rpm > np.asarray(speed_rating),
-            wrong_model(f"{above}: its torque and heat are extrapolated", CHOICES),
-        )
+    found: tuple[ArrayLike, Remark] = (True, remark("speed_rating_unknown"))
+    if speed_rating is not None:
+        found = (n * rpm > np.asarray(speed_rating), remark("speed_rating_exceeded"))
     return _estimate(solution, rolling + sliding, SKF, remarks([found], solution.shape))
 
 
@@ -301,9 +293,9 @@ def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
     return np.hypot(load[..., 1], load[..., 2]), np.abs(load[..., 0]), speed
 
 
-def _estimate(solution: Solution, torque: NDArray, model: FrictionModel, warnings: Remarks = ()) -> FrictionEstimate:
+def _estimate(solution: Solution, torque: NDArray, model: FrictionModel, said: Remarks = ()) -> FrictionEstimate:
     """From N mm."""
-    return FrictionEstimate(torque * Nmm, torque * Nmm * _loads(solution)[2] * rpm, model, warnings)
+    return FrictionEstimate(torque * Nmm, torque * Nmm * _loads(solution)[2] * rpm, model, said)
 
 
 ENTRY = Reading(

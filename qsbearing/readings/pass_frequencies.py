@@ -52,7 +52,7 @@ class FrequencySet:
 
 @dataclass(frozen=True)
 class Frequencies:
-    """Of the solved contact angles, and beside them the textbook's."""
+    """Of the solved contact angles, and next to them the textbook's."""
 
     solved: FrequencySet
     """NaN where a case is not solved or no ball touches both raceways."""

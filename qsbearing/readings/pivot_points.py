@@ -27,7 +27,7 @@ from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, con
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
 from qsbearing.readings.entry import Reading
-from qsbearing.readings.remarks import Remarks
+from qsbearing.remarks.remark import Remarked, Remarks
 
 FINE = 18
 """Halvings of the interval of c, for the table."""
@@ -51,12 +51,12 @@ class RacewayPivots:
 
 
 @dataclass(frozen=True)
-class PivotPoints:
+class PivotPoints(Remarked):
     """Of a solution."""
 
     inner: RacewayPivots
     outer: RacewayPivots
-    warnings: Remarks
+    remarks: Remarks
 
 
 def pivot_points(solution: Solution) -> PivotPoints:

@@ -1,4 +1,4 @@
-"""Rating life from the solved ball loads: ISO/TS 16281's reference life, and ISO 281's beside it.
+"""Rating life from the solved ball loads: ISO/TS 16281's reference life, and ISO 281's next to it.
 
 Sources: ISO/TS 16281:2008, as published implementations have it (github.com/minzhun/ISO16281, equations 19 to 29);
 ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions of one ring against the other.
@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.ranked_warning import RankedWarning, good_to_know, wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -47,9 +46,9 @@ from qsbearing.readings.life_factors import (
 )
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
@@ -63,7 +62,7 @@ NEEDS = ("load", "max_pressure"), ()
 
 
 @dataclass(frozen=True)
-class Life:
+class Life(Remarked):
     """Lives of each case; arrays of shape (*cases), revolutions of one ring against the other. NaN where not solved."""
 
     dynamic_load_rating: NDArray
@@ -90,7 +89,7 @@ class Life:
     """ISO 281's L10 = (C/P)^3 [rev], which knows neither speed nor clearance nor tilt."""
     speed: NDArray
     """Of one ring against the other [rad/s]."""
-    warnings: Remarks
+    remarks: Remarks
 
     @property
     def reference_rating_life(self) -> NDArray:
@@ -254,32 +253,18 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
     found = _found(solution, rating, from_geometry, kappa)
-    uncovered = wrong_model(
-        "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10",
-        CHOICES,
-    )
-    found.append((np.isnan(P) & np.isfinite(system), uncovered))
+    found.append((np.isnan(P) & np.isfinite(system), remark("life_thrust_uncovered")))
     if factor is not None:
-        found.append(((factor > PRACTICE) & (factor < LARGEST), beyond_practice(f"aISO is above {PRACTICE:g}")))
-        capped = f"aISO is at the upper limit of ISO 281, {LARGEST:g}: the modified life is not a prediction"
-        found.append((factor >= LARGEST, good_to_know(capped, CHOICES)))
+        found.append(((factor > PRACTICE) & (factor < LARGEST), remark("life_factor_large", limit=PRACTICE)))
+        found.append((factor >= LARGEST, remark("life_factor_capped", limit=LARGEST)))
     found_life = Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         (),
     )  # fmt: skip
     hours = found_life.duration / HOUR
-    long = f"the life is above {LONGEST_HOURS:,.0f} h ({LONGEST_HOURS / 8760.0:.0f} years)"
-    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), beyond_practice(long)))
-    return replace(found_life, warnings=remarks(found, shape))
-
-
-def beyond_practice(what: str) -> RankedWarning:
-    """A remark on a life that is too long to count on."""
-    return good_to_know(
-        f"{what}, a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or "
-        "damage end a bearing's life before fatigue does",
-        CHOICES,
-    )
+    long = remark("life_long", limit_h=LONGEST_HOURS, limit_years=LONGEST_HOURS / 8760.0)
+    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), long))
+    return replace(found_life, remarks=remarks(found, shape))
 
 
 def _turning(solution: Solution) -> tuple[NDArray, NDArray]:
@@ -322,7 +307,7 @@ def _add_damage(
 
 def _found(
     solution: Solution, rating: Rating, from_geometry: bool, viscosity_ratio: ArrayLike | None
-) -> list[tuple[NDArray, str]]:
+) -> list[tuple[NDArray, Remark]]:
     """Where the lives leave the range of their sources."""
     numbers = BearingNumbers(solution.scene.bearing)
     inner_f, outer_f = numbers.groove_coefficient(INNER), numbers.groove_coefficient(OUTER)
@@ -331,34 +316,19 @@ def _found(
         for most in (INNER_GROOVE_COVERED, OUTER_GROOVE_COVERED)
     )
     wide = (inner_f > inner_most + 1e-9) | (outer_f > outer_most + 1e-9)
-    found: list[tuple[NDArray, str]] = [
-        (
-            numbers.is_hybrid,
-            good_to_know(
-                "the dynamic rating and the life modification factor of ceramic balls are those of steel balls", CHOICES
-            ),
-        ),
-        (
-            largest_pressure(solution) > STATIC_PRESSURE,
-            wrong_model(
-                f"the pressure of a contact is above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and the rating "
-                "life is not valid",
-                "limits",
-            ),
-        ),
+    found: list[tuple[NDArray, Remark]] = [
+        (numbers.is_hybrid, remark("life_of_ceramic")),
+        (largest_pressure(solution) > STATIC_PRESSURE, remark("life_dents", limit_MPa=STATIC_PRESSURE / MPa)),
     ]
     if from_geometry and rating is Rating.ISO_281:
-        covered = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
-        wider = f'{covered}: a wider groove carries less (rating = "lundberg_palmgren" takes the grooves into account)'
-        found.append((wide, wrong_model(wider, CHOICES)))
+        found.append((wide, remark("life_grooves_uncovered")))
         gamma = numbers.nominal_gamma
         outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
-        found.append((outside, wrong_model("ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40", CHOICES)))
+        found.append((outside, remark("life_size_uncovered")))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)
-        thin = wrong_model(f"aISO is not defined below kappa = {LEAST_RATIO:g}", CHOICES)
-        thick = good_to_know(f"kappa above {GREATEST_RATIO:g} counts as {GREATEST_RATIO:g} in aISO", CHOICES)
-        found += [(kappa < LEAST_RATIO, thin), (kappa > GREATEST_RATIO, thick)]
+        found.append((kappa < LEAST_RATIO, remark("life_viscosity_low", limit=LEAST_RATIO)))
+        found.append((kappa > GREATEST_RATIO, remark("life_viscosity_high", limit=GREATEST_RATIO)))
     return found
 
 

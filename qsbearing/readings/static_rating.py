@@ -18,7 +18,6 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.ranked_warning import good_to_know, wrong_model
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -27,7 +26,7 @@ from qsbearing.model.validation import FORCE, ErrorDetail, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 FATIGUE_PRESSURE = 1500e6
 """Pressure below which bearing steel does not tire under ideal conditions [Pa] (ISO 281, annex B)."""
@@ -145,7 +144,7 @@ def _axial_factor(bearing: BallBearing) -> NDArray:
 
 
 @dataclass(frozen=True)
-class StaticSafety:
+class StaticSafety(Remarked):
     """How far each case is from a permanent dent; arrays of shape (*cases)."""
 
     static_load_rating: NDArray
@@ -156,7 +155,7 @@ class StaticSafety:
     """S0 = C0/P0 [-], by the standard's load distribution."""
     contact_safety: NDArray
     """(4200 MPa/p0)^3 of the most highly pressed contact: the factor by which its load may grow [-]."""
-    warnings: Remarks
+    remarks: Remarks
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -191,33 +190,12 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
         safety, contact = rating / equivalent, (STATIC_PRESSURE / pressure) ** 3
     moment = np.hypot(solution.load[..., 3], solution.load[..., 4])
     arm = 0.5 * np.asarray(bearing.pitch_diameter, float)
+    limit = STATIC_PRESSURE / MPa
     found = [
-        (
-            contact < 1.0,
-            wrong_model(
-                f"the pressure of a contact is above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents, and the contact "
-                "is no longer elastic",
-                "limits",
-            ),
-        ),
-        (
-            moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny),
-            wrong_model("the ring carries a moment, which P0 of ISO 76 does not include; contact_safety does", CHOICES),
-        ),
-        (
-            np.isnan(equivalent) & np.isfinite(radial),
-            wrong_model(
-                "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one",
-                CHOICES,
-            ),
-        ),
-        (
-            BearingNumbers(bearing).is_hybrid,
-            good_to_know(
-                f"ceramic balls are judged by {STATIC_PRESSURE / MPa:.0f} MPa like steel ones; ISO 20056-2 allows more",
-                "readings#not-included",
-            ),
-        ),
+        (contact < 1.0, remark("static_dents", limit_MPa=limit)),
+        (moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny), remark("static_moment")),
+        (np.isnan(equivalent) & np.isfinite(radial), remark("static_thrust_uncovered")),
+        (BearingNumbers(bearing).is_hybrid, remark("static_of_ceramic", limit_MPa=limit)),
     ]
     return StaticSafety(rating, equivalent, safety, contact, remarks(found, solution.shape))
 

@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry, formula
 from qsbearing.model.contact.hertz import subsurface_shear
-from qsbearing.model.ranked_warning import good_to_know
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -33,7 +32,7 @@ from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.readings.remarks import CHOICES, Remarks, remarks
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 TABLE = 33
 """Ellipses between which the largest shear is interpolated: to 1e-5 of it and of its depth."""
@@ -64,12 +63,12 @@ class RacewayStress:
 
 
 @dataclass(frozen=True)
-class Stress:
+class Stress(Remarked):
     """Subsurface stresses of a solution."""
 
     inner: RacewayStress
     outer: RacewayStress
-    warnings: Remarks
+    remarks: Remarks
 
 
 def stress(solution: Solution) -> Stress:
@@ -80,10 +79,8 @@ def stress(solution: Solution) -> Stress:
     found = []
     for name, raceway in (("inner", inner), ("outer", outer)):
         deep = raceway.dent > NOTICEABLE * numbers.ball_diameter[..., None]
-        dented = good_to_know(f"an {name} contact dents by more than {NOTICEABLE:g} of the ball's diameter", "limits")
-        found.append((deep.any(axis=-1), dented))
-    ceramic = "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields"
-    found.append((numbers.is_hybrid, good_to_know(ceramic, CHOICES)))
+        found.append((deep.any(axis=-1), remark("dent_noticeable", name, limit=NOTICEABLE)))
+    found.append((numbers.is_hybrid, remark("dent_of_ceramic")))
     return Stress(inner, outer, remarks(found, solution.shape))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from qsbearing import messages
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
 from qsbearing.model.scene.scene import Scene
@@ -13,8 +12,9 @@ from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.front import head
 from qsbearing.reports.key_results import key_results
 from qsbearing.results import report
-from qsbearing.results.readings_record import taken, warnings_of
+from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
+from qsbearing.results.remarks import every_remark, message
 
 
 def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:
@@ -30,7 +30,6 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     name = scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     found = taken(solution)
-    warnings = [*messages.warnings(solution), *warnings_of(found)]
     return Document(
         name,
         "Design report",
@@ -44,7 +43,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             evidence.section([solution]),
         ],
         "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        head(messages.message(solution), key_results(solution, found), warnings, command),
+        head(message(solution), key_results(solution, found), every_remark(solution, found), command),
     )
 
 

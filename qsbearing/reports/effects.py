@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.messages.bearing import chosen
 from qsbearing.model.effects import QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.ranked_warning import capital
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.bearing import chosen
+from qsbearing.remarks.wording import capital
 from qsbearing.reports.evidence import of_rows
 from qsbearing.studies.chooser.explain import Row, explain
 from qsbearing.studies.chooser.explain_set import explain_set

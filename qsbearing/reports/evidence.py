@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.messages.equal_warnings import in_ranges, numbered, without_numbers
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.wording import numbered
 from qsbearing.reports.conditions import Difference, facts_of
 from qsbearing.reports.set_statements import OF_SETS
 from qsbearing.reports.statements import STATEMENTS
@@ -38,7 +38,7 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
     for each in STATEMENTS:
         concerned = {number: one for number, one in facts.items() if each.applies(one)}
         if concerned:
-            found = _in_one([each.found(one) for one in concerned.values()])
+            found = each.found(list(concerned.values()))
             differences = {number: each.differences(one) for number, one in concerned.items()}
             reasons = [
                 one if which is None else one._replace(reason=f"{which}: {one.reason}")
@@ -48,16 +48,11 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
     for of_set in OF_SETS:
         if of is not None and of_set.applies(of):
             said = Md(f"{of_set.says} `{of_set.command}`")
-            rows.append([said, of_set.found(of), *judged(of_set.differences(of))])
+            rows.append([said, of_set.found([of]), *judged(of_set.differences(of))])
     what = "scene" if of is None else "set"
     blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
     headings = ("check and its command", "result", f"this {what}", "why")
     return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")
-
-
-def _in_one(found: Sequence[str]) -> str:
-    """What was found for each row: once, with a range of numbers, where only the numbers differ."""
-    return in_ranges(found) if len(set(map(without_numbers, found))) == 1 else "; ".join(dict.fromkeys(found))
 
 
 def judged(differences: Sequence[Difference]) -> list[Cell]:

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qsbearing.documents.model import Block, Cell, Facts, Md, Remark, Table
+from qsbearing.documents.model import Block, Cell, Facts, Md, Table
+from qsbearing.documents.model import Remark as Shown
 from qsbearing.model.validation import printable
+from qsbearing.remarks.remark import Remark
 from qsbearing.results import provenance
-from qsbearing.results.tables import remarks
+from qsbearing.results.remarks import blocks
 
 
-def head(message: str, key_results: Table, warnings: Sequence[str], command: str) -> list[Block]:
+def head(message: str, key_results: Table, said: Sequence[Remark], command: str) -> list[Block]:
     """Before the contents.
 
     Args:
         message: how the case ended; it is solved.
-        warnings: all of them, where nobody misses them.
+        said: all remarks, where nobody misses them.
         command: that makes the report.
     """
-    said = remarks(warnings) or [Remark("No warnings.")]
-    return [Remark(message, "pass"), key_results, *said, Facts(_facts(command))]
+    shown = blocks(said) or [Shown("No warnings.")]
+    return [Shown(message, "pass"), key_results, *shown, Facts(_facts(command))]
 
 
 def _facts(command: str) -> list[tuple[str, Cell]]:

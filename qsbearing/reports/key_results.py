@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Group, Table
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mrad, um
 from qsbearing.readings.rating_life import HOUR, MILLION
+from qsbearing.remarks.remark import row_name
+from qsbearing.remarks.wording import capital
 from qsbearing.results.report import freedom
-from qsbearing.systems.sets.bearing_set import row_name
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
 
@@ -102,7 +102,7 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
         what: moves.
         lever: at which its turning is compared with its shift [m].
     """
-    free = set(map(int, solution._free_channels))
+    free = set(map(int, solution.free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
     lengths, turns = (um, "µm"), (mrad, "mrad")
     moved = _channels(solution.displacement, levers, lengths, turns, free)

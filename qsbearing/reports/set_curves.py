@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Section
-from qsbearing.messages.equal_warnings import rows_together
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
@@ -20,10 +19,10 @@ from qsbearing.systems.sets.preload_limits import (
     MOST,
     Limits,
     depends_on_speed,
-    load_sentence,
+    load_sentences,
     loaded,
     loads_of,
-    speed_sentence,
+    speed_sentences,
 )
 from qsbearing.systems.sets.preload_search import Change
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -67,9 +66,7 @@ def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
     marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
     figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
-    return shown(
-        swept, figure, "the speed of the shaft", CURVES, rows_together([speed_sentence(of, each) for each in changes])
-    )
+    return shown(swept, figure, "the speed of the shaft", CURVES, speed_sentences(of, changes))
 
 
 def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
@@ -80,7 +77,7 @@ def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     factors = np.linspace(0.0, top, POINTS)
     swept = solve_set(loaded(of, factors))
     figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
-    said = rows_together([load_sentence(of, each) for each in changes])
+    said = load_sentences(of, changes)
     return shown(swept, figure, "all loads in proportion, the preload as it is", CURVES, said)
 
 
@@ -143,7 +140,7 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
 
 def _answer(axes: Axes, along: NDArray, swept: SetSolution) -> str:
     """Draw what the shaft answers with, and say what it is: where no free channel moves, the load that holds it."""
-    free = [i for i in range(3) if i in swept._free_channels]
+    free = [i for i in range(3) if i in swept.free_channels]
     moves = bool(np.any(np.abs(swept.displacement[:, free]) > 0.0))
     values = swept.displacement / um if moves else swept.load
     for i, line in enumerate(list(CHANNEL_LINES.values())[1:4]):

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qsbearing import messages
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section, Table
-from qsbearing.messages.bearing_set import warnings_by_rows
-from qsbearing.messages.equal_warnings import rows_together
-from qsbearing.model.ranked_warning import capital
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
+from qsbearing.remarks.remark import row_name
+from qsbearing.remarks.wording import capital
 from qsbearing.reports import effects, evidence, heat, set_curves, set_inputs
 from qsbearing.reports.front import head
 from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.results import report, set_report
-from qsbearing.results.readings_record import Readings, taken, warnings_of
+from qsbearing.results.readings_record import Readings, taken
 from qsbearing.results.readings_report import readings_tables
+from qsbearing.results.remarks import every_remark
 from qsbearing.results.shaft_report import DEFLECTION
-from qsbearing.results.tables import remarks
-from qsbearing.systems.sets.bearing_set import row_name
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -35,7 +32,6 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     of = solution.set
     found = [taken(row) for row in solution.rows]
     changes = limits(of)
-    warnings = warnings_by_rows(solution, readings=[warnings_of(each) for each in found])
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
         "Design report of a set",
@@ -50,7 +46,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         ],
         "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
         "by the quasi-static model of Jones and Harris.",
-        head(solution.message(), key_results_of_set(solution, found), warnings, command),
+        head(solution.message(), key_results_of_set(solution, found), every_remark(solution, found), command),
     )
 
 
@@ -84,7 +80,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             ),
         )
     parts: list[Block] = [
-        Section("Preload", [Bullets(rows_together(preload_summary(solution, changes)))]),
+        Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
     return Section("Results", [*tables, *parts])
@@ -98,9 +94,8 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
         f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
         f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
     )
-    said = remarks(messages.warnings(row))
     return Section(
         _name(solution, number),
-        [*said, *report.tables_of_balls(row, heat), drawn, *readings_tables(found, row.scene)],
+        [*report.tables_of_balls(row, heat), drawn, *readings_tables(found, row.scene)],
         f"row-{number + 1}",
     )

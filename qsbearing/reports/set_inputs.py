@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
-from qsbearing.messages.equal_warnings import numbered
 from qsbearing.model.scene.keys import (
     FLOATING,
     HEATED,
@@ -24,6 +23,7 @@ from qsbearing.model.scene.keys import (
     Key,
 )
 from qsbearing.model.units import mm, um
+from qsbearing.remarks.wording import numbered
 from qsbearing.reports.inputs import (
     Line,
     as_read,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -14,6 +14,7 @@ from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.material import SILICON_NITRIDE
 from qsbearing.model.units import MPa, deg
+from qsbearing.remarks.wording import Span
 from qsbearing.reports.conditions import (
     NOTHING,
     Difference,
@@ -46,8 +47,8 @@ class Statement(Generic[Of]):
     """What was checked, and how a scene, by its facts, or a set compares with it."""
 
     says: str
-    found: Callable[[Of], str]
-    """The result, in numbers of the record."""
+    found: Callable[[Sequence[Of]], str]
+    """The result, in numbers of the record; of all scenes, or rows of a set, that have what is checked."""
     command: str
     differences: Callable[[Of], list[Difference]]
     """In what it differs from what was checked; nothing: it lies within."""
@@ -125,7 +126,7 @@ def _sector(facts: Facts) -> list[Difference]:
     return found + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
-def _sector_result(facts: Facts) -> str:
+def _sector_result(facts: Sequence[Facts]) -> str:
     rigid, free = NUMBERS["bearing_sector"]["rigid"], NUMBERS["bearing_sector"]["free"]
     return (
         f"Outside diameter rigid: contact loads within {_within(rigid['load_percent'])} %, angles within "
@@ -220,7 +221,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         f"Elastic contact. Bearing steel begins to yield below the surface near {FIRST_YIELD / MPa:.0f} MPa; "
         f"{STATIC_PRESSURE / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
-        lambda facts: f"Maximum pressure here: {facts.pressure / MPa:.0f} MPa",
+        lambda facts: f"Maximum pressure here: {Span(each.pressure / MPa for each in facts):.0f} MPa",
         "qsbearing run SCENE",
         _elastic,
     ),

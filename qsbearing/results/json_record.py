@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing import messages
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
@@ -25,7 +25,9 @@ from qsbearing.model.solution.result_keys import (
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, um, zero_celsius
 from qsbearing.model.version import __version__
+from qsbearing.remarks.remark import Remark
 from qsbearing.results.readings_record import Readings, number, readings_record
+from qsbearing.results.remarks import every_remark, message, remarks_record
 
 LOAD_NOISE = 1e-10
 """What the solver leaves of loads and stiffnesses that are exactly zero, as a part of the largest of their kind."""
@@ -38,7 +40,11 @@ if TYPE_CHECKING:
 
 
 def record(
-    solution: Solution, readings: Readings, index: Place = (), thermal_of: Thermal | None = None
+    solution: Solution,
+    readings: Readings,
+    index: Place = (),
+    thermal_of: Thermal | None = None,
+    said: Sequence[Remark] | None = None,
 ) -> dict[str, Any]:
     """One case as the object that `run --json` prints.
 
@@ -46,18 +52,20 @@ def record(
         readings: what the scene asked to be read off.
         index: the case, along the solution's case axes; nothing for a single case.
         thermal_of: of a row, the set's heat balance, which has found its temperatures.
+        said: the case's remarks, where they are known already.
 
     Returns:
         None stands for a number that there is not: not called for by the scene, not solved, or not defined.
     """
     scene = solution.scene
+    said = every_remark(solution, readings, index) if said is None else said
     solved = bool(np.asarray(solution.converged)[index])
     return {
         **how_it_ended(solution, index),
         "bearing": scene.bearing.name,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
-        "warnings": messages.warnings(solution, index),
+        **remarks_record(said),
         "preload": preload(solution, index),
         "operating_geometry": operating_geometry(solution, index),
         "rings": rings(solution, index),
@@ -83,7 +91,7 @@ def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[st
     return {
         "version": __version__,
         "status": str(np.asarray(solution.status)[index]),
-        "message": messages.message(solution, index),
+        "message": message(solution, index),
         "residual": number(np.asarray(solution.residual)[index]),
         "iterations": int(np.asarray(solution.iterations)[index]),
         "seconds": solution.seconds,

@@ -26,11 +26,6 @@ def taken(solution: Solution) -> Readings:
     return take_asked(solution)
 
 
-def warnings_of(readings: Readings) -> list[str]:
-    """What there is to beware of in them."""
-    return [each for reading in readings.values() for each in getattr(reading, "warnings", ())]
-
-
 def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
     """All of a solution and its readings as the columns of a table: one row per ball of every case."""
     found = columns(solution)

@@ -14,7 +14,7 @@ from qsbearing.files.printed_numbers import is_printed
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import Shown, printed_unit, split
 from qsbearing.readings.asked import READINGS
-from qsbearing.results.tables import digits_of, remarks
+from qsbearing.results.tables import digits_of
 
 NOISE = 1e-12
 """Below this part of the largest of its kind a number is rounding, and shown as zero."""
@@ -38,7 +38,6 @@ def readings_tables(readings: Mapping[str, Any], scene: Scene) -> list[Block]:
             what = f"{model.name}: the torque contains {model.contains}. It does not contain {model.lacks}."
             use = f"Range of validity: {model.range}. Its heat can be used for {model.heat}."
             parts.append(Paragraph(f"{what} {use}"))
-        parts += remarks(getattr(reading, "warnings", ()))
     return parts
 
 

@@ -16,7 +16,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings
-from qsbearing.results.tables import remarks
+from qsbearing.results.remarks import blocks, every_remark
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -31,7 +31,8 @@ _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 def result(solution: Solution, readings: Readings) -> list[Block]:
     """The report on a single case: heading, ring, balls, what was read off, warnings."""
-    found = record(solution, {})
+    said = every_remark(solution, readings)
+    found = record(solution, {}, said=said)
     parts = _heading(solution, found)
     if found["status"] == "converged":
         parts += [*_tables(solution, found), *heat_tables(found)]
@@ -39,7 +40,7 @@ def result(solution: Solution, readings: Readings) -> list[Block]:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
 
             parts += readings_tables(readings, solution.scene)
-    return [*parts, *remarks(found["warnings"], is_apart=True)]
+    return [*parts, *blocks(said, is_apart=True)]
 
 
 def heat_tables(found: dict[str, Any]) -> list[Block]:
@@ -53,7 +54,7 @@ def heat_tables(found: dict[str, Any]) -> list[Block]:
 
 def tables(solution: Solution) -> list[Table]:
     """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
-    return _tables(solution, record(solution, {}))
+    return _tables(solution, record(solution, {}, said=()))
 
 
 def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:
@@ -62,7 +63,7 @@ def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> li
     Args:
         thermal_of: of a row, the set's heat balance, which has found its temperatures.
     """
-    found = record(solution, {}, (), thermal_of)
+    found = record(solution, {}, (), thermal_of, ())
     return [*_expansion(solution, found), *_of_balls(solution, found)]
 
 
@@ -157,17 +158,17 @@ def asked_for(found: dict[str, Any]) -> str:
     """The effects of a record, and the choices that are not the usual ones."""
     choices = found["choices"]
     *others, last = found["effects"] or ["No ball effects (static)"]
-    text = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
+    named = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
     if choices["raceway_control"]:
-        text += f"; raceway control: {choices['raceway_control']}"
+        named += f"; raceway control: {choices['raceway_control']}"
     if choices["moment_shares"]:
-        text += f"; moment shares: {choices['moment_shares']}"
+        named += f"; moment shares: {choices['moment_shares']}"
     if choices["orbit_radius"] == "displaced":
-        text += "; each ball on its own orbit"
+        named += "; each ball on its own orbit"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
         if choices[name] != usual:
-            text += f"; {name}: {choices[name]}"
-    return text.replace("_", " ")
+            named += f"; {name}: {choices[name]}"
+    return named.replace("_", " ")
 
 
 def duration(seconds: float) -> str:
@@ -185,7 +186,7 @@ def channels_table(title: str, solution: Solution | SetSolution, found: dict[str
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
         shown = digits(load, 0.0)
-        imposed = "load" if i in solution._free_channels else "displacement"
+        imposed = "load" if i in solution.free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
     middle, notes = found.get("axial_from_middle_um"), []
     if middle is not None:
@@ -261,7 +262,7 @@ def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> 
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
-    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution._free_channels)})")
+    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution.free_channels)})")
 
 
 def stiffness_matrix_table(found: dict[str, Any]) -> Table:

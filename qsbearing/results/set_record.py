@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
 from qsbearing.model.units import mm, um
+from qsbearing.remarks.remark import Remark
 from qsbearing.results.json_record import (
     LOAD_NOISE,
     choices,
@@ -20,6 +21,8 @@ from qsbearing.results.json_record import (
     thermal,
 )
 from qsbearing.results.readings_record import Readings, all_columns, number
+from qsbearing.results.remarks import every_remark, remarks_record
+from qsbearing.results.set_remarks import with_rows
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
@@ -39,7 +42,8 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
     """
     of, solved = solution.set, bool(solution.converged)
     scene = solution.rows[0].scene
-    rows = [_row(solution, i, found) for i, found in enumerate(readings)]
+    of_rows = [every_remark(row, own) for row, own in zip(solution.rows, readings, strict=True)]
+    rows = [_row(solution, i, found, of_rows[i]) for i, found in enumerate(readings)]
     return {
         **how_it_ended(solution),
         "set": of.name,
@@ -48,7 +52,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "axial_datum_row": of.axial_datum + 1 if of.spacers else None,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
-        "warnings": solution.warnings(),
+        **remarks_record(with_rows(solution, of_rows)),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),
         "shaft": shaft_record(solution) if solved else None,
@@ -69,9 +73,9 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
     return {} if solution.slide is None else {"slide_um": number(solution.slide / um)}
 
 
-def _row(solution: SetSolution, i: int, readings: Readings) -> dict[str, Any]:
+def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remark]) -> dict[str, Any]:
     heat = None if solution.thermal is None else solution.thermal.thermal
-    row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat)
+    row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat, said)
     state = solution.preload_state
 
     def of_row(values: NDArray | None) -> float | None:

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.messages.bearing_set import warnings_by_rows
-from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import rpm
+from qsbearing.remarks.remark import row_name
+from qsbearing.remarks.wording import capital
 from qsbearing.results.json_record import LOAD_NOISE
 from qsbearing.results.readings_record import Readings
+from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.report import (
     asked_for,
     channels_table,
@@ -29,8 +30,7 @@ from qsbearing.results.report import (
 )
 from qsbearing.results.set_record import set_record
 from qsbearing.results.shaft_report import shaft_tables
-from qsbearing.results.tables import digits_of, remarks
-from qsbearing.systems.sets.bearing_set import row_name
+from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
@@ -50,7 +50,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
 
                 parts += readings_tables(readings[number], solution.rows[number].scene)
         parts += [*heat_tables(found), *_system_life(found)]
-    return [*parts, *remarks(warnings_by_rows(solution), is_apart=True)]
+    return [*parts, *blocks(every_remark(solution, readings), is_apart=True)]
 
 
 def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:

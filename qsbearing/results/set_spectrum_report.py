@@ -7,18 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing import messages
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.messages.bearing_set import warnings_by_rows
-from qsbearing.messages.equal_warnings import together
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.results.json_record import number, of_channels
 from qsbearing.results.readings_record import Readings
+from qsbearing.results.remarks import blocks, every_remark, message, of_points, remarks_record
 from qsbearing.results.spectrum_report import NAMES
-from qsbearing.results.tables import digits_of, remarks
+from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
 
@@ -38,7 +36,7 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
     return {
         "version": __version__,
         "status": "converged" if solved.all() else str(solution.status[np.argmin(solved)]),
-        "message": messages.message(solution),
+        "message": message(solution),
         "seconds": solution.seconds,
         "set": of.name,
         "arrangement": of.arrangement,
@@ -58,7 +56,7 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
                 "share": float(share),
                 "status": str(solution.status[k]),
                 "residual": number(solution.residual[k]),
-                "warnings": messages.warnings(solution, k),
+                **remarks_record(every_remark(solution, readings, k)),
                 "displacement": of_channels(DISPLACEMENT, solution.displacement[k]),
                 "load": of_channels(LOAD, solution.load[k]),
                 "rows": [
@@ -96,12 +94,11 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
         for row_number, row in enumerate(found["rows"], 1)
     ]
     lives.append(("all", "", _digits(found["system_life_h"]), ""))
-    said = {k + 1: warnings_by_rows(solution, (k,)) for k in range(len(found["points"]))}
     return [
         Paragraph(head, name),
         Table(heading, rows, caption="Load spectrum"),
         Table(("row", "bearing", "h", "million\nrevolutions"), lives, "llrr", "Life under the whole spectrum"),
-        *remarks(together("point", said), is_apart=True),
+        *blocks(of_points(solution, readings), is_apart=True),
     ]
 
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from qsbearing import messages
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.messages.equal_warnings import together
-from qsbearing.model.ranked_warning import RankedWarning, said_of
 from qsbearing.model.solution.result_keys import LOAD
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import rpm
@@ -18,8 +14,9 @@ from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings, number
+from qsbearing.results.remarks import blocks, message, of_points
 from qsbearing.results.report import asked_for
-from qsbearing.results.tables import digits_of, remarks
+from qsbearing.results.tables import digits_of
 
 NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nN m", "moment z\nN m")
 
@@ -36,7 +33,7 @@ def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
     return {
         "version": __version__,
         "status": "converged" if solved else str(solution.status[np.argmin(solution.converged)]),
-        "message": messages.message(solution),
+        "message": message(solution),
         "seconds": solution.seconds,
         "bearing": solution.scene.bearing.name,
         "life_Mrev": number(together.life / MILLION),
@@ -82,11 +79,4 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
             "million revolutions"
         )
         parts.append(Paragraph(whole, is_apart=True))
-    sentences = of_points(found["points"])
-    sentences += [said_of("life (points counted from 0)", sentence) for sentence in life.warnings]
-    return [*parts, *remarks(sentences, is_apart=True)]
-
-
-def of_points(points: Sequence[dict[str, Any]]) -> list[RankedWarning]:
-    """The warnings of a record's points, each once with the points that have it."""
-    return together("point", {place: point["warnings"] for place, point in enumerate(points, 1)})
+    return [*parts, *blocks(of_points(solution, readings), is_apart=True)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from rich import box
@@ -12,13 +12,9 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.catalogue import Entry
-from qsbearing.messages.equal_warnings import both_raceways
-from qsbearing.model.ranked_warning import Rank, in_order
 from qsbearing.model.scene.keys import PRINTED
-
-COLOURS = {Rank.WRONG_MODEL: "red", Rank.INCOMPLETE_MODEL: "yellow", Rank.CHECK_DATA: "yellow", Rank.GOOD_TO_KNOW: ""}
 
 TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
 _PRINTED = {key.name for key in PRINTED}
@@ -30,14 +26,6 @@ def digits_of(value: Any) -> str:
         return "-"
     text = f"{float(value) + 0.0:.5g}"
     return f"{float(text):.0f}" if 1e5 <= abs(float(text)) < 1e9 else text
-
-
-def remarks(warnings: Iterable[str], is_apart: bool = False) -> list[Remark]:
-    """Each of the warnings, what matters most first; apart: an empty line before them in a terminal."""
-    return [
-        Remark(each.line, each.rank.status, f"{each.rank.words}:", COLOURS[each.rank], is_apart and number == 0)
-        for number, each in enumerate(both_raceways(in_order(warnings)))
-    ]
 
 
 def catalogue(entries: Sequence[Entry]) -> list[Block]:

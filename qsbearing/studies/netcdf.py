@@ -14,7 +14,7 @@ from qsbearing.studies.chunk import Chunk, Plan
 from qsbearing.studies.points import BLOCK, SAMPLE, Points
 
 METADATA = 1 << 20
-"""Bytes of a file beside its numbers, generously."""
+"""Bytes of a file apart from its numbers, generously."""
 
 Chunks = Callable[[], Iterable[tuple[int, Chunk]]]
 """All chunks with their numbers, as often as they are asked for."""

@@ -239,7 +239,7 @@ def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDAr
 
 
 def _put_deviations(document: dict[str, Any], deviations: dict[int, NDArray]) -> None:
-    """Deviations of some balls' diameters, beside those that the document gives; else none."""
+    """Deviations of some balls' diameters, in addition to those that the document gives; else none."""
     effects = document.get("effects")
     table = document["effects"] = effects if isinstance(effects, dict) else {}
     given = table.get(BALL_DEVIATIONS.name)

@@ -147,7 +147,7 @@ class Study(Plotted):
 
 
 def _ask_for_readings(document: dict[str, Any], names: Iterable[str]) -> None:
-    """Ask the scene for each reading of which a number is named; what it needs beside stays for the scene to say."""
+    """Ask the scene for each reading of which a number is named; what else it needs stays for the scene to say."""
     asked = document.get("readings", {})
     if not isinstance(asked, dict):
         return

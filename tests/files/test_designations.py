@@ -11,6 +11,7 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.designations import Designation, iso15, read
 from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.units import deg, mm
 
 
@@ -121,7 +122,7 @@ def test_a_designation_that_means_an_entry_is_that_entry() -> None:
     for text in ("SKF 71914 CD", "7914C", "7910CTYNDBLP4"):
         assert catalogue.find(text) is None
     assert "name = '71910C'" in catalogue.nearest("7910CTYNDBLP4")
-    with pytest.warns(UserWarning, match='7210C-P4: read as 7210C; not used: P4: tolerance_class = "P4"'):
+    with pytest.warns(UserWarning, match="7210C-P4: read as 7210C; not used: P4, except for fits by name"):
         document_of("7210C-P4")
 
 
@@ -157,13 +158,17 @@ def test_what_a_designation_lacks_is_asked_for_once() -> None:
 
 
 def test_a_designation_gives_its_dimensions_and_what_is_left_out() -> None:
-    numbers = {key: value for key, value in OWN.items() if key not in ("diametral_clearance_mm", "ball_material")}
-    given = scene(**{**numbers, "name": "SKF 7205 CD/HC", "ring_material": "steel"}, ball_material="steel").bearing
+    lengths = ("ball_count", "ball_diameter_mm", "pitch_diameter_mm", "groove_radius_coefficient")
+    numbers = {key: OWN[key] for key in lengths}
+    given = scene(**numbers, name="SKF 7205 CD/HC").bearing
     assert given.free_contact_angle == pytest.approx(15 * deg)
-    assert given.ball_material.name == "steel", "what is given stays"
-    assert (given.outline.bore_diameter, given.outline.outside_diameter, given.outline.width) == pytest.approx(
-        (25 * mm, 52 * mm, 15 * mm)
-    )
+    assert (given.ball_material.name, given.ring_material.name) == ("silicon nitride", "steel")
+    size = (given.outline.bore_diameter, given.outline.outside_diameter, given.outline.width)
+    assert size == pytest.approx((25 * mm, 52 * mm, 15 * mm))
+    own = scene(**numbers, name="SKF 7205 CD/HC", ball_material="M50", free_contact_angle_deg=14.5).bearing
+    assert own.ball_material.name == "M50" and own.free_contact_angle == pytest.approx(14.5 * deg)
+    deep = scene(**numbers, name="6205-2RS", diametral_clearance_mm=0.01).bearing
+    assert deep.kind == "deep_groove" and deep.ball_material.name == "steel"
 
 
 def test_a_complete_bearing_may_have_any_name() -> None:
@@ -189,3 +194,22 @@ def test_the_table_of_boundary_dimensions() -> None:
     for series in ("18", "19", "00", "10", "02", "03", "04"):
         outsides = [size[0] for (each, _), size in sizes.items() if each == series]
         assert outsides == sorted(outsides)
+
+
+@pytest.mark.filterwarnings("ignore:.*read as 71914C")
+def test_the_class_of_a_designation_is_that_of_its_fits() -> None:
+    expansion = {"shaft_fit": "k5"}
+    tables = {"bearing": {"name": "71914C-P4"}, "operation": {"axial_load_N": 100.0}, "effects": {}}
+    for given, tolerance in (({}, "P4"), ({"tolerance_class": "P5"}, "P5")):
+        tables["effects"] = {"ring_expansion": expansion | given}
+        assert scene_of(tables, "a file").ring_expansion.shaft_fit.tolerance_class == tolerance
+    tables["effects"] = {"ring_expansion": {"shaft_interference_um": 5.0}}
+    assert scene_of(tables, "a file").ring_expansion.shaft_fit is None
+
+
+def test_rings_of_a_designation_have_its_dimensions() -> None:
+    """Where elastic or expanding rings are assumed, in place of usual proportions."""
+    rings = ring_dimensions(scene(**OWN, name="6205").bearing)
+    assert rings.origin == "the bearing's own dimensions"
+    assert (rings.bore, rings.outside, rings.width) == pytest.approx((25 * mm, 52 * mm, 15 * mm))
+    assert ring_dimensions(scene(**OWN).bearing).origin == "usual proportions"

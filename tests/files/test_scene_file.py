@@ -156,15 +156,16 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     operation = {field.name for field in dataclasses.fields(qs.Operation)}
     assert {key.field for key in scene_keys.OPERATION} == operation
     bearing = {field.name for field in dataclasses.fields(qs.BallBearing)} - {"ball_material", "ring_material"}
-    # A radial interference is a negative clearance in a file. The outline is printed numbers.
-    numbers = bearing - {"kind", "name", "radial_interference", "outline"} | {"diametral_clearance"}
+    # A radial interference is a negative clearance in a file. The outline is printed numbers, and so is a data sheet.
+    numbers = bearing - {"kind", "name", "radial_interference", "outline", "inferred"} | {"diametral_clearance"}
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
         elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES}
         assert set(model.checks) == set(scene_keys.SECTIONS[section]) - elsewhere
     for effect, keys in ((qs.RingExpansion, scene_keys.RING_EXPANSION), (qs.BallExpansion, scene_keys.BALL_EXPANSION)):
-        fields = {field.name for field in dataclasses.fields(effect) if field.init} - set(scene_keys.SEAT_MATERIALS)
+        fields = {field.name for field in dataclasses.fields(effect) if field.init}
+        fields -= {*scene_keys.SEAT_MATERIALS, *scene_keys.SEAT_FITS}
         assert {key.field for key in keys} == fields
     assert {field.name for field in dataclasses.fields(qs.Material)} - {"name", "source"} == {
         key.field for key in scene_keys.MATERIAL

@@ -7,19 +7,20 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
 import qsbearing as qs
-from qsbearing import messages
 from qsbearing.cli import cli
 from qsbearing.documents.model import Group, Table
-from qsbearing.messages.bearing_set import warnings_by_rows
 from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
-from qsbearing.reports import evidence, set_curves, set_inputs
+from qsbearing.reports import set_curves, set_inputs, statements
+from qsbearing.results.remarks import every_remark, together
 from qsbearing.systems.heat.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
@@ -209,15 +210,15 @@ def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> N
     rows = tuple(qs.Row(bearing, at, way) for at, way in ((0.0, "+x"), (0.06, "-x"), (0.2, "-x")))
     turning = qs.Operation(speed=6000 * qs.rpm, axial_load=3000.0, **STRAIGHT)
     solution = qs.solve_set(qs.BearingSet(rows, turning, preload=qs.Preload(rigid=1.2e6)))
-    found = warnings_by_rows(solution)
-    own = [re.findall(r"reaches (\d+) MPa", each) for row in solution.rows for each in messages.warnings(row)]
+    found = [each.said() for each in together(every_remark(solution))]
+    own = [re.findall(r"reaches (\d+) MPa", each) for row in solution.rows for each in qs.warnings(row)]
     numbers = sorted({value for each in own for value in each}, key=float)
     assert len(numbers) > 1
     (said,) = (each for each in found if "contact pressure" in each)
     assert said.startswith("Rows 1 to 3: ") and f"reaches {numbers[0]} to {numbers[-1]} MPa" in said
     assert [each.rank for each in found] == sorted(each.rank for each in found)
     light = qs.solve_set(replace(solution.set, preload=qs.Preload(rigid=2000.0)))
-    (reduced,) = (each for each in warnings_by_rows(light) if "Preload reduced" in each)
+    (reduced,) = (each.text for each in together(every_remark(light)) if each.code == "preload_reduced")
     assert reduced.startswith("Rows 2 and 3: Preload reduced: each carries ")
 
 
@@ -334,10 +335,11 @@ def test_a_panel_without_curves_says_why() -> None:
         assert [text.get_text() for text in panel.texts] == ([set_curves.NOTHING] if is_empty else [])
 
 
-def test_what_is_found_for_each_row_stands_once() -> None:
-    assert evidence._in_one(["Here: 1108 MPa", "Here: 1042 MPa"]) == "Here: 1042 to 1108 MPa"
-    assert evidence._in_one(["Agrees", "Agrees"]) == "Agrees"
-    assert evidence._in_one(["Agrees", "Within 1 %"]) == "Agrees; Within 1 %"
+def test_the_pressures_of_rows_stand_as_a_range() -> None:
+    (elastic,) = (each for each in statements.STATEMENTS if "yield below the surface" in each.says)
+    facts: Any = [SimpleNamespace(pressure=value * qs.MPa) for value in (1108.0, 1042.0)]
+    assert elastic.found(facts) == "Maximum pressure here: 1042 to 1108 MPa"
+    assert elastic.found(facts[:1]) == "Maximum pressure here: 1108 MPa"
 
 
 def test_rows_with_the_same_effects_and_readings_have_them_once() -> None:

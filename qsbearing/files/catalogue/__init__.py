@@ -129,7 +129,10 @@ def _told(told: Designation) -> str:
     angle = f" and {told.angle:g} deg" if told.angle else ""
     alike = [entry.name for entry in same if entry.bearing["free_contact_angle_deg"] == told.angle]
     has = f"; GMN's of these dimensions and angle, with balls of its own, is name = {alike[0]!r}" if alike else ""
-    needs = "dynamic_load_rating_N and static_load_rating_N of its data sheet, or ball_count and ball_diameter_mm"
+    needs = (
+        "dynamic_load_rating_N and static_load_rating_N of its data sheet, or ball_count and ball_diameter_mm with "
+        "pitch_diameter_mm and groove_radius_coefficient"
+    )
     return f"It is {told.size}{angle}, whose balls no designation tells: give {needs}{has}."
 
 

@@ -69,10 +69,11 @@ class Designation:
 
     @property
     def given(self) -> dict[str, Any]:
-        """What it says in the words of a file's [bearing]."""
+        """What it says in the words of a file's [bearing]; rings, and balls of which it says nothing, are of steel."""
         found = {
             "kind": self.kind, "bore_diameter_mm": self.bore, "outside_diameter_mm": self.outside,
-            "width_mm": self.width, "free_contact_angle_deg": self.angle, "ball_material": self.ball_material or None,
+            "width_mm": self.width, "free_contact_angle_deg": self.angle,
+            "ball_material": self.ball_material or "steel", "ring_material": "steel",
         }  # fmt: skip
         return {key: value for key, value in found.items() if value is not None}
 
@@ -92,7 +93,7 @@ class Designation:
         parts = [
             self.arrangement and f"set {self.arrangement}: one row is described, [[rows]] makes a set",
             self.preload and f'preload class: write preload = "{self.preload}" or [preload]',
-            self.tolerance_class and f'{self.tolerance_class}: tolerance_class = "{self.tolerance_class}" beside fits',
+            self.tolerance_class and f"{self.tolerance_class}, except for fits by name",
             self.ignored,
         ]
         return "; ".join(part for part in parts if part)
@@ -165,7 +166,7 @@ def _completed(
         text, maker=maker, prefix=prefix, series=series, dimension_series=dimension_series, kind=kind, bore=bore,
         outside=outside, width=width, angle=angle, angles=angles, ball_material="silicon nitride" * is_ceramic,
         arrangement=arrangement, preload=meant.pop() if len(meant) == 1 else "",
-        tolerance_class=tolerance[0] if tolerance else "", ignored=ignored,
+        tolerance_class=tolerance[0].replace("-", "") if tolerance else "", ignored=ignored,
         is_plain=maker in ("", "GMN") and prefix in _PLAIN and ignored in ("", "TA"),
     )  # fmt: skip
 

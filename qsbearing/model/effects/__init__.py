@@ -1,4 +1,4 @@
-"""What a scene may ask for beside the contacts: one effect or choice, one file, each opening with its card.
+"""What a scene may ask for in addition to the contacts: one effect or choice, one file, each opening with its card.
 
 `EFFECTS` is the one list of them, from the first to be added to the last. The chooser, `qsbearing explain`, the list
 of model levels and the cost study go through it and know none by name. To add one:

@@ -2,7 +2,7 @@
 
 Source        Harris & Kotzalas; the formula stands with the moment itself (`gyroscopic_moment.carried_friction`)
 Equation      |T| <= mu Q
-Assumes       one coefficient for all contacts, whatever they do beside
+Assumes       one coefficient for all contacts, whatever else they do
 When not      the friction that the moment asks for stays below what the contacts offer: then it changes nothing
 Parameters    friction_coefficient of the gyroscopic moment
 Indicator     how much more friction than mu some contact would need, of those that count, over its load

@@ -7,7 +7,7 @@ Equation      R = dm/2 + X2 - Lo cos(a0): the pitch radius and the radial displa
 Assumes       each ball rolls as on a circle of its own radius. Ring speeds count about the outer ring's axis: the
               inner ring's eccentricity, of the same order, is left out of the speed of its surface
 When not      the balls' centres move by about (1 - cos(ao)) Lo and the outer approach: 0.1 mm in B218 at speed, 0.2 %
-              of its pitch radius. What is read off a solution beside the balls' motion (frequencies) takes dm
+              of its pitch radius. What is read off a solution besides the balls' motion (frequencies) takes dm
 Parameters    none
 Indicator     the relative change of the radius, the largest of the balls that count; the angle between their contacts,
               which is the inertia's work, changes by a part of that size

@@ -67,7 +67,7 @@ def _bounded(change: NDArray) -> NDArray:
 def by_friction(friction: Callable[[OperatingPoint], NDArray]) -> Callable[[OperatingPoint], Errors]:
     """Errors of friction over the load (*cases, ball) that the other raceway carries, or none.
 
-    It parts the contact angles, beside all that parts them already; the linear factors are medians of 2,000 random
+    It parts the contact angles further than they are parted already; the linear factors are medians of 2,000 random
     scenes in which Jones's criterion changes the raceway.
     """
 

@@ -6,7 +6,7 @@ Equation      D_j = D + deviation_j between grooves that stay where they are. Co
               m ~ D_j^3, J = m D_j^2/10 and g = D_j/dm are those of its own diameter
 Assumes       round balls, a deviation known for every one. The bearing's own lengths stay the nominal ones: the free
               contact angle at which curvatures may be taken, the pitch circle as the radius of orbits, the datum of the
-              axial displacement. Readings beside the contacts (life, film, frequencies) take the nominal diameter,
+              axial displacement. Readings other than the contacts (life, film, frequencies) take the nominal diameter,
               from which a micrometre on 22 mm is 5e-5
 When not      a whole set that is larger or smaller alike: give the bearing that ball diameter
 Parameters    deviations, of as many balls as the bearing has, the first at the first azimuth

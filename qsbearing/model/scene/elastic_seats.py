@@ -1,4 +1,4 @@
-"""Elastic rings beside fits, rotation and heat: one description of each seat.
+"""Elastic rings together with fits, rotation and heat: one description of each seat.
 
 While an interference lasts, ring and seat act as one body and their deflection adds to the growth by fit, rotation
 and heat (both are linear). Where a clearance remains, the ring is free until the mean growth by its balls has closed

@@ -75,7 +75,15 @@ SHOULDERS = tuple(
 RATINGS = tuple(Key(f"{kind}_load_rating_N", f"{kind}_load_rating", "N", N, FORCE) for kind in ("dynamic", "static"))
 PRINTED = (*DIAMETERS, Key("width_mm", "width", "mm", mm, LENGTH), *SHOULDERS, *RATINGS)
 """What a catalogue prints of a bearing besides: what needs one takes it from here, so that a file states it once."""
-IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *RACEWAYS, *PRINTED)
+DATA_SHEET = (
+    *(Key(f"{kind}_rating_factor", f"{kind}_rating_factor") for kind in ("dynamic", "static")),
+    Key("f0", "f0"),
+    Key("pair_rigidity_N_per_um", "pair_rigidity", "N/um", N / um),
+    Key("pair_preload_N", "pair_preload", "N", N, FORCE),
+)
+SHEET_WORDS = ("maker", "rating_practice")
+"""What of a data sheet tells the balls and grooves that it does not print."""
+IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *DATA_SHEET)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL = (
@@ -206,7 +214,7 @@ SET_NUMBERS = {
     "supports": SHAFT_SUPPORT,
     "housing_stiffness": HOUSING_STIFFNESS,
 }
-"""The keys that hold numbers in what a file of a set has beside the tables of a scene."""
+"""The keys that hold numbers in what a file of a set has in addition to the tables of a scene."""
 
 MATERIALS = ("ball_material", "ring_material")
 SEAT_MATERIALS = ("shaft_material", "housing_material")
@@ -230,7 +238,7 @@ NUMBERS = {
 """The keys that hold numbers, by their table; a material is a table within others."""
 
 SECTIONS: dict[str, tuple[str, ...]] = {
-    "bearing": ("name", "kind", *(key.name for key in (*BEARING, *IN_PLACE)), *MATERIALS),
+    "bearing": ("name", "kind", *(key.name for key in (*BEARING, *IN_PLACE)), *SHEET_WORDS, *MATERIALS),
     "operation": tuple(key.name for key in OPERATION),
     "preload": tuple(key.name for key in PRELOAD),
     "effects": (

@@ -74,7 +74,7 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
             continue  # by ball, which is no case axis
         numbers = {name: value for name, value in vars(effect).items() if not isinstance(value, Material | str | tuple)}
         values |= {f"{effect.name}.{name}": value for name, value in numbers.items()}
-    del values["kind"], values["name"], values["outline"]
+    del values["kind"], values["name"], values["outline"], values["inferred"]
     for body in ("ball", "ring"):
         material = values.pop(f"{body}_material")
         values[f"{body}_elastic_modulus"] = material.elastic_modulus

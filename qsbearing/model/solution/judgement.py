@@ -81,12 +81,12 @@ ANOTHER_RESULT = "> 100"
 """Per cent; by how much more does not matter."""
 
 
-def percent(error: float) -> str:
+def percent(error: float, unit: str = " %") -> str:
     """A relative error in as many digits as it is good for, which are two."""
     digits = f"{100.0 * error:.2g}"
-    return f"{digits} %" if error < 0.99 else f"{float(digits):.0f} %"
+    return f"{digits}{unit}" if error < 0.99 else f"{float(digits):.0f}{unit}"
 
 
-def changed(error: float) -> str:
+def changed(error: float, unit: str = " %") -> str:
     """A relative change of a result."""
-    return f"{ANOTHER_RESULT} %" if error > 1.0 else percent(error)
+    return f"{ANOTHER_RESULT}{unit}" if error > 1.0 else percent(error, unit)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -19,6 +20,8 @@ from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.remark import Remark
+from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import Result, known_results, read
@@ -64,6 +67,16 @@ class Comparison:
     """Where the job stands."""
     conditions: tuple[tuple[str, float, str], ...]
     """Of all bearings: the keys of the operation, preload and loads on the shaft, with their values and units."""
+    solutions: tuple[Solution | SetSolution, ...] = field(repr=False, compare=False)
+
+    @cached_property
+    def remarks(self) -> list[Remark]:
+        """What there is to beware of in the results of each bearing."""
+        return [
+            replace(each, of=replace(each.of, bearings=(label,)))
+            for label, solution in zip(self.labels, self.solutions, strict=True)
+            for each in every_remark(solution)
+        ]
 
     @property
     def all_solved(self) -> bool:
@@ -128,7 +141,9 @@ def solved(job: Job) -> Comparison:
     bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
     labels = _labels([bearing.name for bearing in bearings], job.files)
     statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
-    return Comparison(labels, statuses, _inputs(bearings), _results(solutions), job.where, _conditions(job.made[0]))
+    conditions = _conditions(job.made[0])
+    lines = _inputs(bearings), _results(solutions)
+    return Comparison(labels, statuses, *lines, job.where, conditions, tuple(solutions))
 
 
 def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:
@@ -183,14 +198,19 @@ def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
     return tuple(line for line in lines if len(set(line.values)) > 1)
 
 
+def main_results(solution: Solution | SetSolution) -> dict[str, Result]:
+    """Those that are shown of one bearing, and every number of its readings; of a set all."""
+    known = known_results(solution)
+    of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
+    names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
+    return {each.name: each for name in names if (each := find_result(name, known)) is not None}
+
+
 def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
     every: dict[str, Result] = {}
     values: list[dict[str, float]] = []
     for solution in solutions:
-        known = known_results(solution)
-        of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
-        names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
-        kept = {each.name: each for name in names if (each := find_result(name, known)) is not None}
+        kept = main_results(solution)
         every |= {name: each for name, each in kept.items() if name not in every}
         found = read(solution, kept.values())
         values.append({name: float(np.asarray(each)) for name, each in found.items()})

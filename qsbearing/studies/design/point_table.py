@@ -204,7 +204,7 @@ def _parquet_bytes(columns: Columns) -> bytes:
 
 
 def _alike(cells: list[Any]) -> list[Any]:
-    """Labels of one kind: numbers beside texts are texts too."""
+    """Labels of one kind: numbers among texts are texts too."""
     kinds = {type(cell) for cell in cells if cell is not None}
     return cells if len(kinds) <= 1 else [None if cell is None else str(cell) for cell in cells]
 

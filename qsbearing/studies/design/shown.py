@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.files.scene_tables import input_tables
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.version import __version__
-from qsbearing.results.tables import remarks
+from qsbearing.remarks.remark import Remark
+from qsbearing.results.remarks import blocks, every_remark, remarks_record
+from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.design.find import Found
-from qsbearing.studies.design.found_remarks import found_remarks
 from qsbearing.studies.design.wanted import Variable
+from qsbearing.systems.sets.solve import solve_set
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,6 +38,11 @@ def heading(found: Found) -> str:
         kind = "Largest" if found.wanted.is_maximised else "Smallest"
         return f"{kind} {found.wanted.objective} found. {end}"
     return f"All goals and limits are met. {end}"
+
+
+def found_remarks(found: Found) -> list[Remark]:
+    """On the scene or set with the values found, those of its readings among them: as `run` gives them."""
+    return every_remark(solve(found.scene) if isinstance(found.scene, Scene) else solve_set(found.scene))
 
 
 def tables(found: Found) -> list[Block]:
@@ -65,7 +73,7 @@ def tables(found: Found) -> list[Block]:
         Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
         Table(("result", "found", "asked for", "unit"), results, "lrll", "Results"),
         *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(lines)),
-        *remarks(found_remarks(found), is_apart=True),
+        *blocks(found_remarks(found), is_apart=True),
     ]
 
 
@@ -81,7 +89,7 @@ def record(found: Found) -> dict[str, Any]:
         "units": found.units,
         "binding": list(found.binding),
         "failed": list(found.failed),
-        "warnings": found_remarks(found),
+        **remarks_record(found_remarks(found)),
         "ranges": {key: list(ends) for key, ends in found.ranges.items()},
         "feasible_share": found.feasible_share,
         "sampled": found.sampled,

@@ -115,7 +115,11 @@ def wanted(
     ]
     objective = minimise or maximise or ""
     if minimise and maximise:
-        errors.append(FileErrorDetail("maximise", "beside minimise", maximise, cause="Keep one, and limit the other"))
+        errors.append(
+            FileErrorDetail(
+                "maximise", "is given together with minimise", maximise, cause="Keep one, and limit the other"
+            )
+        )
     if not conditions and not objective:
         cause = "Give a goal, a limit, or a result to minimise or maximise"
         errors.append(FileErrorDetail("goal", "nothing is asked for", cause=cause))

@@ -75,12 +75,6 @@ class Row:
         return 1.0 if self.carries == Direction.PLUS else -1.0
 
 
-def row_name(row: Row, number: int) -> str:
-    """A row as sentences name it; rows count from 1."""
-    name = f"{row.bearing.name}, " if row.bearing.name else ""
-    return f"row {number + 1} ({name}carries {row.carries})"
-
-
 @dataclass(frozen=True)
 class BearingSet(InNotebooks):
     """Rows on one rigid shaft in one rigid housing. SI units and radians; numbers may be arrays that span cases.

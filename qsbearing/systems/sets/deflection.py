@@ -35,7 +35,7 @@ class ShaftPoint:
     shares: dict[str, NDArray]
     """Of its diagonal: what `shaft`, `row 1`, `housing 1`, `support 1` and the like contribute; shape (*cases, 5)."""
     axial_growth: NDArray | None
-    """Of the shaft by heat, from the reference position to there, in +x [m]; beside `displacement`, not in it; shape
+    """Of the shaft by heat, from the reference position to there, in +x [m]; not part of `displacement`; shape
     (*cases). None: the set names no temperature of it."""
 
     @property

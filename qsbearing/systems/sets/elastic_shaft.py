@@ -1,11 +1,11 @@
-"""The elastic shaft and elastic housings: what rows and supports move beside the rigid motion of the reference.
+"""The elastic shaft and elastic housings: what rows and supports move in addition to the rigid motion of the reference.
 
 The shaft is clamped at the reference position and moves with it by q. Forces f of rows and supports, and loads f0 of
 the shaft, move their places by
 
     u = R q + C f + C0 f0,
 
-C from the beam, and for a row from its housing beside. C = A A^T makes C f = A n of unknowns n that obey n = A^T f,
+C from the beam, and for a row from its housing too. C = A A^T makes C f = A n of unknowns n that obey n = A^T f,
 at the minimum of the energy of rows, supports and n. In the units of lengths these equations stay well conditioned
 however stiff the shaft is, and without elasticity none of them is there.
 

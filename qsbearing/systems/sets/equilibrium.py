@@ -2,7 +2,7 @@
 
     R(q) = sum over rows G^T F(G q + offset) + S q - (external load, spring),     dR/dq = sum over rows G^T K G + S,
 
-with F and K, the row's exact tangent stiffness, from the kernel, and S of what is elastic beside the rows. At rest each
+with F and K, the row's exact tangent stiffness, from the kernel, and S of all else that is elastic. At rest each
 row's energy is convex and q enters it affinely, so that the set's energy is convex too: there is one equilibrium at
 most. Steps are limited, and shortened until the imbalance falls. Cases that this does not solve are followed from the
 unloaded set at rest.

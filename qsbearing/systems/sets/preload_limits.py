@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,8 +13,9 @@ from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.preload_state import PreloadState
 from qsbearing.model.units import rpm, um
 from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, within
+from qsbearing.remarks.wording import spanned
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.preload_search import Change, changes, firsts, opposed_errors, sentence
+from qsbearing.systems.sets.preload_search import Change, changes, firsts, opposed_errors, sentence, together
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.shaft import with_loads
 
@@ -69,11 +71,19 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
     )
 
 
-def speed_sentence(of: BearingSet, change: Change) -> str:
-    """What changes at which speed."""
-    return sentence(
-        of, change, f"at {float(f'{change.value / rpm:.4g}'):.0f} rpm", "already at rest, under these loads"
-    )
+def speed_sentence(of: BearingSet, *found: Change) -> str:
+    """What changes at which speed; the same of several rows."""
+
+    def at(speed: Any) -> str:
+        in_rpm = spanned(lambda each: f"{float(f'{each / rpm:.4g}'):.0f}", speed)
+        return f"at {in_rpm} rpm"
+
+    return sentence(of, found, at, "already at rest, under these loads")
+
+
+def speed_sentences(of: BearingSet, found: Sequence[Change]) -> list[str]:
+    """Each change once, with the rows that it is of."""
+    return [speed_sentence(of, *each) for each in together(found)]
 
 
 @dataclass(frozen=True)
@@ -135,9 +145,14 @@ def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
     return replace(of, operation=replace(of.operation, **loads), shaft=with_loads(of.shaft, factors), readings={})
 
 
-def load_sentence(of: BearingSet, change: Change) -> str:
-    """What changes at which multiple of the loads."""
-    return sentence(of, change, f"at {change.value:.3g} times the loads", "before any load acts")
+def load_sentence(of: BearingSet, *found: Change) -> str:
+    """What changes at which multiple of the loads; the same of several rows."""
+    return sentence(of, found, lambda factor: f"at {factor:.3g} times the loads", "before any load acts")
+
+
+def load_sentences(of: BearingSet, found: Sequence[Change]) -> list[str]:
+    """Each change once, with the rows that it is of."""
+    return [load_sentence(of, *each) for each in together(found)]
 
 
 def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[str]:
@@ -233,7 +248,7 @@ def _at_speed(solution: SetSolution) -> list[str]:
 
 def _limits(of: BearingSet, found: Limits) -> list[str]:
     speeds, loads = found
-    said = [speed_sentence(of, each) for each in speeds] + [load_sentence(of, each) for each in loads]
+    said = speed_sentences(of, speeds) + load_sentences(of, loads)
     speed = float(np.asarray(of.operation.speed))
     kept = []
     if not speeds and speed != 0.0 and depends_on_speed(of):

@@ -3,18 +3,19 @@ changes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.ranked_warning import capital
 from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadState
 from qsbearing.model.solution.status import Status
 from qsbearing.model.validation import ErrorDetail, SceneError
-from qsbearing.systems.sets.bearing_set import BearingSet, row_name
+from qsbearing.remarks.remark import row_name
+from qsbearing.remarks.wording import Span, capital, numbered
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
 
@@ -92,25 +93,38 @@ def firsts(found: list[Change]) -> list[Change]:
     return list(known.values())
 
 
-def sentence(of: BearingSet, change: Change, at: str, already: str) -> str:
-    """What changes.
+def together(found: Sequence[Change]) -> list[list[Change]]:
+    """Those that are said at once: the same of several rows, unless the sentence is about one row's own preload."""
+    alike: dict[tuple[Any, ...], list[Change]] = {}
+    for number, each in enumerate(found):
+        own = number if each.row < 0 or each.after in (PreloadState.LOST, PreloadState.MAINTAINED) else -1
+        alike.setdefault((own, each.after, each.value == 0.0), []).append(each)
+    return list(alike.values())
+
+
+def sentence(of: BearingSet, found: Sequence[Change], at: Callable[[Any], str], already: str) -> str:
+    """What changes, of one row, of the set, or of several rows at once.
 
     Args:
-        at: where.
+        at: where: of a value, or of a `Span` of several.
         already: when, of a preload that is lost or excessive at the beginning of the range.
     """
-    name = capital(row_name(of.rows[change.row], change.row)) if change.row >= 0 else "The set"
+    change, rows = found[0], sorted(each.row + 1 for each in found)
+    name = "The set" if change.row < 0 else capital(row_name(of.rows[change.row], change.row))
+    name = name if len(rows) == 1 else capital(numbered("row", rows))
+    times = f"{EXCESSIVE:g} times the given preload"
     if change.after == PreloadState.LOST and change.value == 0.0:
         return f"{name} has lost its preload {already}."
     if change.after == PreloadState.EXCESSIVE and change.value == 0.0:
-        return f"{name}: the preload is excessive, more than {EXCESSIVE:g} times the given preload, {already}."
+        return f"{name}: the preload is excessive, more than {times}, {already}."
+    where = at(Span(each.value for each in found))
     said = {
-        str(PreloadState.MAINTAINED): f"{name} regains its preload {at}.",
-        str(PreloadState.LOST): f"{name} loses its preload {at}.",
-        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {EXCESSIVE:g} times the given preload, {at}.",
-        "no_equilibrium": f"{name}: no equilibrium {at}.",
+        str(PreloadState.MAINTAINED): f"{name} regains its preload {where}.",
+        str(PreloadState.LOST): f"{name} loses its preload {where}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {times}, {where}.",
+        "no_equilibrium": f"{name}: no equilibrium {where}.",
     }
-    return said.get(change.after, f"{name}: no solution {at}.")
+    return said.get(change.after, f"{name}: no solution {where}.")
 
 
 def _labels(at: Callable[[NDArray], BearingSet], values: NDArray, threads: int | None) -> NDArray[Any]:

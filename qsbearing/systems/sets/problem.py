@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from math import prod
 from typing import Any
 
@@ -20,9 +21,36 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet, Row
 from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
-from qsbearing.systems.sets.outcome import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE
 from qsbearing.systems.sets.row_cases import Found, RowCases, empty
+
+
+@dataclass
+class Outcome:
+    """How the flattened cases ended."""
+
+    q: NDArray
+    """The shaft's five channels, the slide of the sprung rings and what is elastic; shape (case, unknown) [m, rad]."""
+    status: NDArray
+    residual: NDArray
+    iterations: NDArray
+    fault: NDArray
+    """The row that gave way; -1: none."""
+    unsupported: NDArray
+    """Which unknowns nothing resists although they are loaded; shape (case, unknown)."""
+    reached: NDArray
+    """The part of loads and speeds up to which an equilibrium was followed."""
+    axial: NDArray
+    """Load of each row in the direction that it carries; shape (row, case) [N]."""
+
+    @classmethod
+    def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
+        """Of so many cases of so many unknowns, not solved yet."""
+        numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
+        return cls(
+            np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
+            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)),
+        )  # fmt: skip
 
 
 def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, found: Found) -> None:

@@ -88,7 +88,7 @@ class HousingStiffness:
     """The elastic support of an outer ring: linear springs about the plane of the balls' centres; None is rigid.
 
     Raises:
-        SceneError: neither a stiffness, nor one that is positive; a matrix beside others, or one that is not symmetric
+        SceneError: neither a stiffness, nor one that is positive; a matrix with others, or one that is not symmetric
             and positive definite.
     """
 

@@ -12,13 +12,13 @@ from scipy.optimize import brentq
 from scipy.special import ellipe
 
 import qsbearing as qs
-from qsbearing.messages import warnings
 from qsbearing.model.compiler.compiled import COMPILED, entry
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.effects.raceway_control import CONTROL_CODES
 from qsbearing.model.kernel.ball_inertia import inertia
 from qsbearing.model.kernel.workspace import working_memory
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.results.remarks import warnings
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
     B218,

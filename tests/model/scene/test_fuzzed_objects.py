@@ -19,10 +19,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.messages import message, warnings
 from qsbearing.model.kernel.newton import STALLED
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution import solver as solving
+from qsbearing.results.remarks import message, warnings
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
 
 

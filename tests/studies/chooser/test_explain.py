@@ -14,11 +14,11 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.messages.missing_effects import MOST_CASES
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.solution.judgement import changed, estimated, judge
+from qsbearing.remarks.missing_effects import MOST_CASES
 from qsbearing.studies.chooser import explain as explaining
 from qsbearing.studies.chooser.explain import explain
 from tests.qsbearing.scenes import resting, solved, turning

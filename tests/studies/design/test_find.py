@@ -166,7 +166,7 @@ def test_a_set_is_searched_too() -> None:
     [
         ({"rigid_M": "1:2", "speed_rpm": "2:1"}, {"goals": ["x"], "limits": ["y=1"]}, ["rigid_N", "below", "form"]),
         ({}, {}, ["no variables", "nothing is asked for"]),
-        ({"rigid_N": "1:2:3"}, {"minimise": "a", "maximise": "b"}, ["chooses its points", "beside minimise"]),
+        ({"rigid_N": "1:2:3"}, {"minimise": "a", "maximise": "b"}, ["chooses its points", "together with minimise"]),
         ({"speed_rpm": "0:1:log"}, {"limits": ["a<=nan"]}, ["above zero", "finite"]),
         (RIGID, {"limits": ["inner.max_pressure_GPa<=1.7"], "minimise": "contact_angel"}, ["in MPa", "not a result"]),
         (RIGID, {"limits": ["outer_max_presure_MPa<=1500"]}, ["Did you mean outer_max_pressure_MPa?"]),

@@ -114,7 +114,7 @@ def test_growth_of_the_shaft_to_a_point_is_a_result_of_its_own(tmp_path: Any) ->
     assert found.points["tool"].axial_growth == pytest.approx(STRAIN * at, rel=1e-12)
     many = solved(replace(of, shaft=replace(UNLOADED, temperature=np.array([WARM, WARM + 25.0]))))
     np.testing.assert_allclose(many.points["tool"].axial_growth, [STRAIN * at, 2.0 * STRAIN * at], rtol=1e-12)
-    record = set_record(found, [[], [], [], []])  # type: ignore[arg-type]
+    record = set_record(found, [{}, {}, {}, {}])
     json.dumps(record)
     assert record["axial_datum_row"] == 1
     assert record["shaft"]["points"]["tool"]["axial_growth_um"] == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
@@ -123,7 +123,7 @@ def test_growth_of_the_shaft_to_a_point_is_a_result_of_its_own(tmp_path: Any) ->
     assert set_quantities(found)["tool_axial_growth"].read() == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
     cold = solved(spindle(UNLOADED))
     assert cold.points["tool"].axial_growth is None
-    record = set_record(cold, [[], [], [], []])  # type: ignore[arg-type]
+    record = set_record(cold, [{}, {}, {}, {}])
     assert record["axial_datum_row"] is None
     assert record["shaft"]["points"]["tool"]["axial_growth_um"] is None
     assert "tool_axial_growth" not in set_quantities(cold)

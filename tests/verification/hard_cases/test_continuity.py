@@ -16,8 +16,8 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.messages import warnings
 from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.results.remarks import warnings
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, PER_BALL, UPRIGHT, fewer, resting, turning
 from tests.verification.hard_cases.generate import load_reference
 

@@ -11,8 +11,8 @@ import pytest
 from mpmath import mp
 
 import qsbearing as qs
-from qsbearing.messages import message, warnings
 from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.results.remarks import message, warnings
 from tests.qsbearing.scenes import INNER, turning
 from tests.verification.hard_cases import generate
 from tests.verification.hard_cases.cases import CASES, CONVERGED, NO_EQUILIBRIUM

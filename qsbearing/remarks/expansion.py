@@ -1,34 +1,28 @@
-"""Warnings about expanded and elastic rings: fits lost, rings that yield or bend far, wedged balls, seats that part."""
+"""Remarks about expanded and elastic rings: fits lost, rings that yield or bend far, wedged balls, seats that part."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.messages.balls import Warnings
 from qsbearing.model.effects.elastic_rings import grooves_of
-from qsbearing.model.ranked_warning import check_data, wrong_model
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um
-
-HEAT = "how_to#heat-fits-and-rotation"
-GIVE = "elastic_rings"
+from qsbearing.remarks.remark import Found, Remark, remark
 
 
-def expansion_warnings(solution: Solution, part: slice) -> Warnings:
-    """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
+def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Balls that are wedged, rings that yield, fits that are lost."""
 
     def cases(values: ArrayLike) -> NDArray:
         return np.broadcast_to(np.asarray(values, float), solution.shape).reshape(-1)[part]
 
     wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
     before = cases(solution.scene.bearing.diametral_clearance)
-
-    def wedge(i: int) -> str:
-        by = "The expansion is larger than the diametral clearance" if before[i] >= 0.0 else "The clearance is negative"
-        return check_data(f"{by} by {-wedged[i]:.4g} µm: the balls are wedged between the rings.", HEAT)
-
-    yield wedged < 0.0, wedge
+    yield (wedged < 0.0) & (before >= 0.0), lambda i: remark("balls_wedged", interference_um=-wedged[i])
+    yield (wedged < 0.0) & (before < 0.0), lambda i: remark("clearance_negative", interference_um=-wedged[i])
     effect = solution.scene.ring_expansion
     if effect is None:
         return
@@ -40,12 +34,9 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
             continue
         stress = cases(state.equivalent_stress)
 
-        def yields(i: int, ring: str = ring, stress: NDArray = stress) -> str:
-            return wrong_model(
-                f"The stress of the {ring} ring is {stress[i] / MPa:.4g} MPa at its bore, above its yield strength of "
-                f"{effect.yield_strength / MPa:.5g} MPa.",
-                HEAT,
-            )
+        def yields(i: int, ring: str = ring, stress: NDArray = stress) -> Remark:
+            limit = effect.yield_strength / MPa
+            return remark("ring_yields", ring, stress_MPa=stress[i] / MPa, yield_strength_MPa=limit)
 
         yield stress > effect.yield_strength, yields
         if state.seat_gap is None or state.seat_pressure is None:
@@ -54,12 +45,9 @@ def expansion_warnings(solution: Solution, part: slice) -> Warnings:
 
         def lost(
             i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
-        ) -> str:
-            return check_data(
-                f"The fit of the {ring} ring is lost in operation: mounted with an interference of "
-                f"{interference[i] / um:.4g} µm, it has a diametral clearance of {gap[i] / um:.4g} µm to the {seat}.",
-                HEAT,
-            )
+        ) -> Remark:
+            lengths = {"interference_um": interference[i] / um, "clearance_um": gap[i] / um}
+            return remark("fit_lost", ring, seat=seat, **lengths)
 
         closed = cases(state.seat_pressure) < 0.0  # by the balls of elastic rings
         yield (interference > 0.0) & (gap > 0.0) & ~closed, lost
@@ -73,7 +61,7 @@ THIN = 0.5
 """Of a ring's thickness: a deflection beyond it is no small one any more (the usual limit of linear bending)."""
 
 
-def give_warnings(solution: Solution, part: slice) -> Warnings:
+def bending_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     """Of elastic rings: a seat that parts from its ring somewhere, deflections that are not small."""
     rings = solution.scene.elastic_rings
     if rings is None:
@@ -92,34 +80,20 @@ def give_warnings(solution: Solution, part: slice) -> Warnings:
             fitted = 0.0 if state is None or state.seat_pressure is None else state.seat_pressure
             short = -(shape.least_seat_pressure + fitted).reshape(-1)[part]
 
-            def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> str:
-                return check_data(
-                    f"The {side} ring would lift off the {seat} in places, unless the seat pressure of its fit were "
-                    f"{short[i] / MPa:.3g} MPa larger: there it deflects more than computed.",
-                    GIVE,
-                )
+            def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> Remark:
+                return remark("seat_parts", side, seat=seat, pressure_MPa=short[i] / MPa)
 
             yield np.asarray(short > 0.0) & ~_cases(is_open, part), parts
             reach = np.maximum(shape.growth + shape.bending, 0.0)
             touching = is_open & (2.0 * reach > (0.0 if state is None or state.seat_gap is None else state.seat_gap))
 
-            def touches(i: int, side: str = side, seat: str = seat) -> str:
-                return check_data(
-                    f"The {side} ring has clearance to the {seat} on average, but bends so far that it touches the "
-                    f"{seat} in places: there it deflects less than computed.",
-                    GIVE,
-                )
-
-            yield _cases(touching, part), touches
+            yield _cases(touching, part), remark("seat_touches", side, seat=seat)
         if diameter is None:
             continue
         thickness = np.abs(0.5 * np.asarray(diameter, float) - np.asarray(bottom))
         large = np.asarray(shape.bending / thickness).reshape(-1)[part]
 
-        def bends(i: int, side: str = side, large: NDArray = large) -> str:
-            return wrong_model(
-                f"The {side} ring bends by {large[i]:.2g} times its thickness, too far for small-deflection theory.",
-                GIVE,
-            )
+        def bends(i: int, side: str = side, large: NDArray = large) -> Remark:
+            return remark("ring_bends_far", side, deflection_over_thickness=large[i])
 
         yield np.asarray(large > THIN), bends

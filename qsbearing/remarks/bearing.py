@@ -1,40 +1,31 @@
-"""How a case ended, in sentences: its message, and warnings about what its numbers mean."""
+"""How a case of a bearing ended, in a sentence, and what there is to beware of in its numbers, as remarks."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.balls import Warnings, ball_warnings, friction_warnings, rows
-from qsbearing.messages.expansion import expansion_warnings, give_warnings
-from qsbearing.messages.missing_effects import incomplete_warnings
-from qsbearing.messages.preload import preload_warnings
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
-from qsbearing.model.kernel.admissibility import (
-    CONVERGED,
-    FRICTION_WITHOUT_LOAD,
-    NO_EQUILIBRIUM,
-    NO_ORBIT,
-    OPEN_SIDE,
-    OVER_SHOULDER,
-    UNLOADED_RING,
-    UNSUPPORTED,
-)
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.ranked_warning import RankedWarning, check_data, good_to_know, in_order, said_of, wrong_model
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, lines_to_add
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mrad, um
-
-STATUSES = "how_to#meaning-of-each-status"
+from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
+from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.remarks.missing_effects import missing_effects
+from qsbearing.remarks.preload import preload_remarks
+from qsbearing.remarks.remark import Found, Remark, in_case, remark
 
 SMALL_TILT = 0.02
 """Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
@@ -52,67 +43,68 @@ def message(solution: Solution, index: Index = None) -> str:
     """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
         return f"{solution._maker.count} cases: {solution._counts()}."
-    k = solution._flat_index(index)
-    result = solution._results[k]
-    code = result["status"]
+    k = solution.flat_index(index)
+    status, residual, iterations = (
+        np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
+    )
     if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
         return solution.thermal.message(index)
-    if code == CONVERGED:
+    if status == Status.CONVERGED:
         return (
-            f"Balls and ring are in equilibrium: largest imbalance {result['residual']:.1e} of the largest force, "
-            f"after {result['iterations']} iterations."
+            f"Balls and ring are in equilibrium: largest imbalance {residual:.1e} of the largest force, "
+            f"after {iterations} iterations."
         )
-    if solution._preloaded is not None:
-        preloaded = solution._preloaded
+    if solution.preloaded is not None:
+        preloaded = solution.preloaded
         numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
-        if preloaded._results[number]["status"] != CONVERGED:
+        if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
             return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
-    if code == NO_EQUILIBRIUM:
+    if status == Status.NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
     return (
-        f"Not converged: the last imbalance was {result['residual']:.1e} of the largest force after "
-        f"{result['iterations']} iterations. This does not prove that there is no equilibrium: continuing from a "
-        "solution nearby (at a lower speed or a larger load) may find one."
+        f"Not converged: the last imbalance was {residual:.1e} of the largest force after {iterations} iterations. "
+        "This does not prove that there is no equilibrium: continuing from a solution nearby (at a lower speed or a "
+        "larger load) may find one."
     )
 
 
 def _why_no_equilibrium(solution: Solution, k: int) -> str:
-    case, result = solution._maker.make(k, k + 1)[0], solution._results[k]
-    notes = result["notes"]
-    if notes & UNSUPPORTED:
-        free = solution._free_channels
+    case = solution._maker.make(k, k + 1)[0]
+    reason = np.ravel(solution.reason)[k]
+    if reason == Reason.UNSUPPORTED:
+        free = solution.free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements, nothing supports the balls."
-        ring = np.nan_to_num(np.abs(result["displacement"][free]), nan=np.inf)
+        ring = np.nan_to_num(np.abs(solution._results["displacement"][k][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
         return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
-    if notes & FRICTION_WITHOUT_LOAD:
+    if reason == Reason.FRICTION_WITHOUT_LOAD:
         why = (
             " under this raceway control: friction would have to carry the gyroscopic moment at a contact with too "
             "little load or none, so that the ball slips."
         )
         if case["control"] == INNER:
             why += " Outer or per_ball control does not require this."
-    elif notes & NO_ORBIT:
+    elif reason == Reason.NO_ORBIT:
         why = (
             " under this raceway control: the two contact angles of a ball differ by so much that rolling would leave "
             "the ball standing, or carry it backwards. Outer control does not lead to this."
         )
-    elif notes & OPEN_SIDE:
+    elif reason == Reason.OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
             'zero. For a bearing with shoulders on both sides, write kind = "deep_groove".'
         )
-    elif notes & OVER_SHOULDER:
+    elif reason == Reason.OVER_SHOULDER:
         why = (
             ": the angle of a loaded inner contact is more than 90 degrees, where no groove has a shoulder: the inner "
             "ring cannot hold the balls against the forces that push them outward."
         )
     else:
         return "No equilibrium."
-    return f"No equilibrium{why}" + _where(float(result["reached"]))
+    return f"No equilibrium{why}" + _where(float(np.ravel(solution.speed_reached)[k]))
 
 
 def _where(part: float) -> str:
@@ -157,99 +149,57 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     return said
 
 
-def warnings(solution: Solution, index: Index = None) -> list[RankedWarning]:
-    """Sentences on what to beware of in the numbers of a case; of several, one for each kind of warning."""
-    solved = solution._results["status"] == CONVERGED
-    if index is not None or not solution.shape:
-        k = solution._flat_index(index)
-        said = _all_warnings(solution, slice(k, k + 1))
-        return in_order(sentence(0) for which, sentence in said if which[0] and solved[k])
-    found = []
-    for which, sentence in _all_warnings(solution, slice(0, solved.size)):
-        cases = np.flatnonzero(which & solved)
-        if cases.size:
-            where = f"{cases.size} of {solved.size} cases, the first {solution._case_name(cases[0])}"
-            found.append(said_of(where, sentence(int(cases[0]))))
-    return in_order(found)
+def remarks(solution: Solution, index: Index = None) -> list[Remark]:
+    """What to beware of in the numbers of a case; of several without an index, once of each kind."""
+    return in_case(solution, _all, index)
 
 
-def _all_warnings(solution: Solution, part: slice) -> Warnings:
-    """For each kind of warning: which cases of a stretch have it, and the sentence for the i-th of them."""
-    yield from preload_warnings(solution, part)
-    yield from _ring_warnings(solution, part)
-    yield from ball_warnings(solution, part)
-    yield from friction_warnings(solution, part)
-    yield from incomplete_warnings(solution, part)
+def _all(solution: Solution, part: slice) -> Iterator[Found]:
+    """Which cases of a stretch have a remark, and that of the i-th of them."""
+    yield from preload_remarks(solution, part)
+    yield from _ring_remarks(solution, part)
+    yield from ball_remarks(solution, part)
+    yield from friction_remarks(solution, part)
+    yield from missing_effects(solution, part)
     if solution.scene.is_reshaped:
-        yield from expansion_warnings(solution, part)
-    yield from give_warnings(solution, part)
+        yield from expansion_remarks(solution, part)
+    yield from bending_remarks(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
-    yield from _pressure_warnings(solution, pressure)
-    yield from _sparse_warning(solution, part)
-
-
-def _pressure_warnings(solution: Solution, pressure: NDArray) -> Warnings:
-    """Dents, and first yield where the scene gives a yield strength."""
-    rings = solution.scene.ring_expansion
-    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
-    below = ""
-    if rings is not None:
-        below = (
-            f" Steel with a yield strength of {rings.yield_strength / MPa:.5g} MPa begins to yield below the surface "
-            f"near {float(f'{first_yield / MPa:.2g}'):g} MPa."
-        )
-    yield (
-        pressure > STATIC_PRESSURE,
-        lambda i: wrong_model(
-            f"The contact pressure reaches {pressure[i] / MPa:.0f} MPa, above ISO 76's static limit of "
-            f"{STATIC_PRESSURE / MPa:.0f} MPa: expect permanent dents.{below}",
-            "limits",
-        ),
-    )
-    yield (
-        (pressure > first_yield) & (pressure <= STATIC_PRESSURE),
-        lambda i: good_to_know(
-            f"The contact pressure reaches {pressure[i] / MPa:.0f} MPa, below ISO 76's static limit of "
-            f"{STATIC_PRESSURE / MPa:.0f} MPa.{below}",
-            "limits",
-        ),
-    )
-
-
-def _sparse_warning(solution: Solution, part: slice) -> Warnings:
+    yield from _pressure_remarks(solution, pressure)
     bearing = solution.scene.bearing
     share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
     filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
-    yield (
-        filled < SPARSE,
-        lambda i: check_data(
-            f"The balls fill {100.0 * filled[i]:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
-            "diameter and pitch diameter right?",
-            "ten_minutes#2-write-your-own",
-        ),
-    )
+    yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
 
 
-def _ring_warnings(solution: Solution, part: slice) -> Warnings:
-    free = solution._free_channels
-    unloaded = (solution._results["notes"][part] & UNLOADED_RING) != 0
-    yield (
-        unloaded,
-        lambda i: check_data(
-            "No load acts on the ring: its position is undetermined, and one of many is reported.", STATUSES
-        ),
-    )
+def _pressure_remarks(solution: Solution, pressure: NDArray) -> Iterator[Found]:
+    """Dents, and first yield where the scene gives a yield strength."""
+    rings = solution.scene.ring_expansion
+    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
+    yielding: dict[str, Any] = {}
+    if rings is not None:
+        near = float(f"{first_yield / MPa:.2g}")
+        yielding = {"yield_strength_MPa": rings.yield_strength / MPa, "first_yield_MPa": near}
+
+    def reached(code: str, i: int) -> Remark:
+        return remark(code, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
+
+    yield pressure > STATIC_PRESSURE, lambda i: reached("pressure_dents", i)
+    yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached("pressure_yields", i)
+
+
+def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    free = solution.free_channels
+    unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
+    yield unloaded, remark("ring_unloaded")
     stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)
 
-    def undetermined(i: int) -> str:
+    def undetermined(i: int) -> Remark:
         share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
-        names = ", ".join(CHANNELS[channel].label for channel in free[share > 0.1])
-        return check_data(
-            f"Nothing resists a displacement of the ring in {names}: the value reported for it is arbitrary.", STATUSES
-        )
+        return remark("ring_free", channels=", ".join(CHANNELS[channel].label for channel in free[share > 0.1]))
 
     yield ~unloaded & soft.any(axis=-1), undetermined
     bearing = solution.scene.bearing
@@ -262,16 +212,7 @@ def _ring_warnings(solution: Solution, part: slice) -> Warnings:
     can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
     yield (
         can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
-        lambda i: check_data(
-            f"No axial load keeps the raceways together: the ring has moved axially by {moved[i, 0] / um:.4g} µm, "
-            "until the contact angles are zero.",
-            "how_to#preload-of-one-bearing",
-        ),
+        lambda i: remark("raceways_separated", axial_displacement_um=moved[i, 0] / um),
     )
     tilt = np.abs(moved[:, 3:]).max(axis=-1)
-    yield (
-        tilt > SMALL_TILT,
-        lambda i: wrong_model(
-            f"The ring tilts by {tilt[i] / mrad:.0f} mrad: beyond the small rotations that the model assumes.", "limits"
-        ),
-    )
+    yield tilt > SMALL_TILT, lambda i: remark("tilt_large", tilt_mrad=tilt[i] / mrad)

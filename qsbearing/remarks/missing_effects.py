@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.messages.balls import Warnings
-from qsbearing.messages.equal_warnings import numbered
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.ranked_warning import capital, incomplete_model, said_of
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
-from qsbearing.model.solution.judgement import WORDS, WORTH_A_WARNING, changed, estimated, judge, lines_to_add
+from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, lines_to_add
+from qsbearing.remarks.remark import Found, Of, Remark
 
-EXPLAINED = "accuracy"
 MOST_CASES = 64
 """More cases than these (chosen: more points than a load spectrum has) are not solved again: what indicators predict of
 them is said with ≈, and nothing of effects of which they predict nothing."""
@@ -25,7 +22,7 @@ WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
 of two)."""
 
 
-def incomplete_warnings(solution: Any, part: slice) -> Warnings:
+def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
     """Of a scene or set; a row of a set has nothing to say of itself."""
     if solution._solve is None:
         return
@@ -34,7 +31,7 @@ def incomplete_warnings(solution: Any, part: slice) -> Warnings:
     yield from _of_assumed(solution, part, are_few)
 
 
-def _of_known(solution: Any, part: slice, are_few: bool) -> Warnings:
+def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     """Effects and choices that could be named as it is."""
     if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
         return
@@ -52,18 +49,24 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Warnings:
         return
     matters = np.stack([_matters(change, part) for _, change in found])
 
-    def sentence(i: int) -> str:
-        k = part.start + i
-        here = [each for each, which in zip(found, matters[:, i], strict=True) if which]
-        said = [f"{entry.what} ({_by([change], k, are_few)})" for entry, change in here]
-        are = "is" if len(said) == 1 else "are"
-        lines = ", ".join(lines_to_add(of, [entry for entry, _ in here]))
-        return incomplete_model(f"{_listed(said)} {are} not included. Add under [effects]: {lines}", EXPLAINED)
+    def missing(i: int) -> Remark:
+        here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
+        most = [_most([change], part.start + i) for _, change in here]
+        return Remark(
+            "effects_missing",
+            values={
+                "effects": tuple(entry.name for entry, _ in here),
+                "quantities": tuple(quantity for quantity, _ in most),
+                "changes": tuple(change for _, change in most),
+                "is_estimated": not are_few,
+                "add": tuple(lines_to_add(of, [entry for entry, _ in here])),
+            },
+        )
 
-    yield np.asarray(matters.any(axis=0)), sentence
+    yield matters.any(axis=0), missing
 
 
-def _of_assumed(solution: Any, part: slice, are_few: bool) -> Warnings:
+def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     """Effects that need numbers of the scene, which no choice of effects can add either."""
     rows = rows_of(solution)
     for entry in EFFECTS:
@@ -73,29 +76,28 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Warnings:
         predicted = [_predicted(entry, solution)] if entry.tells_without else []
         found = changes(entry, solution) if are_few else predicted
         if found:
-            of = "" if len(lacking) == len(rows) else capital(numbered("row", lacking))
+            of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
             matters = np.any([_matters(each, part) for each in found], axis=0)
             yield matters, partial(_lacks, entry, of, found, are_few, part.start)
 
 
-def _lacks(entry: Entry, of: str, found: list[Change], is_solved: bool, start: int, i: int) -> str:
-    """That an effect is missing, in some rows or in all, what it would change, and what to give."""
-    begun = entry.without_it or f"{entry.what} is not included; it"
-    change = f"would change the {_by(found, start + i, is_solved, ' by about ')}"
-    said = incomplete_model(f"{begun} {change}. To include it, give {entry.needs}", EXPLAINED)
-    return said_of(of, said) if of else said
+def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, start: int, i: int) -> Remark:
+    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
+    quantity, by = _most(found, start + i)
+    under = tuple(each.under for each in found if np.ravel(each.is_solved)[start + i])
+    values = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under, "is_estimated": not is_solved}
+    return Remark("effect_data_missing", of, values)
 
 
-def _by(found: list[Change], k: int, is_solved: bool, link: str = " ") -> str:
-    """Which quantity changes most in a case, counted along the flattened axes, and by how much."""
+def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:
+    """Which quantity changes most in a case, counted along the flattened axes, and by how much with each change that is
+    solved; nothing where none is."""
     with_solution = [each for each in found if np.ravel(each.is_solved)[k]]
     if not with_solution:
-        return "result: no solution is found with it"
+        return "", ()
     errors = {name: np.ravel(error)[k] for name, error in with_solution[-1].errors.items()}
     name = max(errors, key=lambda each: np.nan_to_num(errors[each], nan=0.0))
-    number = changed if is_solved else estimated
-    by = [f"{number(np.ravel(each.errors[name])[k])}{f' ({each.under})' * bool(each.under)}" for each in with_solution]
-    return f"{WORDS[name]}{link}{' to '.join(by)}"
+    return name, tuple(float(np.ravel(each.errors[name])[k]) for each in with_solution)
 
 
 def _predicted(entry: Entry, solution: Any) -> Change:
@@ -109,8 +111,3 @@ def _predicted(entry: Entry, solution: Any) -> Change:
 def _matters(change: Change, part: slice) -> NDArray:
     """Where some answer changes noticeably, in which cases of a stretch."""
     return np.asarray(change.largest.reshape(-1)[part] > WORTH_A_WARNING)
-
-
-def _listed(said: Iterable[str]) -> str:
-    *others, last = said
-    return f"{', '.join(others)} and {last}" if others else last

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import dataclasses
 import json
 import pickle
@@ -19,10 +18,9 @@ from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
-from qsbearing.messages import balls
 from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
-from qsbearing.model.ranked_warning import Rank, RankedWarning, good_to_know, in_order, said_of, wrong_model
-from qsbearing.readings.remarks import CHOICES
+from qsbearing.remarks.kinds import KINDS, Severity
+from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
 
 SEPARATED = "No axial load keeps the raceways together"
@@ -89,7 +87,7 @@ def test_balls_are_counted_in_singular_and_plural() -> None:
         ([True, False, False], "1 ball (no. 0) carries"), ([False, True, True], "2 balls (no. 1 to 2) carry"),
         ([True, True], "All 2 balls carry"),
     ):  # fmt: skip
-        assert balls._balls(np.array(which), "carries", "carry") == said
+        assert f"{some_balls(which):carries/carry}" == said
 
 
 @pytest.mark.parametrize("index", [0, (0,), (4, 0), (0, -3), (0, 0, 0)])
@@ -223,74 +221,46 @@ def test_warnings_are_strings_with_a_rank_what_matters_most_first(many: qs.Solut
     found = [qs.warnings(many), *(qs.warnings(many, place) for place in np.ndindex(many.shape))]
     assert len({each.rank for each in found[0]}) == 3, "or there is no order to see"
     for said in found:
-        assert all(isinstance(each, RankedWarning) for each in said)
+        assert all(isinstance(each, Warned) for each in said)
         assert [each.rank for each in said] == sorted(each.rank for each in said)
     assert json.loads(json.dumps(found[0])) == found[0]
     assert [each.rank for each in pickle.loads(pickle.dumps(found[0]))] == [each.rank for each in found[0]]
 
 
-def test_a_plain_string_counts_between_the_others_and_keeps_its_words() -> None:
-    said = in_order(["plain", wrong_model("first", "limits"), good_to_know("last", "limits")])
-    assert said == ["first", "plain", "last"]
-    assert [each.line for each in said] == [
-        "Wrong model: First (see qsbearing guide limits).",
-        "Check your data: Plain.",
-        "Good to know: Last (see qsbearing guide limits).",
-    ]
-    assert said_of("row 1", said[0]).line == "Wrong model: Row 1: first (see qsbearing guide limits)."
+def test_a_line_has_severity_sentence_and_page_what_matters_most_first() -> None:
+    said = in_order(
+        [remark("control_assumed"), remark("life_factor_capped", limit=50.0), lost(), remark("ellipse_cut", "outer")]
+    )
+    assert [each.said().line for each in said] == [
+        "Wrong model: The ellipse of an outer contact runs over the groove's edge: pressure there exceeds Hertz's (see "
+        "qsbearing guide limits).",
+        "Check your data: Preload lost: the bearing carries 0.5 N in operation; its preload is 50 N mounted (see "
+        "qsbearing guide sets#preload).",
+        "Good to know: No raceway control is named: all spin is put on the inner raceway (see qsbearing guide "
+        "readings#choices-that-change-the-numbers).",
+        "Good to know: aISO is at the upper limit of ISO 281, 50: the modified life is not a prediction (see qsbearing "
+        "guide readings#choices-that-change-the-numbers).",
+    ]  # fmt: skip
 
 
-def test_a_warning_begins_with_a_capital_but_a_symbol_keeps_its_letters() -> None:
-    assert good_to_know("the torque is high", "").line == "Good to know: The torque is high."
-    assert good_to_know("aISO is at its limit.", "").line == "Good to know: aISO is at its limit."
-
-
-def test_where_the_guide_says_more_is_within_the_sentence() -> None:
-    assert good_to_know("It slips.", "limits").line == "Good to know: It slips (see qsbearing guide limits)."
+def lost() -> Remark:
+    return remark("preload_lost", carried_N=0.5, given_N=50.0, state="mounted")
 
 
 def test_sentences_are_short(many: qs.Solution) -> None:
     """Two lines of a terminal; three where it says what to add to the model."""
     for place in np.ndindex(many.shape):
         for each in qs.warnings(many, place):
-            assert len(each.line) <= (300 if each.rank is Rank.INCOMPLETE_MODEL else 200), each.line
+            assert len(each.line) <= (300 if each.rank is Severity.INCOMPLETE_MODEL else 200), each.line
 
 
-def places() -> set[tuple[str, str]]:
-    """Which file makes a warning that points where."""
-    found = set()
-    for path in Path(qs.__file__).parent.rglob("*.py"):
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        constants = {
-            node.targets[0].id: node.value.value
-            for node in ast.walk(tree)
-            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant) and hasattr(node.targets[0], "id")
-        }
-        for node in ast.walk(tree):
-            made = isinstance(node, ast.Call) and getattr(node.func, "id", "") in MAKERS and path.stem != MADE_BY
-            if made and isinstance(node, ast.Call):
-                see = node.args[-1]
-                if isinstance(see, ast.Attribute):  # of another warning, whose place is found where that is made
-                    continue
-                found.add((path.stem, constants.get(see.id, CHOICES) if isinstance(see, ast.Name) else see.value))  # type: ignore[attr-defined]
-    return found
-
-
-MADE_BY, MAKERS = (
-    "ranked_warning",
-    ("wrong_model", "incomplete_model", "check_data", "good_to_know", "RankedWarning"),
-)
-
-
-def test_every_warning_says_where_the_guide_has_more() -> None:
-    found = places()
-    assert {"bearing", "balls", "missing_effects", "expansion", "bearing_set"} <= {module for module, _ in found}
+def test_every_remark_says_where_the_guide_has_more() -> None:
     pages = topics()
-    for module, see in found:
-        page, _, section = see.partition("#")
-        assert page in pages, (module, see)
+    for kind in KINDS.values():
+        page, _, section = kind.see.partition("#")
+        assert page in pages, kind
         headings = re.findall(r"^#+ (.*)$", pages[page].text, flags=re.MULTILINE)
-        assert section in ("", *map(anchor_of, headings)), (module, see)
+        assert section in ("", *map(anchor_of, headings)), kind
 
 
 def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:

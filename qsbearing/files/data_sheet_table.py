@@ -1,0 +1,117 @@
+"""A table [bearing] that is a data sheet: balls and grooves, which it does not print, are inferred."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.table_checks import Errors, material, si
+from qsbearing.inference.data_sheet import DataSheet
+from qsbearing.model.bearing import BallBearing, Outline
+from qsbearing.model.scene.keys import (
+    BEARING,
+    COEFFICIENTS,
+    DATA_SHEET,
+    DIAMETERS,
+    IN_PLACE,
+    MATERIALS,
+    RACEWAYS,
+    RATINGS,
+    SHEET_WORDS,
+)
+from qsbearing.model.validation import SceneError, printable
+
+if TYPE_CHECKING:
+    from qsbearing.inference.infer import InferredBearing
+
+_BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_radius_coefficient"])
+_SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
+_OF_SHEET = (*(key.name for key in DATA_SHEET), *SHEET_WORDS)
+_KEYS = tuple(key for key in (*BEARING, *IN_PLACE) if key.field in DataSheet.__dataclass_fields__)
+PRINTED_THERE = "As the data sheet prints it"
+DIMENSIONS_ALONE = (
+    f"{PRINTED_THERE}. Dimensions alone do not tell the balls: some series have them a third smaller than others, and "
+    "lives guessed from proportions are up to 8 times off"
+)
+
+
+def is_data_sheet(given: Collection[str]) -> bool:
+    """Whether these keys of [bearing] are a data sheet: ratings or dimensions in place of balls or grooves."""
+    has = {*given, *(radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii)}
+    lacking = (_BALLS | _RADII) - has
+    return bool(lacking) and (bool(has & {*_RATINGS, *_OF_SHEET}) or (has >= _SIZE and lacking >= _BALLS))
+
+
+def without_sheet(given: dict[str, Any]) -> Errors:
+    """What would tell balls and grooves, taken out of a table that gives them; who made it does no harm."""
+    given.pop("maker", None)
+    found = {key: given.pop(key) for key in _OF_SHEET if key in given}
+    cause = "Leave it out: ball set and grooves are given"
+    return [FileErrorDetail(f"bearing.{key}", "has no use", each, cause=cause) for key, each in found.items()]
+
+
+def bearing_of_sheet(
+    given: dict[str, Any], label: str, outline: Outline | None, errors: Errors, may_infer: bool
+) -> BallBearing | None:
+    """Every bearing that the data sheet allows, as arrays; None where errors were found and added."""
+    # Rarely asked for, and behind it are the readings, with scipy.
+    from qsbearing.inference.infer import infer_bearing
+
+    before = len(errors)
+    others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
+    for name in sorted(others & {*given}):
+        cause = "Give groove_radius_coefficient, of both grooves, pitch_diameter_mm and diametral_clearance_mm"
+        errors.append(FileErrorDetail(f"bearing.{name}", "is not used beside a data sheet", given[name], cause=cause))
+    missing = sorted((_SIZE | _RATINGS) - {*given})
+    for number, name in enumerate(missing):
+        cause = DIMENSIONS_ALONE if name in _RATINGS and not _RATINGS & {*missing[:number]} else PRINTED_THERE
+        errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
+    if any(isinstance(each, np.ndarray) for each in given.values()):
+        errors.append(FileErrorDetail("bearing", "varies, and its balls are not given", cause="Give balls and grooves"))
+    fields: dict[str, Any] = {side: material(f"bearing.{side}", given.get(side, "steel"), errors) for side in MATERIALS}
+    if len(errors) > before:
+        return None
+    fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
+    try:
+        found = infer_bearing(**fields, name=printable(given.get("name", label)))
+    except SceneError as error:
+        errors += map(translate, error.errors)
+        return None
+    if not may_infer:
+        errors.append(
+            FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(found))
+        )
+        return None
+    return replace(found.bearing, inferred=found, outline=outline)
+
+
+def refusal(bearing: BallBearing) -> str:
+    """A sentence for those who solve one bearing, of one that is a list."""
+    return "" if bearing.inferred is None else f"a data sheet allows several ball sets. {_one_of(bearing.inferred)}"
+
+
+def _one_of(found: InferredBearing) -> str:
+    """How to go on with a single one."""
+    best: Any = found.at(0)
+    numbers = {key.name: key.in_file(getattr(best, key.field)) for key in BEARING[:3]}
+    numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
+    lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
+    return (
+        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one, "
+        "with ball_material and ring_material: "
+        f"the ratings fit best with {lines}, which often is not the true one"
+    )
+
+
+def sheet_tables(bearing: BallBearing) -> dict[str, Any]:
+    """The numbers and words of a data sheet, as a file has them."""
+    sheet = bearing.inferred.sheet
+    given = {name: getattr(sheet, name) for name in ("name", "kind", *SHEET_WORDS)}
+    found: dict[str, Any] = {name: str(each) for name, each in given.items() if each}
+    numbers = {key: getattr(sheet, key.field) for key in _KEYS}
+    found |= {key.name: key.in_file(each) for key, each in numbers.items() if each is not None}
+    return found if sheet.ball_count is None else found | {"ball_count": int(sheet.ball_count)}

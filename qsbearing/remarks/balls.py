@@ -1,0 +1,77 @@
+"""Remarks about balls: without load, slipping, or asking for more friction than contacts offer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.remark import Found, Remark, remark
+
+FRICTION_IN_DOUBT = 0.06
+FRICTION_BEYOND = 0.1
+"""Coefficients that lubricated steel contacts typically offer lie between these."""
+FRICTION_OF_LOAD = 1.0
+"""Above it friction is larger than the load that presses the contact."""
+FRICTIONS = {
+    "friction_doubtful": (FRICTION_IN_DOUBT, FRICTION_BEYOND),
+    "friction_beyond": (FRICTION_BEYOND, FRICTION_OF_LOAD),
+    "friction_above_load": (FRICTION_OF_LOAD, inf),
+}
+"""What is said of coefficients above the first and up to the second."""
+NO_FORCE = 1e-12
+"""Of a case's largest contact load: less is what rounding leaves, and no load."""
+
+
+def rows(array: NDArray, part: slice) -> NDArray:
+    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
+    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
+
+
+def ball_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Raceway control that contradicts itself, balls without load."""
+    yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("control_inconsistent")
+    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
+    inner, outer = rows(solution.inner.load, part), rows(solution.outer.load, part)
+    least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
+    off_inner, off_outer = exists & (inner <= least), outer <= least
+    unloaded, off = off_inner & off_outer, off_inner & ~off_outer
+    yield unloaded.any(axis=-1), lambda i: remark("balls_unloaded", balls=unloaded[i])
+    yield off.any(axis=-1), lambda i: remark("balls_off_inner", balls=off[i])
+
+
+def _slip(solution: Solution, part: slice) -> Iterator[Found]:
+    moment = solution.scene.gyroscopic_moment
+    if solution.slips is None or moment is None:
+        return
+    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
+    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
+    sides = (solution.inner.required_friction, solution.outer.required_friction)
+    asked = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    yield (
+        slips.any(axis=-1),
+        lambda i: remark("balls_slip", balls=slips[i], required=asked[i].max(), given=given[i]),
+    )
+
+
+def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Friction that the gyroscopic moment asks for, and balls that slip."""
+    yield from _slip(solution, part)
+    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
+        return
+    for name, side in (("inner", solution.inner), ("outer", solution.outer)):
+        if side.required_friction is None:
+            continue
+        friction = rows(side.required_friction, part)
+
+        for code, (least, most) in FRICTIONS.items():
+
+            def asked(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
+                typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
+                return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **typical)
+
+            largest = friction.max(axis=-1)
+            yield (largest > least) & (largest <= most), asked

@@ -1,0 +1,321 @@
+"""Every remark that there is: its code, how much it matters, where the guide says more, and its sentence.
+
+Codes stand in JSON and in the guide (guide/remarks.md): they are never renamed. A sentence is a format string over the
+remark's values, which are in the units of their names, and over whom it is about: {who}, {raceways}, {balls}.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from string import Formatter
+from typing import Any
+
+import numpy as np
+
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.solution.judgement import WORDS, changed, estimated
+from qsbearing.remarks.wording import Raceways, listed, spanned
+
+
+class Severity(IntEnum):
+    """How much a remark matters, what matters most first."""
+
+    WRONG_MODEL = 1
+    """The numbers do not describe this case: an equation is used beyond its range."""
+    INCOMPLETE_MODEL = 2
+    """The numbers would change with an effect that the model does not include."""
+    CHECK_DATA = 3
+    """The numbers describe what is given, which is unusual: a slip of input, or a design that does not work."""
+    GOOD_TO_KNOW = 4
+    """The numbers hold; they need a word."""
+
+    @property
+    def words(self) -> str:
+        """As people read it."""
+        return self.name.replace("_", " ").capitalize() if self is not Severity.CHECK_DATA else "Check your data"
+
+    @property
+    def status(self) -> str:
+        """Of a remark in a document."""
+        return "note" if self is Severity.GOOD_TO_KNOW else "warning"
+
+
+WRONG, INCOMPLETE, CHECK, NOTE = Severity
+
+STATUSES = "how_to#meaning-of-each-status"
+HYPOTHESES = "limits#hypotheses"
+HEAT = "how_to#heat-fits-and-rotation"
+CHOICES = "readings#choices-that-change-the-numbers"
+PRELOAD = "sets#preload"
+RINGS = "elastic_rings"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """All remarks of one code."""
+
+    code: str
+    severity: Severity
+    see: str
+    """Page of the guide, and its section behind a #."""
+    sentence: str
+    """A format string."""
+    more: str = ""
+    """A second one, of remarks that have its values."""
+    say: Callable[[Mapping[str, Any]], str] | None = None
+    """What makes the sentence where a format string cannot."""
+
+    def text(self, fields: Mapping[str, Any]) -> str:
+        """The sentence with these in it."""
+        if self.say is not None:
+            return self.say(fields)
+        more = self.more if all(name in fields for name in _fields(self.more)) else ""
+        return (self.sentence + more).format_map(fields)
+
+    @property
+    def outline(self) -> str:
+        """The sentence with … for each number."""
+        return (self.sentence + self.more).format_map(_Blank(who="the bearing", raceways=Raceways(("…",))))
+
+    @property
+    def values(self) -> tuple[str, ...]:
+        """What remarks of this kind have beside whom they are about."""
+        return tuple(name for name in _fields(self.sentence + self.more) if name not in ("who", "raceways", "balls"))
+
+
+class _Blank(dict[str, Any]):
+    """Stands for each number of a sentence."""
+
+    def __missing__(self, name: str) -> _Blank:
+        return self
+
+    def __format__(self, spec: str) -> str:
+        return f"… balls {spec.partition('/')[2]}" if "/" in spec else "…"
+
+
+def _fields(sentence: str) -> list[str]:
+    return list(dict.fromkeys(name for _, name, *_ in Formatter().parse(sentence) if name))
+
+
+def _missing(fields: Mapping[str, Any]) -> str:
+    """Effects that could be named as it is, and what each would change."""
+    said = [
+        f"{EFFECT[name].what} ({_of_quantity(quantity, _percents(fields, change))})"
+        for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
+    ]
+    are = "is" if len(said) == 1 else "are"
+    return f"{listed(said)} {are} not included. Add under [effects]: {', '.join(fields['add'])}"
+
+
+def _lacking(fields: Mapping[str, Any]) -> str:
+    """An effect that needs numbers of the scene: what it would change, and what to give."""
+    entry, changes = EFFECT[fields["effect"]], _percents(fields, fields["changes"])
+    by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
+    begun = entry.without_it or f"{entry.what} is not included; it"
+    change = _of_quantity(fields["quantity"], by, " by about ")
+    return f"{begun} would change the {change}. To include it, give {entry.needs}"
+
+
+def _cut(fields: Mapping[str, Any]) -> str:
+    """A contact cut by the edge, with as many of its numbers as there are."""
+    said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
+    if "beyond_percent" not in fields:
+        return f"{said}: pressure there exceeds Hertz's"
+    said += f", with {fields['beyond_percent']:.2g} % of its major axis: "
+    is_small = "turn_deg" not in fields
+    if _largest(fields["beyond_percent"]) >= 10.0:
+        said += "it is no longer Hertz's contact; " + "most of it is beyond the edge" * is_small
+    elif is_small:
+        return f"{said}load and angle hold, and the pressure rises at the edge"
+    if not is_small:
+        said += (
+            f"at the same approach it carries {fields['load_loss_percent']:.2g} % less load, which acts "
+            f"{fields['turn_deg']:.2g} deg farther from the edge; "
+        )
+        if "edge_pressure_MPa" not in fields:
+            return f"{said}at a sharp edge the pressure has no limit"
+        pressure = fields["edge_pressure_MPa"]
+        above = "above " if _largest(pressure) >= fields["limit_MPa"] else ""
+        said += f"the pressure at the edge is {above}{pressure:.0f} MPa"
+    return said
+
+
+def _largest(number: Any) -> float:
+    return float(np.max(number))
+
+
+def _percents(fields: Mapping[str, Any], changes: Sequence[Any]) -> list[str]:
+    """Relative changes, each of which may be a `Span`."""
+    number = estimated if fields["is_estimated"] else changed
+    return [f"{spanned(lambda each: number(each, ''), change)} %" for change in changes]
+
+
+def _of_quantity(quantity: str, by: list[str], link: str = " ") -> str:
+    """What changes most, and by how much."""
+    return f"{WORDS[quantity]}{link}{' to '.join(by)}" if quantity else "result: no solution is found with it"
+
+
+EFFECT = {entry.name: entry for entry in EFFECTS}
+_BEYOND = (
+    ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
+    "bearing's life before fatigue does"
+)
+_YIELDING = (
+    " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
+    "{first_yield_MPa:g} MPa."
+)
+_FRICTION = (
+    "The gyroscopic moment requires a friction coefficient of {required:.2f} at {raceways:the} raceway of {balls}: "
+)
+_TYPICAL = " (typical: {typical_least:g} to {typical_most:g})."
+_GROOVES = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
+
+# fmt: off
+_ALL = (
+    # The ring
+    Kind("ring_unloaded", CHECK, STATUSES,
+         "No load acts on the ring: its position is undetermined, and one of many is reported."),
+    Kind("ring_free", CHECK, STATUSES,
+         "Nothing resists a displacement of the ring in {channels}: the value reported for it is arbitrary."),
+    Kind("raceways_separated", CHECK, "how_to#preload-of-one-bearing",
+         "No axial load keeps the raceways together: the ring has moved axially by {axial_displacement_um:.4g} µm, "
+         "until the contact angles are zero."),
+    Kind("tilt_large", WRONG, "limits",
+         "The ring tilts by {tilt_mrad:.0f} mrad: beyond the small rotations that the model assumes."),
+    # Balls
+    Kind("control_inconsistent", WRONG, HYPOTHESES,
+         "No consistent raceway control: for some ball, whichever raceway is assumed to control it, the loads point "
+         "to the other one. The last choice tried is reported."),
+    Kind("balls_unloaded", NOTE, "limits", "{balls:carries/carry} no load."),
+    Kind("balls_off_inner", NOTE, "limits",
+         "{balls:has/have} left the inner raceway: only the outer raceway carries load there."),
+    Kind("balls_slip", WRONG, HYPOTHESES,
+         "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the "
+         "contacts have {given:.3g}. The ball speeds reported are those without slip."),
+    Kind("friction_doubtful", NOTE, HYPOTHESES, f"{_FRICTION}slip may begin{_TYPICAL}"),
+    Kind("friction_beyond", WRONG, HYPOTHESES, f"{_FRICTION}expect slip{_TYPICAL}"),
+    Kind("friction_above_load", WRONG, HYPOTHESES,
+         f"{_FRICTION}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}"),
+    Kind("pressure_dents", WRONG, "limits",
+         "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
+         "expect permanent dents.", _YIELDING),
+    Kind("pressure_yields", NOTE, "limits",
+         "The contact pressure reaches {pressure_MPa:.0f} MPa, below ISO 76's static limit of {limit_MPa:.0f} MPa.",
+         _YIELDING),
+    Kind("balls_sparse", CHECK, "ten_minutes#2-write-your-own",
+         "The balls fill {filled_percent:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
+         "diameter and pitch diameter right?"),
+    # Rings that grow or bend
+    Kind("balls_wedged", CHECK, HEAT,
+         "The expansion is larger than the diametral clearance by {interference_um:.4g} µm: the balls are wedged "
+         "between the rings."),
+    Kind("clearance_negative", CHECK, HEAT,
+         "The clearance is negative by {interference_um:.4g} µm: the balls are wedged between the rings."),
+    Kind("ring_yields", WRONG, HEAT,
+         "The stress of {raceways:the} ring is {stress_MPa:.4g} MPa at its bore, above its yield strength of "
+         "{yield_strength_MPa:.5g} MPa."),
+    Kind("fit_lost", CHECK, HEAT,
+         "The fit of {raceways:the} ring is lost in operation: mounted with an interference of {interference_um:.4g} "
+         "µm, it has a diametral clearance of {clearance_um:.4g} µm to the {seat}."),
+    Kind("seat_parts", CHECK, RINGS,
+         "{raceways:The} ring would lift off the {seat} in places, unless the seat pressure of its fit were "
+         "{pressure_MPa:.3g} MPa larger: there it deflects more than computed."),
+    Kind("seat_touches", CHECK, RINGS,
+         "{raceways:The} ring has clearance to the {seat} on average, but bends so far that it touches the {seat} in "
+         "places: there it deflects less than computed."),
+    Kind("ring_bends_far", WRONG, RINGS,
+         "The bending of {raceways:the} ring is {deflection_over_thickness:.2g} times its thickness, too much for "
+         "small-deflection theory."),
+    # Preload
+    Kind("preload_lost", CHECK, PRELOAD,
+         "Preload lost: {who} carries {carried_N:.4g} N in operation; its preload is {given_N:.4g} N {state}."),
+    Kind("preload_reduced", CHECK, PRELOAD,
+         "Preload reduced: {who} carries {carried_N:.4g} N in operation, {share_percent:.2g} % of its preload of "
+         "{given_N:.4g} N {state}; its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
+         "mounted to {stiffness_N_per_um:.4g} N/µm."),
+    Kind("preload_excessive", CHECK, PRELOAD,
+         "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "
+         "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
+         "{given_N:.4g} N."),
+    Kind("stiffness_undetermined", WRONG, HYPOTHESES,
+         "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
+    # The model
+    Kind("effects_missing", INCOMPLETE, "accuracy",
+         "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}", say=_missing),
+    Kind("effect_data_missing", INCOMPLETE, "accuracy",
+         "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
+         "its numbers", say=_lacking),
+    # Readings: life
+    Kind("life_of_ceramic", NOTE, CHOICES,
+         "the dynamic rating and the life modification factor of ceramic balls are those of steel balls"),
+    Kind("life_dents", WRONG, "limits",
+         "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the rating life is not valid"),
+    Kind("life_grooves_uncovered", WRONG, CHOICES,
+         f'{_GROOVES}: a wider groove carries less (rating = "lundberg_palmgren" takes the grooves into account)'),
+    Kind("life_size_uncovered", WRONG, CHOICES,
+         "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"),
+    Kind("life_viscosity_low", WRONG, CHOICES, "aISO is not defined below kappa = {limit:g}"),
+    Kind("life_viscosity_high", NOTE, CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"),
+    Kind("life_thrust_uncovered", WRONG, CHOICES,
+         "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"),
+    Kind("life_factor_large", NOTE, CHOICES, f"aISO is above {{limit:g}}{_BEYOND}"),
+    Kind("life_factor_capped", NOTE, CHOICES,
+         "aISO is at the upper limit of ISO 281, {limit:g}: the modified life is not a prediction"),
+    Kind("life_long", NOTE, CHOICES, f"the life is above {{limit_h:,.0f}} h ({{limit_years:.0f}} years){_BEYOND}"),
+    # Readings: static safety, stress, overrun
+    Kind("static_dents", WRONG, "limits",
+         "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the contact is no longer "
+         "elastic"),
+    Kind("static_moment", WRONG, CHOICES,
+         "the ring carries a moment, which P0 of ISO 76 does not include; contact_safety does"),
+    Kind("static_thrust_uncovered", WRONG, CHOICES,
+         "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one"),
+    Kind("static_of_ceramic", NOTE, "readings#not-included",
+         "ceramic balls are judged by {limit_MPa:.0f} MPa like steel ones; ISO 20056-2 allows more"),
+    Kind("dent_noticeable", NOTE, "limits",
+         "the dent of {raceways:an} contact is deeper than {limit:g} of the ball's diameter"),
+    Kind("dent_of_ceramic", NOTE, CHOICES,
+         "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields"),
+    Kind("ellipse_cut", WRONG, "limits",
+         "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+         "axis: it is no longer Hertz's contact; at the same approach it carries {load_loss_percent:.2g} % less load, "
+         "which acts {turn_deg:.2g} deg farther from the edge; the pressure at the edge is {edge_pressure_MPa:.0f} MPa",
+         say=_cut),
+    Kind("ellipse_cut_little", NOTE, "limits",
+         "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+         "axis: load and angle hold, and the pressure rises at the edge", say=_cut),
+    # Readings: motion, friction, film
+    Kind("control_assumed", NOTE, CHOICES, "no raceway control is named: all spin is put on the inner raceway"),
+    Kind("friction_given_exceeded", WRONG, HYPOTHESES,
+         "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
+         "slips, and the heat of this slip is not included"),
+    Kind("speed_rating_unknown", NOTE, CHOICES,
+         "SKF's friction model is valid below the bearing's speed rating, which is not given (speed_rating)"),
+    Kind("speed_rating_exceeded", WRONG, CHOICES,
+         "the speed is above the bearing's speed rating, the limit of SKF's friction model: its torque and heat are "
+         "extrapolated"),
+    Kind("pressure_viscosity_estimated", CHECK, CHOICES,
+         "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 % (15 % of the film "
+         "thickness)"),
+    Kind("film_isothermal", WRONG, CHOICES,
+         "SKF's inlet shear heating factor is below {limit:g}: the true film is thinner than this isothermal one"),
+    Kind("film_reduced", NOTE, CHOICES,
+         "inlet heating reduces the film of {raceways:an} contact by more than {limit_percent:.0f} %; published "
+         "factors of this reduction differ by {spread_percent:.0f} %"),
+    Kind("film_thin", NOTE, CHOICES,
+         "a film parameter is below 1: asperities touch over much of {raceways:that} contact"),
+    # A bearing from its data sheet
+    Kind("sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"),
+    Kind("sheet_not_solved", CHECK, "data_sheet",
+         "{unsolved} of the {bearings} bearings that the data sheet allows are not solved, and in no range"),
+    Kind("sheet_groove_assumed", NOTE, "data_sheet",
+         "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
+    Kind("sheet_ratings_unstated", CHECK, "data_sheet",
+         "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
+         "are read so and as those of the bearing's own grooves"),
+)
+# fmt: on
+KINDS = {kind.code: kind for kind in _ALL}
+"""By their codes."""

@@ -1,0 +1,72 @@
+"""Remarks about preloads that are lost, reduced or excessive, of a bearing or of a row of a set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadLoads, PreloadState, is_reduced, share, states
+from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.remark import Found, Remark, remark
+
+
+def preload_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """A preload that is held and has been lost, has fallen or has grown."""
+    preload, found = solution.scene.preload, solution.preload_loads
+    if preload is None or preload.kind == "spring" or found is None:
+        return
+
+    def cases(values: Any) -> NDArray:
+        return np.broadcast_to(values, solution.shape).reshape(-1)[part]
+
+    def stiffness() -> tuple[NDArray, NDArray]:
+        mounted = solution._at_rest(True) or solution
+        return cases(mounted.stiffness[..., 0, 0]), cases(solution.stiffness[..., 0, 0])
+
+    def fitted() -> tuple[NDArray, NDArray]:
+        return cases(solution.preload_unmounted), cases(solution.preload_mounted)
+
+    yield from of_loads(PreloadLoads(*map(cases, found)), preload.state, stiffness, fitted)
+
+
+def of_loads(
+    loads: PreloadLoads,
+    state: str,
+    stiffness: Callable[[], tuple[NDArray, NDArray]],
+    fitted: Callable[[], tuple[NDArray, NDArray]],
+) -> Iterator[Found]:
+    """Likewise of the loads of some cases.
+
+    Args:
+        state: in which the preload is given.
+        stiffness: axial, mounted and in operation [N/m].
+        fitted: the loads by the preload alone, at rest and cold, before fitting and after [N].
+    """
+    words, low = states(loads), is_reduced(loads)
+
+    def lost(i: int) -> Remark:
+        return remark("preload_lost", carried_N=max(loads.carried[i], 0.0), given_N=loads.given[i], state=state)
+
+    def reduced(i: int) -> Remark:
+        before, now = (1e-6 * each[i] for each in stiffness())
+        return remark(
+            "preload_reduced",
+            carried_N=loads.carried[i], share_percent=100.0 * share(loads)[i], given_N=loads.given[i], state=state,
+            stiffness_went="fell" if now < before else "rose", stiffness_mounted_N_per_um=before,
+            stiffness_N_per_um=now,
+        )  # fmt: skip
+
+    def excessive(i: int) -> Remark:
+        unmounted, mounted = (each[i] for each in fitted())
+        return remark(
+            "preload_excessive",
+            unmounted_N=unmounted, mounted_N=mounted, in_operation_N=loads.alone[i], limit=EXCESSIVE,
+            given_N=loads.given[i],
+        )  # fmt: skip
+
+    yield words == PreloadState.LOST, lost
+    yield low, reduced
+    yield words == PreloadState.EXCESSIVE, excessive

@@ -1,0 +1,244 @@
+"""A remark on results, as data: its code, whom it is about, its numbers. Words are filled in when somebody reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.remarks.kinds import KINDS, Kind, Severity
+from qsbearing.remarks.wording import Balls, Raceways, capital, listed, numbered
+
+
+@dataclass(frozen=True)
+class Cases:
+    """In how many of several cases a remark holds; its numbers are those of the first."""
+
+    count: int
+    of: int
+    first: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Of:
+    """Whom a remark is about; empty where there is nothing to tell apart."""
+
+    bearings: tuple[str, ...] = ()
+    """Of several that are compared, by their labels."""
+    points: tuple[int, ...] = ()
+    """Of a load spectrum, from 1."""
+    rows: tuple[int, ...] = ()
+    """Of a set, from 1."""
+    bearing: str = ""
+    """Of the one row."""
+    carries: str = ""
+    """Of the one row, the direction in which it carries."""
+    readings: tuple[str, ...] = ()
+    raceways: tuple[str, ...] = ()
+    """inner, outer"""
+    balls: Balls | None = None
+    cases: Cases | None = None
+
+    @property
+    def row(self) -> str:
+        """The rows as sentences name them."""
+        beside = ", ".join(filter(None, (self.bearing, self.carries and f"carries {self.carries}")))
+        return numbered("row", self.rows) + (f" ({beside})" if beside else "")
+
+    def about(self, axis: str, places: tuple[Any, ...]) -> Of:
+        """The same, but about these rows, raceways, ..."""
+        changes: dict[str, Any] = {axis: places}
+        if axis == "rows":
+            changes |= {"bearing": "", "carries": ""}
+        return replace(self, **changes)
+
+    def record(self) -> dict[str, Any]:
+        """As JSON has it: what there is to tell."""
+        found = {each.name: getattr(self, each.name) for each in fields(self)}
+        if self.balls is not None:
+            found["balls"] = self.balls.numbers
+        if self.cases is not None:
+            found["cases"] = vars(self.cases)
+        return {name: value for name, value in found.items() if value}
+
+
+def of_row(row: Any, number: int) -> Of:
+    """A row of a set, counted from 0."""
+    return Of(rows=(number + 1,), bearing=row.bearing.name or "", carries=str(row.carries))
+
+
+def row_name(row: Any, number: int) -> str:
+    """Likewise as sentences name it."""
+    return of_row(row, number).row
+
+
+@dataclass(frozen=True)
+class Remark:
+    """What there is to beware of in a result, or to know of it."""
+
+    code: str
+    of: Of = Of()
+    values: Mapping[str, Any] = field(default_factory=dict)
+    """Numbers in the units of their names, names, and choices."""
+
+    @property
+    def kind(self) -> Kind:
+        """All that is the same of each remark of this code."""
+        return KINDS[self.code]
+
+    @property
+    def text(self) -> str:
+        """The sentence, and whom it is about."""
+        of = self.of
+        names_row = len(of.rows) == 1 and of.carries and self.code in NAMES_ROW
+        who = of.row if names_row else "each" if of.rows else "the bearing"
+        said = self.kind.text({**self.values, "who": who, "raceways": Raceways(of.raceways), "balls": of.balls})
+        if of.cases is not None:
+            first = of.cases.first
+            place = first[0] if len(first) == 1 else first
+            said = f"{of.cases.count} of {of.cases.of} cases, the first {place}: {said}"
+        if of.rows and not names_row:
+            said = f"{capital(of.row)}: {said}"
+        if of.points:
+            said = f"{capital(numbered('point', of.points))}: {said}"
+        return f"{listed(of.bearings)}: {said}" if of.bearings else said
+
+    def said(self) -> Warned:
+        """In words, as `qs.warnings` gives it."""
+        return Warned(self.text, self)
+
+    def record(self) -> dict[str, Any]:
+        """As JSON has it; null for a number that is not finite."""
+        values = {name: _plain(value) for name, value in self.values.items()}
+        severity = self.kind.severity.name.lower()
+        return {"code": self.code, "severity": severity, "of": self.of.record(), "values": values, "text": self.text}
+
+
+NAMES_ROW = ("preload_lost", "preload_reduced", "preload_excessive")
+"""Codes whose sentences name the row that they are about."""
+
+
+class Warned(str):
+    """A remark in words; a `str`, so that lists of warnings and JSON hold sentences and nothing else."""
+
+    remark: Remark
+
+    def __new__(cls, text: str, remark: Remark) -> Warned:
+        found = super().__new__(cls, text)
+        found.remark = remark
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Warned, (str(self), self.remark)
+
+    @property
+    def rank(self) -> Severity:
+        """How much it matters."""
+        return self.remark.kind.severity
+
+    @property
+    def see(self) -> str:
+        """Page of the guide, and its section behind a #."""
+        return self.remark.kind.see
+
+    @property
+    def line(self) -> str:
+        """As people read it: how much it matters, the sentence, and where the guide says more."""
+        is_word = self.partition(" ")[0].islower()  # not a symbol, as aISO
+        begun = capital(self) if is_word else self
+        return f"{self.rank.words}: {begun.removesuffix('.')} (see qsbearing guide {self.see})."
+
+
+def remark(code: str, /, raceway: str = "", balls: ArrayLike | None = None, **values: Any) -> Remark:
+    """A remark on a single bearing.
+
+    Args:
+        code: one of `KINDS`.
+        raceway: inner or outer, where it is about one.
+        balls: which of them it is about, where it is about some.
+        values: its numbers, in the units of their names.
+    """
+    of = Of(raceways=(raceway,) if raceway else (), balls=None if balls is None else some_balls(balls))
+    return Remark(code, of, values)
+
+
+def some_balls(which: ArrayLike) -> Balls:
+    """Those that are marked; shape (ball,)."""
+    return Balls(tuple(map(int, np.flatnonzero(which))), np.size(which))
+
+
+Found = tuple[ArrayLike, Remark | Callable[[int], Remark]]
+"""Where a remark holds, and the remark; or what makes that of a case by its number along the flattened axes."""
+Remarks = tuple[tuple[NDArray, Remark], ...]
+"""Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
+
+
+def remarks(found: Iterable[tuple[ArrayLike, Remark]], shape: tuple[int, ...]) -> Remarks:
+    """What holds in some case.
+
+    Args:
+        found: where each holds, which broadcasts to the case axes.
+        shape: the case axes of the solution; none for a single case, or for what holds of all alike.
+    """
+    marked = [(np.broadcast_to(np.asarray(where, bool), shape), each) for where, each in found]
+    return tuple((where, each) for where, each in marked if where.any())
+
+
+def told(found: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
+    """What holds of a case, what matters most first; without a place of several, in how many cases each holds."""
+    said = []
+    for where, each in found:
+        where = np.asarray(where)
+        if place is not None and where.shape:
+            where = where[place]
+        numbers = np.flatnonzero(where)
+        if not numbers.size:
+            continue
+        one = each if isinstance(each, Remark) else each(int(numbers[0]))
+        if where.shape:
+            first = tuple(map(int, np.unravel_index(numbers[0], where.shape)))
+            one = replace(one, of=replace(one.of, cases=Cases(numbers.size, where.size, first)))
+        said.append(one)
+    return in_order(said)
+
+
+def in_case(solution: Any, found: Callable[[Any, slice], Iterable[Found]], index: Any) -> list[Remark]:
+    """What holds of a solved case of a bearing or set; without an index of several, in how many each holds.
+
+    Args:
+        found: for a stretch of cases, where each remark holds, and that of the i-th of them.
+    """
+    solved = np.ravel(solution.converged)
+    if index is None and solution.shape:
+        every = found(solution, slice(0, solved.size))
+        return told(((np.reshape(where & solved, solution.shape), each) for where, each in every), None)
+    k = solution.flat_index(index)
+    one = found(solution, slice(k, k + 1)) if solved[k] else ()
+    return told(((np.asarray(where)[0], each) for where, each in one), None)
+
+
+def in_order(said: Iterable[Remark]) -> list[Remark]:
+    """What matters most first, else as they come."""
+    return sorted(said, key=lambda each: each.kind.severity)
+
+
+class Remarked:
+    """A reading that has something to say of its numbers."""
+
+    remarks: Remarks
+
+    @property
+    def warnings(self) -> tuple[Warned, ...]:
+        """Where its numbers leave the range of their source, and what was assumed; of several cases, in how many."""
+        return tuple(each.said() for each in told(self.remarks, None))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, str | bool):
+        return value
+    if isinstance(value, Sequence):
+        return [_plain(each) for each in value]
+    return float(value) if np.isfinite(value) else None

@@ -1,0 +1,156 @@
+"""The one list of remarks on a solution, for people and for programs: `run`, `explain`, `find`, `compare`, reports, the
+page and notebooks all show it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.documents.model import Remark as Shown
+from qsbearing.model.solution.case_index import Index, place_of
+from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks import bearing
+from qsbearing.remarks.kinds import Severity
+from qsbearing.remarks.remark import Remark, Warned, in_order, told
+from qsbearing.remarks.wording import Span
+from qsbearing.results.readings_record import Readings, taken
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+COLOURS = {Severity.WRONG_MODEL: "red", Severity.INCOMPLETE_MODEL: "yellow", Severity.CHECK_DATA: "yellow"}
+AXES = ("readings", "raceways", "rows", "points", "bearings")
+"""Whom a remark is about, in the order in which equal ones are put together."""
+
+
+def message(solution: Solution | SetSolution, index: Index = None) -> str:
+    """One sentence on how a case of a bearing or set ended; for several without an index, how many have each status.
+
+    Args:
+        index: the case, along the solution's case axes; negative numbers count from the end.
+
+    Raises:
+        ValueError: the index does not name one case of this solution.
+    """
+    if isinstance(solution, Solution):
+        return bearing.message(solution, index)
+    from qsbearing.results import set_remarks
+
+    return set_remarks.message(solution, index)
+
+
+def warnings(solution: Solution | SetSolution, index: Index = None) -> list[Warned]:
+    """Warnings about the results of a case of a bearing or set; an empty list if there are none.
+
+    Those that say that the model does not describe the case come first, then those on input data to check, then
+    remarks. Each warning is a sentence with a `rank`, and `see` names the page of the guide that explains it; `remark`
+    has it as data. Readings have their own (`warnings` of each).
+
+    For several cases without an index, there is one sentence for each kind of warning: how many cases have it, which
+    case is the first, and the warning of that case.
+
+    Args:
+        index: the case, along the solution's case axes; negative numbers count from the end.
+
+    Raises:
+        ValueError: the index does not name one case of this solution.
+    """
+    without_readings: Any = {} if isinstance(solution, Solution) else [{}] * len(solution.rows)
+    return [each.said() for each in every_remark(solution, without_readings, index)]
+
+
+def every_remark(
+    solution: Solution | SetSolution, readings: Readings | Sequence[Readings] | None = None, index: Index = None
+) -> list[Remark]:
+    """The one list: those of a solution and those of what its scene or set asks to be read off.
+
+    Args:
+        readings: where they are taken already; of a set, those of each row.
+        index: the case, along the case axes; of several cases without it, in how many each holds.
+    """
+    if isinstance(solution, Solution):
+        found: Any = taken(solution) if readings is None else readings
+        place = None if index is None else place_of(index, solution.shape)
+        is_solved = np.any(np.asarray(solution.converged)[() if place is None else place])
+        return in_order(bearing.remarks(solution, index) + (of_readings(found, place) if is_solved else []))
+    from qsbearing.results import set_remarks
+
+    given: Any = [None] * len(solution.rows) if readings is None else readings
+    rows = [every_remark(row, own, index) for row, own in zip(solution.rows, given, strict=True)]
+    return set_remarks.with_rows(solution, rows, index)
+
+
+def of_readings(readings: Mapping[str, Any], place: Sequence[int] | None = None) -> list[Remark]:
+    """Those of readings alone, with the name of each."""
+    return [
+        replace(each, of=replace(each.of, readings=(name,)))
+        for name, reading in readings.items()
+        for each in told(getattr(reading, "remarks", ()), None if place is None else tuple(place))
+    ]
+
+
+def of_points(solution: Solution | SetSolution, readings: Any) -> list[Remark]:
+    """Those of each operating point of a load spectrum."""
+    return [
+        replace(each, of=replace(each.of, points=(k + 1,)))
+        for k in range(solution.shape[0])
+        for each in every_remark(solution, readings, k)
+    ]
+
+
+def remarks_record(said: Sequence[Remark]) -> dict[str, Any]:
+    """As JSON has them, each by itself; the sentences alone are those of the solution, for readings have their own."""
+    warnings = [each.text for each in said if not each.of.readings]
+    return {"warnings": warnings, "remarks": [each.record() for each in said]}
+
+
+def blocks(said: Iterable[Remark], is_apart: bool = False) -> list[Shown]:
+    """For people: what is the same of several rows, raceways or points once; apart: an empty line before them in a
+    terminal."""
+    lines = [each.said() for each in together(said)]
+    return [
+        Shown(each.line, each.rank.status, f"{each.rank.words}:", COLOURS.get(each.rank, ""), is_apart and number == 0)
+        for number, each in enumerate(lines)
+    ]
+
+
+def together(said: Iterable[Remark]) -> list[Remark]:
+    """Equal remarks once, with all that they are about and the range of their numbers; what matters most first."""
+    found = in_order(said)
+    for axis in AXES:
+        alike: dict[Any, list[Remark]] = {}
+        for each in found:
+            alike.setdefault((each.code, each.of.about(axis, ()), _names(each.values)), []).append(each)
+        found = [each for several in alike.values() for each in _in_one(several, axis)]
+    return in_order(found)
+
+
+def _in_one(several: list[Remark], axis: str) -> list[Remark]:
+    """Remarks that differ in one thing that they are about, and in numbers."""
+    about = [place for each in several for place in getattr(each.of, axis)]
+    if len(several) == 1 or len(set(about)) < len(several) or not all(getattr(each.of, axis) for each in several):
+        return several
+    values = {name: _span([each.values[name] for each in several]) for name in several[0].values}
+    return [replace(several[0], of=several[0].of.about(axis, tuple(about)), values=values)]
+
+
+def _names(value: Any) -> Any:
+    """What of values is not a number; these differ between remarks that are different things."""
+    if isinstance(value, Mapping):
+        return tuple((name, _names(each)) for name, each in value.items())
+    if isinstance(value, str | bool):
+        return value
+    return tuple(map(_names, value)) if isinstance(value, tuple) and not isinstance(value, Span) else None
+
+
+def _span(values: Sequence[Any]) -> Any:
+    """A value of several remarks, equal but for numbers."""
+    if isinstance(values[0], str | bool):
+        return values[0]
+    if isinstance(values[0], tuple) and not isinstance(values[0], Span):
+        return tuple(_span(each) for each in zip(*values, strict=True))
+    numbers = [number for each in values for number in (each if isinstance(each, Span) else (each,))]
+    return Span(numbers) if len(set(numbers)) > 1 else numbers[0]

@@ -1,0 +1,140 @@
+"""What a data sheet makes of a scene: results as ranges over its ball sets, and what one more number would remove."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.inference.infer import InferredBearing
+from qsbearing.inference.narrowing import Range
+from qsbearing.model.solution.result_keys import printed_unit, split
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import mm
+from qsbearing.remarks.remark import Remark, in_order, remark
+from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.results.tables import digits_of
+from qsbearing.studies.design.compare import main_results
+from qsbearing.studies.results import read
+
+OTHER_NUMBERS = {"pair_rigidity": "rigidity", "ball_count": "Z", "ball_diameter": "D"}
+"""By which one more number is called in a heading."""
+OTHER_WORDS = {
+    "pair_rigidity": "the axial rigidity of a pair at its preload",
+    "ball_count": "the ball count Z",
+    "ball_diameter": "the ball diameter D",
+}
+SAME = 1e-9
+"""Part of a value below which a range is rounding."""
+
+
+class Ranged(NamedTuple):
+    """A result, over all bearings."""
+
+    key: str
+    """Unit included."""
+    range: Range
+    removed: dict[str, float]
+    """Part of the range that one more number would remove, by its name."""
+
+    @property
+    def is_wide(self) -> bool:
+        """Whether there is more than rounding."""
+        return self.range.width > SAME * max(abs(self.range.least), abs(self.range.most))
+
+
+def ranges(solution: Solution) -> list[Ranged]:
+    """The main results and every number of the readings, of a solution over the bearings of a data sheet."""
+    found: InferredBearing = solution.scene.bearing.inferred
+    kept = main_results(solution)
+    solved = np.asarray(solution.converged)
+    out = []
+    for name, values in read(solution, kept.values()).items():
+        values = np.where(solved, np.broadcast_to(values, solved.shape), np.nan)
+        if np.isfinite(values).any() and np.nanmax(np.abs(values)) > 0.0:
+            each = Ranged(kept[name].column, found.range_of(values), found.shares_removed(values))
+            out.append(each)
+    return out
+
+
+def said(solution: Solution) -> list[Remark]:
+    """What to beware of, in the list itself and in the results of its bearings."""
+    bearings, unsolved = solution.converged.size, int((~solution.converged).sum())
+    lost = [remark("sheet_not_solved", unsolved=unsolved, bearings=bearings)] if unsolved else []
+    of_list = [each.remark for each in solution.scene.bearing.inferred.remarks]
+    return in_order([*of_list, *lost, *every_remark(solution)])
+
+
+def inferred_record(solution: Solution) -> dict[str, Any]:
+    """The ranges as plain data: `inferred`, and beside it the sets, which of them make the ends, and the shares."""
+    found: InferredBearing = solution.scene.bearing.inferred
+    every = ranges(solution)
+    numbers = found.set_number
+    return {
+        "inferred": {each.key: [each.range.least, each.range.most] for each in every},
+        "inferred_ends": {each.key: [int(numbers[case]) + 1 for case in each.range[2:]] for each in every},
+        "inferred_share_removed": {each.key: each.removed for each in every},
+        "ball_sets": [
+            {
+                "number": int(numbers[case]) + 1,
+                "ball_count": int(count),
+                "ball_diameter_mm": float(f"{diameter / mm:.10g}"),
+                "groove_radius_coefficient": [float(f"{f:.6g}") for f in (least, most)],
+                "misfit": float(found.misfit[case]),
+                "rating_practice": str(found.practice[case]),
+            }
+            for case, count, diameter, least, most in _sets(found)
+        ],
+    }
+
+
+def _sets(found: InferredBearing) -> list[tuple[int, float, float, float, float]]:
+    """First case, ball count, ball diameter and f of each set."""
+    bearing: Any = found.bearing
+    f: NDArray = bearing.inner_groove_radius / bearing.ball_diameter
+    cases = [np.flatnonzero(found.set_number == number) for number in np.unique(found.set_number)]
+    return [(c[0], bearing.ball_count[c[0]], bearing.ball_diameter[c[0]], f[c].min(), f[c].max()) for c in cases]
+
+
+def inferred_tables(solution: Solution) -> list[Block]:
+    """The ranges and the sets for people."""
+    found: InferredBearing = solution.scene.bearing.inferred
+    every, numbers = ranges(solution), found.set_number
+    others = [name for name in OTHER_NUMBERS if any(name in each.removed for each in every)]
+    heading = ("inferred", "", "least", "of set", "most", "of set", *(f"{OTHER_NUMBERS[name]}\n%" for name in others))
+    rows = []
+    for each in (each for each in every if each.is_wide):
+        name, unit = split(each.key)
+        ends = [
+            (digits_of(value), str(numbers[case] + 1))
+            for value, case in zip(each.range[:2], each.range[2:], strict=True)
+        ]
+        removed = [f"{100.0 * each.removed[name]:.0f}" for name in others]
+        rows.append((name.removeprefix("ring_").replace("_", " "), printed_unit(unit), *ends[0], *ends[1], *removed))
+    sets = [
+        (
+            str(number),
+            f"{count:.0f}",
+            f"{diameter / mm:.4g}",
+            f"{least:.4f} to {most:.4f}",
+            f"{found.misfit[case]:.2g}",
+            found.practice[case].replace("_", " "),
+        )
+        for number, (case, count, diameter, least, most) in enumerate(_sets(found), 1)
+    ]
+    title = f"{found.bearing.name or 'Bearing'} from its data sheet: {len(sets)} ball set{'s' if len(sets) > 1 else ''}"
+    columns = ("set", "Z", "D\nmm", "f", "misfit", "ratings read as")
+    numbers_known = ", ".join(OTHER_WORDS[name] for name in others)
+    note = (
+        "The list holds every set that the ratings allow; the first, which fits best, often is not the true one."
+        + f" In %: what part of a range goes, on average, if one more number is known: {numbers_known}." * bool(others)
+    )
+    result = "Results: least and most over all sets and their groove radii"
+    return [
+        Table(columns, sets, "rrrrrl", title),
+        Table(heading, rows, "llrrrr" + "r" * len(others), result),
+        Paragraph(note, is_apart=True),
+        *blocks(said(solution), is_apart=True),
+    ]

@@ -1,0 +1,204 @@
+"""Scene files whose bearing is a data sheet, typed as printed: one command gives ranges."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import qsbearing as qs
+from qsbearing.cli import cli
+
+# Rows of the tables beside; ball sets as far as they are printed or known. SNFA prints kgf.
+PRINTED: dict[str, tuple[str, tuple[int, float]]] = {
+    "GMN S 6210 C TA": (
+        'bore_diameter_mm = 50\noutside_diameter_mm = 90\nwidth_mm = 20\nfree_contact_angle_deg = 15\nmaker = "GMN"\n'
+        "dynamic_load_rating_N = 47500\nstatic_load_rating_N = 37000",
+        (15, 12.7),
+    ),
+    "GMN S 6210 E TA": (
+        'bore_diameter_mm = 50\noutside_diameter_mm = 90\nwidth_mm = 20\nfree_contact_angle_deg = 25\nmaker = "GMN"\n'
+        "dynamic_load_rating_N = 45000\nstatic_load_rating_N = 35500\n"
+        "pair_rigidity_N_per_um = 271\npair_preload_N = 1140",
+        (15, 12.7),
+    ),
+    "GMN HY S 61914 C TA": (
+        'bore_diameter_mm = 70\noutside_diameter_mm = 100\nwidth_mm = 16\nfree_contact_angle_deg = 15\nmaker = "GMN"\n'
+        'dynamic_load_rating_N = 24400\nstatic_load_rating_N = 18200\nball_material = "silicon nitride"',
+        (24, 7.9375),
+    ),
+    "SNFA SEB 50": (
+        'bore_diameter_mm = 50\noutside_diameter_mm = 72\nwidth_mm = 12\nfree_contact_angle_deg = 15\nmaker = "SNFA"\n'
+        "dynamic_load_rating_N = 18878\nstatic_load_rating_N = 20692\n"
+        "dynamic_rating_factor = 1.0\nstatic_rating_factor = 1.248",
+        (21, 7.14375),
+    ),
+    "SNFA VEB 50": (
+        'bore_diameter_mm = 50\noutside_diameter_mm = 72\nwidth_mm = 12\nfree_contact_angle_deg = 25\nmaker = "SNFA"\n'
+        "dynamic_load_rating_N = 12160\nstatic_load_rating_N = 9611\n"
+        "dynamic_rating_factor = 0.681\nstatic_rating_factor = 0.613",
+        (21, 7.14375),
+    ),
+    "SKF 6305": (
+        'bore_diameter_mm = 25\noutside_diameter_mm = 62\nwidth_mm = 17\nkind = "deep_groove"\nmaker = "SKF"\n'
+        "dynamic_load_rating_N = 23400\nstatic_load_rating_N = 11600\nf0 = 12\ndiametral_clearance_mm = 0.01",
+        (7, 11.509375),
+    ),
+    "SKF 7210 BEP": (
+        'bore_diameter_mm = 50\noutside_diameter_mm = 90\nwidth_mm = 20\nfree_contact_angle_deg = 40\nmaker = "SKF"\n'
+        "dynamic_load_rating_N = 37700\nstatic_load_rating_N = 28500",
+        (14, 13.096875),
+    ),
+    "NSK 6305": (
+        'bore_diameter_mm = 25\noutside_diameter_mm = 62\nwidth_mm = 17\nkind = "deep_groove"\nmaker = "NSK"\n'
+        "dynamic_load_rating_N = 20600\nstatic_load_rating_N = 11200\nf0 = 13.2\ndiametral_clearance_mm = 0.01",
+        (8, 10.31875),
+    ),
+    "NTN 7010UCG": (
+        'name = "7010C"\nmaker = "NTN"\ndynamic_load_rating_N = 26900\nstatic_load_rating_N = 23100\n'
+        "pair_rigidity_N_per_um = 70.5\npair_preload_N = 157",
+        (20, 8.73125),
+    ),
+    "NTN 7914UCG": (
+        'bore_diameter_mm = 70\noutside_diameter_mm = 100\nwidth_mm = 16\nfree_contact_angle_deg = 15\nmaker = "NTN"\n'
+        "dynamic_load_rating_N = 29700\nstatic_load_rating_N = 30000",
+        (25, 8.73125),
+    ),
+}
+LOADED = "[operation]\naxial_load_N = 300\n"
+STIFFNESS = "ring_effective_stiffness_axial_N_per_um"
+
+
+def scene(tmp_path: Path, bearing: str, rest: str = LOADED) -> str:
+    """A file with this [bearing]."""
+    file = tmp_path / "scene.toml"
+    file.write_text(f"[bearing]\n{bearing}\n{rest}", encoding="utf-8")
+    return str(file)
+
+
+def run(tmp_path: Path, bearing: str, *options: str, rest: str = LOADED) -> Result:
+    """`qsbearing run` of it."""
+    file = scene(tmp_path, bearing, rest)
+    result = CliRunner().invoke(cli, ["run", file, *options])
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
+    return result
+
+
+def ball_sets(found: dict[str, Any]) -> list[tuple[int, float]]:
+    return [(each["ball_count"], each["ball_diameter_mm"]) for each in found["ball_sets"]]
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_a_data_sheet_as_printed_gives_an_answer_with_its_range(name: str, tmp_path: Path) -> None:
+    bearing, known = PRINTED[name]
+    result = run(tmp_path, bearing, "--json")
+    assert result.exit_code == 0, result.output
+    found = json.loads(result.stdout)
+    assert known in ball_sets(found)
+    least, most = found["inferred"][STIFFNESS]
+    assert 0.0 < least < most < 2.0 * least
+    numbers = {each["number"] for each in found["ball_sets"]}
+    assert all(set(ends) <= numbers for ends in found["inferred_ends"].values())
+    best = found["effective_stiffness"]["axial_N_per_um"]
+    assert least <= best <= most, "beside the ranges stand the results of the set that fits best"
+
+
+def test_text_and_csv_say_what_is_inferred(tmp_path: Path) -> None:
+    text = run(tmp_path, PRINTED["GMN S 6210 C TA"][0], "--csv", str(tmp_path / "balls.csv")).output
+    assert "from its data sheet: " in text and "inferred" in text and "rigidity" in text
+    assert "often is not the true" in text
+    with (tmp_path / "balls.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    sets = {(row["ball_count"], row["ball_diameter_mm"]) for row in rows}
+    assert len(rows) == 3 * sum(float(count) for count, _ in sets) and len(sets) > 1, "all balls of the list"
+    plain = run(tmp_path, PRINTED["NTN 7010UCG"][0]).output
+    assert "rigidity" not in plain, "which is given"
+
+
+def test_json_is_run_again(tmp_path: Path) -> None:
+    first = run(tmp_path, PRINTED["SKF 7210 BEP"][0], "--json").stdout
+    (tmp_path / "first.json").write_text(first, encoding="utf-8")
+    again = CliRunner().invoke(cli, ["run", str(tmp_path / "first.json"), "--json"]).stdout
+    assert json.loads(again)["inferred"] == json.loads(first)["inferred"]
+    assert json.loads(again)["input"] == json.loads(first)["input"]
+
+
+def test_python_has_a_case_of_each(tmp_path: Path) -> None:
+    loaded = qs.load_scene(scene(tmp_path, PRINTED["SKF 7210 BEP"][0]))
+    solution = qs.solve(loaded)
+    assert solution.shape == loaded.bearing.inferred.misfit.shape and solution.converged.all()
+    assert loaded.bearing.outline is not None and loaded.bearing.outline.width == 0.02
+
+
+PROPORTIONS = "bore_diameter_mm = 70\noutside_diameter_mm = 110\nwidth_mm = 20\nfree_contact_angle_deg = 15"
+LIGHT = (  # GMN KH 61914 C TA
+    "bore_diameter_mm = 70\noutside_diameter_mm = 100\nfree_contact_angle_deg = 17\n"
+    "dynamic_load_rating_N = 13100\nstatic_load_rating_N = 10600"
+)
+
+
+@pytest.mark.parametrize(
+    ("bearing", "said"),
+    [
+        (PROPORTIONS, ["dynamic_load_rating_N: missing", "static_load_rating_N: missing", "8 times off"]),
+        (LIGHT, ["dynamic_load_rating_N = 13100 N: cannot be read", 'rating_practice = "iso"', "SNFA"]),
+        (LIGHT + '\nmaker = "GMN"', ["static_load_rating_N = 10600 N: no ball set", "series_factors"]),
+        (LIGHT + '\nmaker = "SNFA"', ["dynamic_rating_factor: missing", "static_rating_factor: missing"]),
+        (LIGHT + '\nrating_practice = "isso"', ["Did you mean iso?"]),
+        (LIGHT + '\nmaker = "NSK"\npair_preload_N = 100', ["pair_rigidity_N_per_um: missing"]),
+        (LIGHT + "\ninner_groove_radius_mm = 4", ["groove_radius_coefficient"]),
+        (LIGHT.replace("17", "1.7e3"), ["free_contact_angle_deg = 1700 deg"]),
+        ('name = "B218"\npair_preload_N = 157\nmaker = "NTN"', ["1 error", "pair_preload_N = 157: has no use"]),
+    ],
+    ids=["proportions", "light balls", "own grooves", "factors", "a word", "half", "radius", "angle", "named"],
+)
+def test_what_cannot_be_known_is_asked_for(bearing: str, said: list[str], tmp_path: Path) -> None:
+    result = run(tmp_path, bearing)
+    assert result.exit_code == 2
+    for each in said:
+        assert each in result.output, result.output
+
+
+@pytest.mark.parametrize("command", ["explain", "report", "sweep", "find", "run", "plot of run", "set", "spectrum"])
+def test_what_takes_one_bearing_says_how_to_choose_one(command: str, tmp_path: Path) -> None:
+    bearing, _ = PRINTED["NTN 7914UCG"]
+    rest = {
+        "sweep": LOADED + "[vary]\nspeed_rpm = [0, 1000]\n",
+        "set": '[operation]\n[preload]\nrigid_N = 300\n[[rows]]\nposition_mm = 0\ncarries = "+x"\n'
+        '[[rows]]\nposition_mm = 20\ncarries = "-x"\n',
+        "spectrum": LOADED + "[[spectrum]]\nshare = 1\nspeed_rpm = 1000\n[readings.life]\n",
+    }.get(command, LOADED)
+    file, out = scene(tmp_path, bearing, rest), str(tmp_path / "out")
+    arguments = {
+        "report": ["report", file, "--out", f"{out}.html"],
+        "sweep": ["sweep", file, "--out", f"{out}.nc"],
+        "find": ["find", file, "--vary", "speed_rpm=0:1000", "--maximise", "inner_load_max"],
+        "run": ["run", file, "--accuracy", "1e-3"],
+        "plot of run": ["run", file, "--plot", f"{out}.png"],
+        "explain": ["explain", file],
+    }.get(command, ["run", file])
+    result = CliRunner().invoke(cli, arguments)
+    assert result.exit_code == 2 and "allows several ball sets" in result.output, result.output
+
+
+def test_one_bearing_is_chosen_as_the_refusal_says(tmp_path: Path) -> None:
+    bearing, _ = PRINTED["NTN 7914UCG"]
+    refused = CliRunner().invoke(cli, ["explain", scene(tmp_path, bearing)]).output
+    lines = refused.partition("fit best with ")[2].partition(", which often")[0].replace(", ", "\n")
+    one = f'{bearing}\n{lines}\nball_material = "steel"\nring_material = "steel"'
+    assert run(tmp_path, one).exit_code == 0
+
+
+def test_unsolved_bearings_of_the_list_are_said(tmp_path: Path) -> None:
+    bearing, _ = PRINTED["NTN 7914UCG"]
+    result = run(tmp_path, bearing, "--json", rest="[operation]\naxial_load_N = -10\n")
+    assert result.exit_code == 1
+    found = json.loads(result.stdout)
+    assert found["inferred"] == {} and found["status"] == "no_equilibrium"
+    assert any("are not solved" in each for each in found["warnings"])
+    assert np.isfinite(found["ball_sets"][0]["misfit"])
