@@ -58,6 +58,9 @@ def bearing_of_sheet(
     given: dict[str, Any], label: str, outline: Outline | None, errors: Errors, may_infer: bool
 ) -> BallBearing | None:
     """Every bearing that the data sheet allows, as arrays; None where errors were found and added."""
+    # Rarely asked for, and behind it are the readings, with scipy.
+    from qsbearing.inference.infer import infer_bearing
+
     before = len(errors)
     others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
     for name in sorted(others & {*given}):
