@@ -76,8 +76,6 @@ def bearing_of_sheet(
     if len(errors) > before:
         return None
     fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
-    from qsbearing.inference.infer import infer_bearing  # readings are loaded only for a data sheet
-
     try:
         found = infer_bearing(**fields, name=printable(given.get("name", label)))
     except SceneError as error:
