@@ -5,6 +5,7 @@ from fem_check.checks import (
     bearing_sector,
     body_size,
     conformity,
+    contact_at_the_edge,
     convergence_order,
     elastic_ring,
     half_space_contacts,
@@ -13,6 +14,7 @@ from fem_check.checks import (
     patch_test,
     permanent_dent,
     solution_contacts,
+    solution_parts,
     true_geometry,
 )
 
@@ -26,8 +28,10 @@ ALL = {
         body_size.CHECK,
         convergence_order.CHECK,
         solution_contacts.CHECK,
+        solution_parts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
+        contact_at_the_edge.CHECK,
         bearing_sector.CHECK,
         elastic_ring.CHECK,
     )

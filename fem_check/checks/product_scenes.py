@@ -106,6 +106,7 @@ def scenes() -> dict[str, qs.Scene]:
         "tilts about the pitch circle, Hertz at zero angle by Brewe and Hamrock, at rest": _at(
             0.0, free, tilt_lever="pitch_circle", hertz_angle="zero", hertz_form="brewe_hamrock_1977"
         ),
+        "Hertz by Hamrock and Brewe 1983, at rest": _at(0.0, free, hertz_form="hamrock_brewe_1983"),
         "deep groove with 10 um of clearance, at rest": qs.Scene(
             WITH_CLEARANCE, qs.Operation(axial_load=1000.0, radial_load_y=600.0, radial_load_z=800.0, **FREE)
         ),

@@ -83,3 +83,25 @@ def _joined(inside: Annulus, outside: Annulus, interference: float) -> Array | N
     size = np.abs(rows).max(axis=1)
     found = np.linalg.solve(np.array(rows) / size[:, None], np.array(right) / size)
     return np.asarray(found) if stress_in @ found[:2] + known_in < 0.0 else None
+
+
+def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]) -> float:
+    """Inward displacement of a ring's outer rim by a unit pressure round it, the ring on a hollow shaft [m/Pa].
+
+    Plane stress; Lame's cylinders under pressure inside and outside, which share one displacement at the seat.
+
+    Args:
+        radii: the shaft's bore, the seat, the ring's outer rim [m].
+        ring: Young's modulus [Pa] and Poisson's ratio.
+        shaft: likewise.
+    """
+    c, a, b = radii
+
+    def of_ring(r: float, inside: float, outside: float) -> float:
+        modulus, nu = ring
+        uniform = (1.0 - nu) * (inside * a**2 - outside * b**2) * r
+        return (uniform + (1.0 + nu) * a**2 * b**2 * (inside - outside) / r) / (modulus * (b**2 - a**2))
+
+    of_shaft = -a / shaft[0] * ((a**2 + c**2) / (a**2 - c**2) - shaft[1])
+    seat = -of_ring(a, 0.0, 1.0) / (of_ring(a, 1.0, 0.0) - of_shaft)
+    return -of_ring(b, seat, 1.0)

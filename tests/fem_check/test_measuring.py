@@ -1,5 +1,7 @@
 """How the largest pressure is read: from the pressure, exactly for Hertz's."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -22,6 +24,16 @@ def test_hertz_pressure_is_read_exactly():
     x, y = grid(41)
     pressure = 3.0 * np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0))
     assert measuring.central_pressure(x, y, np.ones_like(x), pressure) == pytest.approx(3.0, rel=1e-13)
+
+
+def test_semi_axes_of_hertz_pressure():
+    # Of a bilinear pressure on 200 elements per semi-axis, whose last ring of elements holds 1e-5 of the moments.
+    lines = np.arange(0.0, 1.25, 0.005)
+    basis = PressureBasis(lines, lines)
+    pressures = np.sqrt(np.maximum(1.0 - (basis.points**2).sum(axis=0), 0.0))[:, None]
+    of = SimpleNamespace(basis=basis, pressures=pressures, unit_lengths=np.array([3.0]))
+    a, b = measuring.ellipse(of)
+    assert (a[0], b[0]) == pytest.approx((3.0, 3.0), rel=1e-4)
 
 
 @pytest.mark.parametrize("elements", [6, 12])

@@ -1,0 +1,303 @@
+"""Is what `qsbearing` says beside contacts and equilibrium right: batches, motion, stresses, shafts, keys, catalogue?
+
+Each row has its own small reference: single calls, vectors, an integral, a beam, numbers typed a second time.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from dataclasses import replace
+from math import sin
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import qsbearing as qs
+from fem_check.checks.elastic_ring import equilibrium
+from fem_check.checks.product_scenes import B218, BOTH
+from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
+from fem_check.independent.ring_growth import give_on_shaft
+from fem_check.product import problems
+from fem_check.product.scenes import drawing_at_rest
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from qsbearing.readings import kinematics, stress
+
+TOLERANCE = 1e-9
+"""Relative, of two evaluations at full precision."""
+WHY = "two evaluations at full precision"
+SPEED = 8000.0 * qs.rpm
+LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0)
+CASES = 64
+
+
+def compared(
+    case: str, quantity: str, unit: str, found: Any, expected: Any, source: str, tolerance: float = TOLERANCE
+) -> Row:
+    """An array in one row: the largest of the reference, and that off by the worst deviation."""
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    size = float(np.abs(expected).max())
+    worst = float(np.abs(found - expected).max()) if found.shape == expected.shape else np.nan
+    return Row(case, quantity, unit, size, source, size + worst, None, 100.0 * tolerance, WHY)
+
+
+def batch_rows() -> Iterator[Row]:
+    """Cases in one call against calls of their own."""
+    share = np.linspace(0.5, 1.0, CASES)
+    speed = SPEED * share[::-1]
+    loads = {name: getattr(LOADS, name) * share for name in ("axial_load", "radial_load_y", "radial_load_z")}
+    many = qs.solve(qs.Scene(B218, replace(LOADS, speed=speed, **loads), **BOTH))
+    at = range(0, CASES, 7)
+    each = [
+        qs.solve(qs.Scene(B218, replace(LOADS, speed=speed[i], **{name: of[i] for name, of in loads.items()}), **BOTH))
+        for i in at
+    ]
+    case, source = f"B218, {CASES} cases in one call", "each case in a call of its own"
+    for name, unit, of in (
+        ("displacement", "m, rad", lambda of: of.displacement),
+        ("inner contact load", "N", lambda of: of.inner.load),
+        ("outer contact angle", "rad", lambda of: of.outer.angle),
+        ("stiffness", "SI", lambda of: of.stiffness),
+    ):
+        yield compared(case, name, unit, of(many)[list(at)], [of(one) for one in each], source)
+
+
+def motion_rows() -> Iterator[Row]:
+    """The balls' axis and spin, by vectors from the reported rotation; slip from what is asked and what is allowed."""
+    friction = 0.03
+    effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
+    free = qs.solve(qs.Scene(B218, LOADS, **BOTH))
+    found, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
+    along, outward, size, orbit = (
+        np.asarray(getattr(free, name), float)
+        for name in ("axial_rotation", "radial_rotation", "rotation_speed", "orbital_speed")
+    )
+    rotation = np.stack([along, -outward])
+    axis = np.arctan2(-rotation[1] / size, rotation[0] / size)
+    yield compared(case, "attitude angle", "rad", free.attitude_angle, axis, source)
+    for race, contacts, ring in (("inner", free.inner, SPEED), ("outer", free.outer, 0.0)):
+        normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle)])
+        spin = (rotation * normal).sum(axis=0) - (ring - orbit) * normal[0]
+        scale = np.abs(rotation).max()  # the controlling raceway has none
+        told = np.append(getattr(found, race).spin_speed, scale)
+        yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
+    bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
+    asked = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
+    slipping = np.asarray(bound.slips, bool)
+    yield compared(
+        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(asked)],
+        [np.sum(asked > friction * (1.0 + 1e-9)), len(asked)], "friction asked for above the coefficient",
+    )  # fmt: skip
+
+
+def stress_rows() -> Iterator[Row]:
+    """The orthogonal shear below the contacts."""
+    solution = qs.solve(qs.Scene(B218, LOADS, **BOTH))
+    told = stress(solution)
+    for race in ("inner", "outer"):
+        contacts, of = getattr(solution, race), getattr(told, race)
+        a, b = contacts.semi_major_axis[0], contacts.semi_minor_axis[0]
+        over_p0, depth = orthogonal_shear.amplitude(float(a / b))
+        case, source = f"B218 {race}", "Boussinesq's stresses integrated"
+        yield compared(
+            case, "orthogonal shear stress", "Pa", of.orthogonal_shear[0], over_p0 * contacts.max_pressure[0], source
+        )
+        # At a maximum the place is known to the square root of the value's precision.
+        yield compared(case, "its depth", "m", of.orthogonal_shear_depth[0], depth * b, source, tolerance=1e-6)
+
+
+SECTIONS = ((0.15, 70e-3, 30e-3), (0.25, 90e-3, 40e-3))
+"""Length, outer and inner diameter [m]."""
+START, REFERENCE, LOADED = -0.1, 0.05, -0.08
+HOUSING = {"axial": 4e8, "radial": 6e8, "tilt": 2e6}
+MOMENT = 40.0
+
+
+def shaft_rows() -> Iterator[Row]:
+    """A stepped, hollow shaft on two rows, one of them in an elastic housing: its shape, and what the housing gives."""
+    places = (0.0, 0.2)
+    shaft = qs.Shaft(
+        tuple(qs.ShaftSection(*each) for each in SECTIONS), START,
+        (qs.ShaftLoad(LOADED, radial_y=3e3, moment_z=MOMENT),),
+    )  # fmt: skip
+    of = qs.BearingSet(
+        (qs.Row(B218, places[0], housing_stiffness=qs.HousingStiffness(**HOUSING)), qs.Row(B218, places[1])),
+        qs.Operation(speed=4000.0 * qs.rpm, axial_load=9e3, radial_load_z=2e3, moment_y=0.0, moment_z=0.0),
+        shaft=shaft, reference_position=REFERENCE, **BOTH,
+    )  # fmt: skip
+    solution = qs.solve_set(of)
+    drawing = drawing_at_rest(qs.load_scene(EXAMPLE), EXAMPLE)
+    arm = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
+    # A row's forces act where its groove centres are; moved to its position on the shaft.
+    to_groove = np.eye(5)
+    to_groove[1, 4], to_groove[2, 3] = arm, -arm
+    on_shaft = [-to_groove.T @ row.load for row in solution.rows]
+    loads = np.array([*on_shaft, [0.0, 3e3, 0.0, 0.0, MOMENT], [9e3, 0.0, 2e3, 0.0, 0.0]])
+    at = np.array([*places, LOADED, REFERENCE])
+    case, source = "two rows on a stepped, hollow shaft", "statics"
+    total = loads.sum(axis=0)
+    total[3] -= (at * loads[:, 2]).sum()
+    total[4] += (at * loads[:, 1]).sum()
+    scale = np.full(5, 9e3)
+    yield compared(case, "forces left and the axial load", "N, N m", total + scale, scale, source)
+    steel, begin, sections = drawing.ring, START, []
+    for length, outer, inner in SECTIONS:
+        sections.append(
+            shaft_beam.Section(
+                begin, begin + length, outer, inner, float(np.asarray(qs.STEEL.elastic_modulus)), steel.poisson_ratio
+            )
+        )
+        begin += length
+    asked = np.array([START, LOADED, 0.0, 0.12, 0.2, 0.3])
+    moved = solution.deflection(asked)
+    for plane, channel, tilt, sense in (("xy", 1, 4, 1.0), ("xz", 2, 3, -1.0)):
+        w, slope = shaft_beam.shape(sections, at, loads[:, channel], sense * loads[:, tilt], asked)
+        # Where the beam is placed is the solution's; how it bends is not.
+        turn = sense * moved[0, tilt] - slope[0]
+        w += moved[0, channel] - w[0] + turn * (asked - asked[0])
+        expected = np.concatenate([w, (slope + turn) * 0.1])
+        yield compared(
+            case, f"deflection, slopes over 0.1 m, plane {plane}", "m",
+            np.concatenate([moved[:, channel], 0.1 * sense * moved[:, tilt]]), expected,
+            "a Timoshenko beam under the solution's forces, by integration",
+        )  # fmt: skip
+    give = np.array([1.0 / HOUSING[name] for name in ("axial", "radial", "radial", "tilt", "tilt")])
+    at_row = solution.deflection([places[0]])[0]
+    expected = to_groove @ (at_row + give * on_shaft[0])
+    source = "the shaft's there, less load over the springs"
+    told = solution.rows[0].displacement
+    yield compared(case, "displacement of the row in the elastic housing", "m, rad", told, expected, source)
+
+
+BORE, WIDTH, HOLLOW, ALUMINIUM = 90e-3, 30e-3, 60e-3, (70e9, 0.33)
+
+
+def ring_rows() -> Iterator[Row]:
+    """An elastic inner ring on a hollow shaft of aluminium under thrust, where it gives way alike all round."""
+    rigid = qs.Scene(B218, qs.Operation(axial_load=20e3))
+    rings = qs.ElasticRings(
+        bore_diameter=BORE, inner_width=WIDTH, shaft_bore_diameter=HOLLOW, shaft_elastic_modulus=ALUMINIUM[0],
+        shaft_poisson_ratio=ALUMINIUM[1],
+    )  # fmt: skip
+    solution = qs.solve(replace(rigid, ring_effects=(rings,)))
+    drawing = drawing_at_rest(rigid, EXAMPLE)
+    bottom = drawing.inner_groove_centre_radius - drawing.inner_groove_radius
+    steel = drawing.ring.elastic_modulus, drawing.ring.poisson_ratio
+    count = len(solution.azimuth)
+    give = give_on_shaft((0.5 * HOLLOW, 0.5 * BORE, bottom), steel, ALUMINIUM) / (2.0 * np.pi * bottom * WIDTH)
+    load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), give))
+    case, source = "elastic inner ring on a hollow shaft, 20 kN axial", "Lame's cylinders, an equilibrium of its own"
+    why = "twice what bending from ball to ball adds, which the model has and the cylinders have not"
+    for quantity, unit, found, expected, tolerance in (
+        ("contact load", "N", solution.inner.load, load, 1.4e-4),
+        ("axial displacement", "m", solution.displacement[0], shaft[0], 2.4e-3),
+    ):
+        yield replace(compared(case, quantity, unit, found, expected, source, tolerance), why_tolerance=why)
+
+
+KEYS = {
+    "axial_displacement_um": ("axial_displacement", 41.0, 41e-6),
+    "radial_displacement_y_um": ("radial_displacement_y", -12.0, -12e-6),
+    "radial_displacement_z_um": ("radial_displacement_z", 20.0, 20e-6),
+    "tilt_y_mrad": ("tilt_y", 0.3, 0.3e-3),
+    "tilt_z_mrad": ("tilt_z", -0.2, -0.2e-3),
+    "speed_rpm": ("speed", 6000.0, 6000.0 * np.pi / 30.0),
+    "outer_speed_rpm": ("outer_speed", -900.0, -900.0 * np.pi / 30.0),
+    "axial_load_N": ("axial_load", 1234.0, 1234.0),
+    "radial_load_y_N": ("radial_load_y", -567.0, -567.0),
+    "radial_load_z_N": ("radial_load_z", 89.0, 89.0),
+    "moment_y_Nm": ("moment_y", 12.0, 12.0),
+    "moment_z_Nm": ("moment_z", -34.0, -34.0),
+}
+"""Key of a scene file: field of the operation, number written, in SI units."""
+
+
+def key_rows() -> Iterator[Row]:
+    """Keys of a scene file, in two files: a channel has its load or its displacement."""
+    channels = list(KEYS)
+    speeds = channels[5:7]
+    with tempfile.TemporaryDirectory() as folder:
+        for names in ([*channels[:5], *speeds], [*channels[7:], *speeds]):
+            lines = ["[bearing]", 'name = "B218"', "[operation]", *(f"{name} = {KEYS[name][1]}" for name in names)]
+            path = Path(folder) / "scene.toml"
+            path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            operation = qs.load_scene(path).operation
+            for name in names:
+                field, _, expected = KEYS[name]
+                yield compared(name, "keys of [operation] in SI units", "SI", getattr(operation, field), expected, "SI")
+
+
+def catalogue_rows() -> Iterator[Row]:
+    """Every bearing of the printed table, with balls of steel and of ceramic."""
+    rows = catalogue_table.rows()
+    case, source = f"{len(rows)} bearings of the table, steel and ceramic balls", "the printed table, read again"
+    expected: dict[str, list[float]] = {}
+    found: dict[str, list[float]] = {}
+    for row in rows:
+        for hybrid in ("", "_hybrid"):
+            bearing = qs.load_scene(row.name + hybrid).bearing
+            for name, value in row.lengths.items():
+                expected.setdefault(name, []).append(value)
+                found.setdefault(name, []).append(float(np.asarray(getattr(bearing, name))))
+    for name, values in expected.items():
+        off = np.asarray(found[name]) / np.asarray(values)
+        yield compared(case, f"{name} over the printed", "1", off, np.ones_like(off), source)
+    odd = [row.name for row in rows if not row.has_standard_balls]
+    yield Row(
+        case, "balls of a standard size", "1", float(len(rows)), "ISO 3290-1: inches by 1/64, or millimetres by 1/2",
+        float(len(rows) - len(odd)), None, 0.0, "a count", ", ".join(odd[:3]) or None,
+    )  # fmt: skip
+    over = np.array([row.pitch_over_mean for row in rows])
+    yield Row(
+        case, "pitch diameter over the mean of bore and outside diameter, farthest from 1", "1", 1.0, "drawing",
+        float(over[np.argmax(np.abs(over - 1.0))]), None, 5.1, "rings of unequal height, as the lowest has",
+        rows[int(np.argmax(np.abs(over - 1.0)))].name,
+    )  # fmt: skip
+    twins = catalogue_table.unlike_twins(rows)
+    yield Row(
+        case, "sizes whose balls differ with the angle", "1", 0.0, "the table: one ring, two angles", float(len(twins)),
+        None, 0.0, "a count", ", ".join(twins[:3]) or None,
+    )  # fmt: skip
+    for series, spreads in catalogue_table.SPREAD.items():
+        some = [row for row in rows if row.series == series]
+        ratios = [row.dynamic_over_iso for row in some], [row.static_over_iso for row in some]
+        for name, values, allowed in zip(("C over ISO 281's", "C0 over Z Dw2 cos alpha"), ratios, spreads, strict=True):
+            off = np.asarray(values) / np.median(values)
+            worst = int(np.argmax(np.abs(off - 1.0)))
+            yield Row(
+                f"{len(some)} bearings of series {series}", f"{name}, over the median", "1", 1.0, "ISO 281 and ISO 76",
+                float(off[worst]), None, 100.0 * allowed, catalogue_table.WHY_SPREAD, some[worst].name,
+            )  # fmt: skip
+
+
+PARTS = {
+    "a batch": batch_rows,
+    "motion": motion_rows,
+    "stresses": stress_rows,
+    "an elastic shaft": shaft_rows,
+    "elastic rings": ring_rows,
+    "scene files": key_rows,
+    "catalogue": catalogue_rows,
+}
+
+
+def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+    """All parts; always B218, whatever the scene."""
+    rows: list[Row] = []
+    for done, (name, part) in enumerate(PARTS.items()):
+        progress(name, done / len(PARTS))
+        more = list(part())
+        rows += collapsed(more, "a scene file") if part is key_rows else more
+    return Findings(rows)
+
+
+CHECK = Check(
+    name="solution_parts",
+    question="Are batches, motion, stresses, elastic shafts, scene files and the catalogue right?",
+    kind=Kind.VERIFICATION,
+    reference="single calls, vectors, integrals, a beam, the printed table; no code of qsbearing",
+    tolerance="1e-9; standard sizes exactly; ratings against ISO's as far as makers differ",
+    run=run,
+    largest_dofs=lambda level: 0,
+)
