@@ -5,6 +5,7 @@ from fem_check.checks import (
     bearing_sector,
     body_size,
     conformity,
+    contact_at_the_edge,
     convergence_order,
     elastic_ring,
     half_space_contacts,
@@ -30,6 +31,7 @@ ALL = {
         solution_parts.CHECK,
         true_geometry.CHECK,
         conformity.CHECK,
+        contact_at_the_edge.CHECK,
         bearing_sector.CHECK,
         elastic_ring.CHECK,
     )

@@ -24,9 +24,11 @@ def point_load_displacement(dx: Array, dy: Array, z: Array, poisson_ratio: float
     return radial * dx, radial * dy, factor * (2.0 * (1.0 - nu) / rho + z * z / rho**3)
 
 
-def pressure_displacement(points: Array, load_points: Array, loads: sp.csr_matrix, poisson_ratio: float) -> Array:
+def pressure_displacement(
+    points: Array, load_points: Array, loads: sp.csr_matrix, poisson_ratio: float, *, is_odd: bool = False
+) -> Array:
     """Displacement of the half-space at `points` under each pressure basis function; these fill the quarter x, y >= 0
-    and are mirrored in both planes.
+    and are mirrored in both planes, where odd in the plane x = 0 with the other sign.
 
     Args:
         points: where, shape (3, point), lengths in any unit, E = 1.
@@ -47,7 +49,7 @@ def pressure_displacement(points: Array, load_points: Array, loads: sp.csr_matri
             dx = some[0][:, None] - sign_x * load_points[0]
             dy = some[1][:, None] - sign_y * load_points[1]
             for axis, part in enumerate(point_load_displacement(dx, dy, some[2][:, None], poisson_ratio)):
-                total[axis] += part
+                total[axis] += sign_x * part if is_odd else part
         for axis in range(3):
             found[axis, start : start + block] = (transposed @ total[axis].T).T
     return found

@@ -145,7 +145,7 @@ class CondensedBody:
 class HeldBlock:
     """A block under a pressure on its contact, with its planes of symmetry, and its far faces held as a support says.
 
-    Young's modulus is 1.
+    Young's modulus is 1. Pressures are even about x = 0, or odd, for contacts that are neither: halves of both add up.
     """
 
     def __init__(
@@ -156,6 +156,8 @@ class HeldBlock:
         support: Support,
         progress: Progress = silent,
         family: ElementFamily = SERENDIPITY,
+        *,
+        is_odd: bool = False,
     ) -> None:
         space = self.space = DisplacementSpace(family.body(brick), family)
         matrix = stiffness(space, poisson_ratio, progress)
@@ -163,7 +165,7 @@ class HeldBlock:
         high = space.nodes.max(axis=1)
         small = 1e-9 * high
         fixed = np.zeros((space.count, 3), dtype=bool)
-        fixed[space.nodes[0] < small[0], 0] = True
+        fixed[space.nodes[0] < small[0]] = [is_odd != (axis == 0) for axis in range(3)]
         fixed[space.nodes[1] < small[1], 1] = True
         prescribed = np.any(space.nodes > (high - small)[:, None], axis=0)
         fixed[prescribed] = True
@@ -175,7 +177,7 @@ class HeldBlock:
         if support is Support.HALF_SPACE:
             (x, y), _ = basis.samples
             far = boussinesq.pressure_displacement(
-                space.nodes[:, prescribed], np.stack([x, y]), basis.loads, poisson_ratio
+                space.nodes[:, prescribed], np.stack([x, y]), basis.loads, poisson_ratio, is_odd=is_odd
             )
             self._prescribed_displacement = far.transpose(1, 0, 2).reshape(-1, count)
         else:

@@ -8,31 +8,39 @@ shoulders). Semi-axes grow as Q^(1/3), so the edge is reached at Q (limit/a)^3.
 Shoulders move with their rings: heat enlarges h and r alike, and a fit or rotation shifts groove and shoulder together,
 so that phi is that of the bearing as it is drawn, and r that in operation.
 
-Range: ellipses as of an endless groove; beyond the limit the pressure at the edge rises above Hertz's.
+Range: ellipses as of an endless groove. What the edge does to one that runs over it is in `cut_contact`: with less than
+a tenth of the major axis beyond the edge, load and angle hold within 2 % and half a degree; with more, Hertz's contact
+is the wrong one.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from math import copysign, cos, nan, sin
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import deg, mm
-from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric
+from qsbearing.model.units import MPa, deg, mm
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
+from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
-from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
-NEEDS = ("load", "sine", "cosine", "semi_major_axis"), ()
+NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
+SMALL, LARGE = 0.05, 0.1
+"""Parts of the major axis beyond the edge: from the first on the remark has numbers, from the second on the contact is
+another than Hertz's."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +53,18 @@ class RacewayOverrun:
     """From the ellipse's tip along the groove to its nearer edge; negative: cut off by so much [m]."""
     overrun_load: NDArray
     """Ball load at which the ellipse reaches the edge at this contact angle [N]; zero where its centre is past it."""
+    share_beyond: NDArray
+    """Part of the ellipse's major axis beyond the edge: 0 where it is not cut off, 1 where nothing is left."""
+    load_loss: NDArray
+    """By what part the contact carries less than the solution's, at the same approach; NaN where more than half of the
+    axis is beyond the edge, as the next two."""
+    load_turn: NDArray
+    """Of the load, away from the edge, as its resultant moves along the groove [rad]."""
+    edge_intensity: NDArray
+    """K of the pressure near a sharp edge, K p0 sqrt(b/distance)."""
+    edge_pressure: NDArray | None
+    """Largest pressure at an edge of the given radius [Pa]; `STATIC_PRESSURE` stands for all above it, where the edge
+    yields. None: no radius is given, and at a sharp edge it is infinite."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +84,7 @@ class OverrunArguments:
     outer_shoulder_diameter: ArrayLike | None = None
     inner_open_diameter: ArrayLike | None = None
     outer_open_diameter: ArrayLike | None = None
+    edge_radius: ArrayLike | None = None
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """No shoulder at all, and those of the bearing that make no groove."""
@@ -72,8 +93,10 @@ class OverrunArguments:
             inner, outer = Field("inner_shoulder_diameter"), Field("outer_shoulder_diameter")
             cause = Sentence("Give {inner} or {outer}", inner=inner, outer=outer)
             errors.append(ErrorDetail(inner, "missing", cause=cause, detail="no shoulder is given"))
+        if self.edge_radius is not None:
+            errors += within("edge_radius", self.edge_radius, LENGTH, 1e-6, 0.1)
         for name, value in vars(self).items():
-            if value is not None and bearing is not None:
+            if value is not None and bearing is not None and name.endswith("_diameter"):
                 errors += _shoulder_errors(bearing, INNER if name.startswith("inner") else OUTER, name, value)
         return errors
 
@@ -87,6 +110,7 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
             lean to, at rest and cold as the bearing's own lengths [m]; one of them at least.
         inner_open_diameter, outer_open_diameter: of the other shoulders, lower in an angular-contact bearing [m];
             None: as high as the first.
+        edge_radius: of the edges, tangent to the grooves where they end [m]; None: not known, no pressure at the edge.
 
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
@@ -100,10 +124,34 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
         if shoulder is None:
             found.append(None)
             continue
-        raceway = _raceway(solution, contacts, side, shoulder, shoulder if other is None else other)
-        said.append(((raceway.edge_distance < 0.0).any(axis=-1), remark("ellipse_cut", name)))
+        other = shoulder if other is None else other
+        raceway = _raceway(solution, contacts, side, shoulder, other, given.edge_radius)
+        said += _remarks(name, raceway)
         found.append(raceway)
     return Overrun(found[0], found[1], remarks(said, solution.shape))
+
+
+def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]:
+    """One for each of the ranges, with the numbers of its most cut contact."""
+    share = np.nan_to_num(raceway.share_beyond)
+    worst = share.max(axis=-1)
+    said = []
+    for low, high in ((LARGE, np.inf), (SMALL, LARGE), (0.0, SMALL)):
+        where = (worst > low if low == 0.0 else worst >= low) & (worst < high)
+        if where.any():
+            at = np.unravel_index(np.argmax(np.where(where[..., None], share, 0.0)), share.shape)
+            numbers = _numbers(raceway, at) if low >= SMALL else {}
+            code = "ellipse_cut" if low == LARGE else "ellipse_cut_little"
+            said.append((where, remark(code, name, beyond_percent=100.0 * float(share[at]), **numbers)))
+    return said
+
+
+def _numbers(raceway: RacewayOverrun, at: tuple[Any, ...]) -> dict[str, float]:
+    """What the edge does to one contact, as far as it is computed, in the units of a remark."""
+    found = {"load_loss_percent": 100.0 * raceway.load_loss[at], "turn_deg": raceway.load_turn[at] / deg}
+    if raceway.edge_pressure is not None:
+        found |= {"edge_pressure_MPa": raceway.edge_pressure[at] / MPa, "limit_MPa": STATIC_PRESSURE / MPa}
+    return {key: float(value) for key, value in found.items() if np.isfinite(value)}
 
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:
@@ -129,15 +177,32 @@ def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: Ar
 
 
 def _raceway(
-    solution: Solution, contacts: RacewayContacts, side: float, shoulder: ArrayLike, other: ArrayLike
+    solution: Solution,
+    contacts: RacewayContacts,
+    side: float,
+    shoulder: ArrayLike,
+    other: ArrayLike,
+    edge_radius: ArrayLike | None,
 ) -> RacewayOverrun:
-    drawn, r = solution.scene.bearing, BearingNumbers(solution.scene.operating_bearing).groove_radius(side)
+    drawn, numbers = solution.scene.bearing, BearingNumbers(solution.scene.operating_bearing)
+    r = numbers.groove_radius(side)
     depths = (groove_depth(drawn, diameter, side) for diameter in (shoulder, other))
     edge, far = (np.arccos(1.0 - depth / BearingNumbers(drawn).groove_radius(side)) for depth in depths)
     solution.read_at_once(*NEEDS)
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, contacts.semi_major_axis)
     distance, load = filled(solution, 2, _fill, *of_cases(solution, r, edge, far), *arrays)
-    return RacewayOverrun(np.broadcast_to(edge, solution.shape), distance, load)
+    a, b = contacts.semi_major_axis, contacts.semi_minor_axis
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share, k = np.clip(-0.5 * distance / a, 0.0, 1.0), a / b
+    loss, centre, intensity = (of_share(name, share, k) for name in ("load_loss", "centre", "intensity"))
+    pressure = None
+    if edge_radius is not None:
+        # Numbers of cases, over the balls of each.
+        modulus, rho = (np.asarray(value, float)[..., None] for value in (0.5 * numbers.effective_modulus, edge_radius))
+        pressure = np.minimum(edge_pressure(intensity, contacts.max_pressure, b, modulus, rho), STATIC_PRESSURE)
+    ball_radius = 0.5 * np.asarray(numbers.ball_diameter, float)[..., None]
+    edges = np.broadcast_to(edge, solution.shape)
+    return RacewayOverrun(edges, distance, load, share, loss, centre * a / ball_radius, intensity, pressure)
 
 
 @entry
@@ -178,6 +243,7 @@ ENTRY = Reading(
         example="""\
 inner_shoulder_diameter_mm = 112
 outer_shoulder_diameter_mm = 139
+# edge_radius_mm = 0.2  # of the edges between groove and shoulder, for the pressure there
 """,
     ),
     needs=NEEDS,
@@ -188,5 +254,10 @@ outer_shoulder_diameter_mm = 139
     of_contact=(
         Shown("edge_distance_mm", "edge_distance", mm, "distance of ellipse from groove edge"),
         Shown("overrun_load_N", "overrun_load", 1.0, "load at which it reaches the edge"),
+        Shown("beyond_edge_percent", "share_beyond", 0.01, "part of the major axis beyond the edge"),
+        Shown("edge_load_loss_percent", "load_loss", 0.01, "load that it lacks there, at the same approach"),
+        Shown("edge_load_turn_deg", "load_turn", deg, "turn of its load away from the edge"),
+        Shown("edge_intensity", "edge_intensity", 1.0, "K of the pressure K p0 sqrt(b/distance) near a sharp edge"),
+        Shown("edge_pressure_MPa", "edge_pressure", MPa, "largest pressure at an edge of the given radius"),
     ),
 )

@@ -12,6 +12,8 @@ from enum import IntEnum
 from string import Formatter
 from typing import Any
 
+import numpy as np
+
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.judgement import WORDS, changed, estimated
 from qsbearing.remarks.wording import Raceways, listed, spanned
@@ -114,6 +116,34 @@ def _lacking(fields: Mapping[str, Any]) -> str:
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(fields["quantity"], by, " by about ")
     return f"{begun} would change the {change}. To include it, give {entry.needs}"
+
+
+def _cut(fields: Mapping[str, Any]) -> str:
+    """A contact cut by the edge, with as many of its numbers as there are."""
+    said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
+    if "beyond_percent" not in fields:
+        return f"{said}: pressure there exceeds Hertz's"
+    said += f", with {fields['beyond_percent']:.2g} % of its major axis: "
+    is_small = "turn_deg" not in fields
+    if _largest(fields["beyond_percent"]) >= 10.0:
+        said += "it is no longer Hertz's contact; " + "most of it is beyond the edge" * is_small
+    elif is_small:
+        return f"{said}load and angle hold, and the pressure rises at the edge"
+    if not is_small:
+        said += (
+            f"at the same approach it carries {fields['load_loss_percent']:.2g} % less load, which acts "
+            f"{fields['turn_deg']:.2g} deg farther from the edge; "
+        )
+        if "edge_pressure_MPa" not in fields:
+            return f"{said}at a sharp edge the pressure has no limit"
+        pressure = fields["edge_pressure_MPa"]
+        above = "above " if _largest(pressure) >= fields["limit_MPa"] else ""
+        said += f"the pressure at the edge is {above}{pressure:.0f} MPa"
+    return said
+
+
+def _largest(number: Any) -> float:
+    return float(np.max(number))
 
 
 def _percents(fields: Mapping[str, Any], changes: Sequence[Any]) -> list[str]:
@@ -249,7 +279,13 @@ _ALL = (
     Kind("dent_of_ceramic", NOTE, CHOICES,
          "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields"),
     Kind("ellipse_cut", WRONG, "limits",
-         "the ellipse of {raceways:an} contact runs over the groove's edge: pressure there exceeds Hertz's"),
+         "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+         "axis: it is no longer Hertz's contact; at the same approach it carries {load_loss_percent:.2g} % less load, "
+         "which acts {turn_deg:.2g} deg farther from the edge; the pressure at the edge is {edge_pressure_MPa:.0f} MPa",
+         say=_cut),
+    Kind("ellipse_cut_little", NOTE, "limits",
+         "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+         "axis: load and angle hold, and the pressure rises at the edge", say=_cut),
     # Readings: motion, friction, film
     Kind("control_assumed", NOTE, CHOICES, "no raceway control is named: all spin is put on the inner raceway"),
     Kind("friction_given_exceeded", WRONG, HYPOTHESES,

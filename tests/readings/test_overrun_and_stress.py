@@ -10,9 +10,12 @@ from scipy.optimize import brentq
 
 import qsbearing as qs
 from fem_check.book.published import bearing
+from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.readings import subsurface_stress
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
+from qsbearing.readings.cut_contact import of_share
 from qsbearing.readings.shoulder_overrun import groove_depth
+from qsbearing.remarks.kinds import Severity
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 
@@ -90,6 +93,69 @@ def test_shoulders_move_with_their_rings(part: dict[str, Any]) -> None:
         assert after.edge_angle == pytest.approx(before.edge_angle, rel=1e-12)
         if not part:
             np.testing.assert_allclose(after.edge_distance, before.edge_distance * (1 + strain), rtol=1e-9)
+
+
+# Part of the major axis beyond the edge: load at the same approach, centre over a, K; k = 8.155, by another boundary
+# element code (its K from the pressure nearest the edge, up to 4 % more).
+CUT = {0.1: (0.9889, 0.014, 0.248), 0.2: (0.9486, 0.060, 0.418), 0.3: (0.8785, 0.132, 0.547)}
+
+
+@pytest.mark.parametrize("share", CUT)
+def test_a_cut_contact_is_that_of_boundary_elements(share: float) -> None:
+    load, centre, intensity = CUT[share]
+    t, k = np.array([share]), np.array([8.155])
+    assert 1.0 - of_share("load_loss", t, k) == pytest.approx(load, abs=6e-4)
+    assert of_share("centre", t, k) == pytest.approx(centre, rel=0.015)
+    assert of_share("intensity", t, k) == pytest.approx(intensity, rel=0.04)
+
+
+def test_a_cut_contact_begins_at_zero_and_ends_where_half_is_left() -> None:
+    t = np.array([0.0, 1e-6, 0.0499999, 0.05, 0.5, 0.51, np.nan])
+    for name in ("load_loss", "centre", "intensity"):
+        found = of_share(name, t, np.full(7, 7.0))
+        assert found[0] == 0.0 < found[1] < 1e-4
+        assert found[2] == pytest.approx(found[3], rel=1e-4)
+        assert np.isfinite(found[4])
+        assert np.isnan(found[5:]).all()
+
+
+def cut_off(axial_load: Any, **given: Any) -> Any:
+    return qs.readings.overrun(solved(resting(axial_load=axial_load)), inner_shoulder_diameter=113e-3, **given)
+
+
+def test_a_cut_contact_says_how_bad_it_is() -> None:
+    """The pressures' resultant passes through the ball's centre, so that its shift turns the load."""
+    found = cut_off(np.array([20e3, 50e3, 60e3, 90e3, 3000e3]), edge_radius=0.2e-3)
+    inner = found.inner
+    share = inner.share_beyond[:, 0]
+    uncut = solved(resting(axial_load=60e3)).inner
+    a, k = uncut.semi_major_axis[0], uncut.semi_major_axis[:1] / uncut.semi_minor_axis[:1]
+    assert share[2] == pytest.approx(-inner.edge_distance[2, 0] / (2 * a))
+    assert share[0] == 0.0 == inner.load_loss[0, 0]
+    assert 0.0 < share[1] < 0.05 < share[2] < 0.1 < share[3] < 0.5 < share[4]
+    assert inner.load_turn[2, 0] == pytest.approx(of_share("centre", share[2:3], k)[0] * a / 11.1125e-3, rel=1e-9)
+    assert np.isnan(inner.load_loss[4, 0])
+    assert inner.edge_pressure[0, 0] == pytest.approx(solved(resting(axial_load=20e3)).inner.max_pressure[0])
+    assert inner.edge_pressure[3, 0] == STATIC_PRESSURE
+    assert 1.5 * uncut.max_pressure[0] < inner.edge_pressure[2, 0] < STATIC_PRESSURE
+    assert [each.rank for each in found.warnings] == [
+        Severity.WRONG_MODEL,
+        Severity.GOOD_TO_KNOW,
+        Severity.GOOD_TO_KNOW,
+    ]
+    wrong, numbers, small = found.warnings
+    assert "most of it is beyond the edge" in wrong
+    assert "8.3 % of its major axis: at the same approach it carries 0.72 % less load, which acts 0.15 deg" in numbers
+    assert "load and angle hold" in small
+
+
+def test_no_pressure_is_told_at_a_sharp_edge() -> None:
+    found = cut_off(90e3)
+    assert found.inner.edge_pressure is None
+    assert "the pressure has no limit" in found.warnings[0]
+    assert "the pressure at the edge is above 4200 MPa" in cut_off(90e3, edge_radius=0.1e-3).warnings[0]
+    with pytest.raises(qs.SceneError, match="edge_radius"):
+        cut_off(90e3, edge_radius=-1e-4)
 
 
 def test_bad_shoulders() -> None:

@@ -30,6 +30,7 @@ from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark
 from qsbearing.reports import document, effects, set_document
 from qsbearing.results.remarks import every_remark, together
+from qsbearing.studies import inferred
 from qsbearing.studies.design import shown
 from qsbearing.studies.design.compare import compare
 from qsbearing.systems.sets import preload_limits
@@ -164,6 +165,8 @@ def of_readings() -> Iterator[Any]:
     loaded = qs.solve(resting(B218, axial_load=np.array([4e3, 9e5]), moment_y=100.0))
     yield from (read.life(loaded, rating="iso_281"), read.static_safety(loaded), read.stress(loaded))  # type: ignore[arg-type]
     yield read.overrun(loaded, outer_shoulder_diameter=141e-3)
+    little = qs.solve(resting(B218, axial_load=60e3))
+    yield read.overrun(little, inner_shoulder_diameter=113e-3)
     hybrid = qs.solve(turning(20e3, SPINDLE, axial_load=1e3))
     yield from (read.life(hybrid), read.static_safety(hybrid), read.stress(hybrid))
     yield read.friction(hybrid, friction_coefficient=1e-4)
@@ -192,7 +195,10 @@ def of_a_data_sheet() -> tuple[Any, ...]:
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(infer, "MOST_LISTED", 2)
         sheet = deep_groove(25, 52, 14000, 7850)
-        return (*qs.infer_bearing(**sheet).remarks, *qs.infer_bearing(**sheet, maker="NSK").remarks)
+        one, other = qs.infer_bearing(**sheet), qs.infer_bearing(**sheet, maker="NSK")
+    angular = replace(other.bearing, kind="angular_contact", inferred=other)
+    unsolved = inferred.said(qs.solve(resting(angular, axial_load=-10.0)))
+    return (*one.remarks, *other.remarks, *(each.said() for each in unsolved))
 
 
 @pytest.fixture(scope="module")
@@ -210,6 +216,12 @@ def test_every_code_is_reached(reached: dict[str, Remark]) -> None:
 def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached: dict[str, Remark]) -> None:
     for code, said in reached.items():
         optional = {"yield_strength_MPa", "first_yield_MPa", "is_estimated"}
+        optional |= {
+            "load_loss_percent",
+            "turn_deg",
+            "edge_pressure_MPa",
+            "limit_MPa",
+        }  # of a cut ellipse, where computed
         assert set(said.values) - optional == set(KINDS[code].values) - optional, code
         found = json.loads(json.dumps(said.record(), allow_nan=False))
         assert set(found) == {"code", "severity", "of", "values", "text"}
