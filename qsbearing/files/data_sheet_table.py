@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, material, si
 from qsbearing.inference.data_sheet import DataSheet
-from qsbearing.inference.infer import InferredBearing, infer_bearing
 from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.scene.keys import (
     BEARING,
@@ -25,6 +24,9 @@ from qsbearing.model.scene.keys import (
     SHEET_WORDS,
 )
 from qsbearing.model.validation import SceneError, printable
+
+if TYPE_CHECKING:
+    from qsbearing.inference.infer import InferredBearing
 
 _BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_radius_coefficient"])
 _SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
@@ -56,6 +58,9 @@ def bearing_of_sheet(
     given: dict[str, Any], label: str, outline: Outline | None, errors: Errors, may_infer: bool
 ) -> BallBearing | None:
     """Every bearing that the data sheet allows, as arrays; None where errors were found and added."""
+    # Rarely asked for, and behind it are the readings, with scipy.
+    from qsbearing.inference.infer import infer_bearing
+
     before = len(errors)
     others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
     for name in sorted(others & {*given}):

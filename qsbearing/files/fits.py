@@ -146,6 +146,7 @@ def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors
     elif name not in names(seat):
         known = names(seat)
         kind, other = ("a shaft", "capitals mean holes") if seat == "shaft" else ("a hole", "small letters mean shafts")
-        meant = near(str(name).swapcase(), known, 1.0) or near(str(name), known, 0.6)
+        word = name if isinstance(name, str) else ""
+        meant = near(word.swapcase(), known, 1.0) or near(word, known, 0.6)
         cause = f"Did you mean {meant}? ({other})" if meant else f"Known are {', '.join(known)}"
         errors.append(FileErrorDetail(field, f"is no fit of {kind} that is known", name, cause=cause))

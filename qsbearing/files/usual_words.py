@@ -79,5 +79,5 @@ def is_preload(name: str) -> bool:
 
 def other_kind(value: object) -> str:
     """What can be done about a kind of bearing that is not one of the choices; empty of any other word."""
-    word = str(value).lower().replace("_", " ").replace("-", " ")
+    word = value.lower().replace("_", " ").replace("-", " ") if isinstance(value, str) else ""
     return next((told for words, told in _OTHER_KINDS.items() if any(each in word for each in words.split("|"))), "")

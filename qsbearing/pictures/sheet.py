@@ -66,7 +66,7 @@ def contact_angles(solution: Solution | SetSolution, index: Index = None) -> Fig
 
 def contact_ellipses(solution: Solution, index: Index = None) -> Figure:
     """Outlines of the contact ellipses, all to one scale, with their maximum pressure."""
-    size = (5.6, 4.6) if carry_alike(solution, solution._place(index)) else (10.0, 3.8)
+    size = (5.6, 4.6) if carry_alike(solution, solution.place(index)) else (10.0, 3.8)
     return _alone(draw_ellipses, size, solution, index)
 
 
@@ -108,7 +108,7 @@ def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
     ellipses; of a set, loads and angles of each row, and its shaft as it bends, if it does."""
     if isinstance(solution, SetSolution):
         return _rows([LOADS, ANGLES], solution, index)
-    place = solution._place(index)
+    place = solution.place(index)
     if carry_alike(solution, place):
         figure = figure_of_size(10.4, 5.0)
         left, right = figure.subplots(1, 2, width_ratios=(1.9, 1.0))
@@ -139,7 +139,7 @@ def _alone(
     index: Index,
     projection: str | None = None,
 ) -> Figure:
-    place = solution._place(index)
+    place = solution.place(index)
     figure = figure_of_size(*size)
     axes = figure.add_subplot(projection=projection)
     draw(axes, solution, place)

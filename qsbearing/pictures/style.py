@@ -240,7 +240,7 @@ def _write_title(
         if speed is not None:
             parts.append(f"{name}{float(np.broadcast_to(speed, solution.shape)[place]) / rpm:.6g} rpm")
     for i, channel in enumerate(CHANNELS):
-        if i in solution._free_channels:
+        if i in solution.free_channels:
             value, unit = solution.load[place][i], "N m" if channel.is_rotation else "N"
             if abs(value) > 1e-6 * np.abs(solution.load[place]).max():  # a channel without load is not named
                 parts.append(f"{channel.label.replace('tilt', 'moment')} {value:.5g} {unit}")

@@ -43,7 +43,7 @@ def message(solution: Solution, index: Index = None) -> str:
     """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
         return f"{solution._maker.count} cases: {solution._counts()}."
-    k = solution._flat_index(index)
+    k = solution.flat_index(index)
     status, residual, iterations = (
         np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
     )
@@ -54,8 +54,8 @@ def message(solution: Solution, index: Index = None) -> str:
             f"Balls and ring are in equilibrium: largest imbalance {residual:.1e} of the largest force, "
             f"after {iterations} iterations."
         )
-    if solution._preloaded is not None:
-        preloaded = solution._preloaded
+    if solution.preloaded is not None:
+        preloaded = solution.preloaded
         numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
         if not np.ravel(preloaded.converged)[number]:
@@ -74,7 +74,7 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
     case = solution._maker.make(k, k + 1)[0]
     reason = np.ravel(solution.reason)[k]
     if reason == Reason.UNSUPPORTED:
-        free = solution._free_channels
+        free = solution.free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements, nothing supports the balls."
         ring = np.nan_to_num(np.abs(solution._results["displacement"][k][free]), nan=np.inf)
@@ -189,7 +189,7 @@ def _pressure_remarks(solution: Solution, pressure: NDArray) -> Iterator[Found]:
 
 
 def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    free = solution._free_channels
+    free = solution.free_channels
     unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
     yield unloaded, remark("ring_unloaded")
     stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))

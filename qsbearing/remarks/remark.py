@@ -215,7 +215,7 @@ def in_case(solution: Any, found: Callable[[Any, slice], Iterable[Found]], index
     if index is None and solution.shape:
         every = found(solution, slice(0, solved.size))
         return told(((np.reshape(where & solved, solution.shape), each) for where, each in every), None)
-    k = solution._flat_index(index)
+    k = solution.flat_index(index)
     one = found(solution, slice(k, k + 1)) if solved[k] else ()
     return told(((np.asarray(where)[0], each) for where, each in one), None)
 

@@ -109,7 +109,7 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
         pressures.plot(
             along, np.where(solved, np.nan_to_num(contacts.max_pressure).max(axis=-1), np.nan) / MPa, **style
         )
-    is_free = 0 in swept._free_channels
+    is_free = 0 in swept.free_channels
     axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
     displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)

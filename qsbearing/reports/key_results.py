@@ -102,7 +102,7 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
         what: moves.
         lever: at which its turning is compared with its shift [m].
     """
-    free = set(map(int, solution._free_channels))
+    free = set(map(int, solution.free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
     lengths, turns = (um, "µm"), (mrad, "mrad")
     moved = _channels(solution.displacement, levers, lengths, turns, free)

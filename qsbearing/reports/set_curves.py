@@ -140,7 +140,7 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
 
 def _answer(axes: Axes, along: NDArray, swept: SetSolution) -> str:
     """Draw what the shaft answers with, and say what it is: where no free channel moves, the load that holds it."""
-    free = [i for i in range(3) if i in swept._free_channels]
+    free = [i for i in range(3) if i in swept.free_channels]
     moves = bool(np.any(np.abs(swept.displacement[:, free]) > 0.0))
     values = swept.displacement / um if moves else swept.load
     for i, line in enumerate(list(CHANNEL_LINES.values())[1:4]):

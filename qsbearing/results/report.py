@@ -186,7 +186,7 @@ def channels_table(title: str, solution: Solution | SetSolution, found: dict[str
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
         shown = digits(load, 0.0)
-        imposed = "load" if i in solution._free_channels else "displacement"
+        imposed = "load" if i in solution.free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
     middle, notes = found.get("axial_from_middle_um"), []
     if middle is not None:
@@ -262,7 +262,7 @@ def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> 
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
-    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution._free_channels)})")
+    return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution.free_channels)})")
 
 
 def stiffness_matrix_table(found: dict[str, Any]) -> Table:

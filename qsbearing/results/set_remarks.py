@@ -25,12 +25,12 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 def message(solution: SetSolution, index: Index = None) -> str:
     """One sentence or two on how a case ended; of several cases without an index, how many ended how."""
-    outcome = solution._outcome
+    outcome = solution.outcome
     if index is None and solution.shape:
         found = np.ravel(solution.status)
         counts = [f"{(found == status).sum()} {status}" for status in Status if (found == status).any()]
         return f"{found.size} cases: {', '.join(counts)}."
-    k = solution._flat_index(index)
+    k = solution.flat_index(index)
     if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
         return solution.thermal.message(index)
     if np.ravel(solution.converged)[k]:
@@ -38,8 +38,8 @@ def message(solution: SetSolution, index: Index = None) -> str:
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "
             f"after {outcome.iterations[k]} iterations of the shaft."
         )
-    for which, side in solution._sides.items():
-        number = int(np.broadcast_to(np.arange(side._outcome.status.size).reshape(side.shape), solution.shape).flat[k])
+    for which, side in solution.sides.items():
+        number = int(np.broadcast_to(np.arange(side.outcome.status.size).reshape(side.shape), solution.shape).flat[k])
         if not np.ravel(side.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
             names = " and ".join(row_name(solution.set.rows[n], n) for n in which)
@@ -48,7 +48,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
 
 
 def _why(solution: SetSolution, k: int) -> str:
-    outcome = solution._outcome
+    outcome = solution.outcome
     names = [*(channel.label for channel in CHANNELS), "axial of the sprung rings"]
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
@@ -94,7 +94,7 @@ def _overloaded(solution: SetSolution, k: int) -> str:
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
     """What there is to say of a set and of each row; nothing of a case that is not solved."""
     said = in_case(solution, _of_set, index)
-    if not np.any(solution.converged if index is None else np.ravel(solution.converged)[solution._flat_index(index)]):
+    if not np.any(solution.converged if index is None else np.ravel(solution.converged)[solution.flat_index(index)]):
         return []
     return in_order(said + [of_the_row(solution, n, each) for n, of_row in enumerate(of_rows) for each in of_row])
 

@@ -137,7 +137,7 @@ def test_a_signal_has_its_code(number: int, code: int) -> None:
     started = subprocess.Popen([sys.executable, "-c", WAITS], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert started.stdout is not None and started.stdout.readline() == "at work\n"
     started.send_signal(number)
-    _, said = started.communicate(timeout=30)
+    _, said = started.communicate(timeout=120)
     assert started.returncode == code
     assert "Traceback" not in said
 
@@ -157,5 +157,5 @@ def test_a_signal_has_its_code(number: int, code: int) -> None:
 )
 def test_an_output_that_takes_nothing_is_told_in_a_sentence(arguments: str, output: str, code: int, words: str) -> None:
     command = f"'{sys.executable}' -m {arguments} {output}"
-    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60)
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120)
     assert (ran.returncode, ran.stderr.strip()) == (code, words)

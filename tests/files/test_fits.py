@@ -142,6 +142,8 @@ def test_a_set_tells_of_its_rows() -> None:
         ({"housing_fit": "js6"}, "housing_fit", "Did you mean JS6? (small letters mean shafts)"),
         ({"shaft_fit": "z9"}, "shaft_fit", "Known are"),
         ({"shaft_fit": 5}, "shaft_fit", "is no fit of a shaft"),
+        ({"shaft_fit": 10**5000}, "shaft_fit", "is no fit of a shaft"),
+        ({"tolerance_class": [4]}, "tolerance_class", "is no tolerance class"),
         ({"shaft_interference_um": 5.0}, "shaft_fit", "given together with shaft_interference_um"),
         ({"tolerance_class": "P4Y"}, "tolerance_class", "limits of their own"),
         ({"bore_diameter_mm": 251.0, "outside_diameter_mm": 360.0}, "shaft_fit", "no limits in the tables"),

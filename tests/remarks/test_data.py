@@ -30,6 +30,7 @@ from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark
 from qsbearing.reports import document, effects, set_document
 from qsbearing.results.remarks import every_remark, together
+from qsbearing.studies import inferred
 from qsbearing.studies.design import shown
 from qsbearing.studies.design.compare import compare
 from qsbearing.systems.sets import preload_limits
@@ -194,7 +195,10 @@ def of_a_data_sheet() -> tuple[Any, ...]:
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(infer, "MOST_LISTED", 2)
         sheet = deep_groove(25, 52, 14000, 7850)
-        return (*qs.infer_bearing(**sheet).remarks, *qs.infer_bearing(**sheet, maker="NSK").remarks)
+        one, other = qs.infer_bearing(**sheet), qs.infer_bearing(**sheet, maker="NSK")
+    angular = replace(other.bearing, kind="angular_contact", inferred=other)
+    unsolved = inferred.said(qs.solve(resting(angular, axial_load=-10.0)))
+    return (*one.remarks, *other.remarks, *(each.said() for each in unsolved))
 
 
 @pytest.fixture(scope="module")

@@ -90,7 +90,8 @@ class Solution(Plotted):
         self.scene: Scene = maker.scene
         self.shape = maker.shape
         self._maker = maker
-        self._preloaded = preloaded
+        self.preloaded = preloaded
+        """At rest and cold under the preload, as it is given; None without one that holds the rings."""
         self._solve = solve
         self._solved = SolvedCases(maker, cases, results, positions, controls, threads)
         self._results = results
@@ -133,7 +134,7 @@ class Solution(Plotted):
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
-    def _place(self, index: Index) -> Place:
+    def place(self, index: Index) -> Place:
         """The index of one case along each case axis.
 
         Raises:
@@ -141,9 +142,9 @@ class Solution(Plotted):
         """
         return place_of(index, self.shape)
 
-    def _flat_index(self, index: Index) -> int:
+    def flat_index(self, index: Index) -> int:
         """The number of a case, counted along the flattened case axes."""
-        place = self._place(index)
+        place = self.place(index)
         return int(np.ravel_multi_index(place, self.shape)) if place else 0
 
     def __repr__(self) -> str:
@@ -347,7 +348,7 @@ class Solution(Plotted):
         preload = self.scene.preload
         if preload is None:
             return None
-        at_rest = preload.spring if self._preloaded is None else self._preloaded.load[..., 0]
+        at_rest = preload.spring if self.preloaded is None else self.preloaded.load[..., 0]
         return np.broadcast_to(np.asarray(at_rest, float), self.shape)[()]
 
     @cached_property
@@ -363,17 +364,17 @@ class Solution(Plotted):
     @cached_property
     def preload_in_operation(self) -> Any:
         """The axial load in operation without radial loads and moments, straight and centred; likewise."""
-        if self._preloaded is None or self._solve is None:
+        if self.preloaded is None or self._solve is None:
             return self.preload_at_rest
         return self._preload_of(self._solve(replace(self.scene, operation=self.scene.operation.unloaded, readings={})))
 
     def _at_rest(self, fitted: bool) -> Solution | None:
         """The bearing before or after fitting, the rings where the preload holds them; None where none does."""
-        if self._preloaded is None or self._solve is None or self.scene.preload is None:
+        if self.preloaded is None or self._solve is None or self.scene.preload is None:
             return None
         if fitted == self.scene.preload.is_given_mounted:
-            return self._preloaded
-        held = np.nan_to_num(self._preloaded.displacement[..., 0])[()]
+            return self.preloaded
+        held = np.nan_to_num(self.preloaded.displacement[..., 0])[()]
         return self._solve(self.scene.at_rest(fitted, axial_displacement=held))
 
     def _preload_of(self, other: Solution | None) -> Any:
@@ -488,7 +489,7 @@ class Solution(Plotted):
         return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
 
     @property
-    def _free_channels(self) -> NDArray:
+    def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
         return self._maker.free_channels
 

@@ -62,8 +62,10 @@ class SetSolution(Plotted):
         self.shape = shape
         self._row_solution = row_solution
         self._structure = structure
-        self._outcome = outcome
-        self._sides = sides
+        self.outcome = outcome
+        """How the flattened cases ended, and where."""
+        self.sides = sides
+        """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
         self._unloaded = unloaded
         self._solve = solve
         self.seconds = seconds
@@ -77,7 +79,7 @@ class SetSolution(Plotted):
 
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """As `Solution.mark_unsolved`."""
-        self._outcome.status[np.reshape(cases, -1)] = code
+        self.outcome.status[np.reshape(cases, -1)] = code
         for row in self.rows:
             row.mark_unsolved(cases, code)
 
@@ -91,7 +93,8 @@ class SetSolution(Plotted):
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
-    def _flat_index(self, index: Index) -> int:
+    def flat_index(self, index: Index) -> int:
+        """The number of a case, counted along the flattened case axes."""
         place = place_of(index, self.shape)
         return int(np.ravel_multi_index(place, self.shape)) if place else 0
 
@@ -134,26 +137,26 @@ class SetSolution(Plotted):
     @property
     def converged(self) -> Any:
         """Whether each case is solved; shape (*cases)."""
-        return self._shaped(self._outcome.status == CONVERGED)
+        return self._shaped(self.outcome.status == CONVERGED)
 
     @property
     def status(self) -> Any:
         """`Status` of a single case, or an array of their names; shape (*cases)."""
         if not self.shape:
-            return STATUS_OF_CODE[int(self._outcome.status[0])]
+            return STATUS_OF_CODE[int(self.outcome.status[0])]
         names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(names[self._outcome.status])
+        return self._shaped(names[self.outcome.status])
 
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = np.full(self._outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
-        names[self._outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
-        for number in np.unique(self._outcome.fault[self._outcome.fault >= 0]):
+        names = np.full(self.outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        names[self.outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
+        for number in np.unique(self.outcome.fault[self.outcome.fault >= 0]):
             own = np.asarray(self.rows[number].reason).reshape(-1)
-            at = self._outcome.fault == number
+            at = self.outcome.fault == number
             names[at] = own[at]
-        names[self._outcome.status != NO_EQUILIBRIUM] = ""
+        names[self.outcome.status != NO_EQUILIBRIUM] = ""
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
@@ -164,20 +167,20 @@ class SetSolution(Plotted):
     @property
     def residual(self) -> Any:
         """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
-        return self._shaped(self._outcome.residual)
+        return self._shaped(self.outcome.residual)
 
     @property
     def iterations(self) -> Any:
         """Newton iterations of the shaft; shape (*cases)."""
-        return self._shaped(self._outcome.iterations)
+        return self._shaped(self.outcome.iterations)
 
     @property
     def row_that_gives_way(self) -> Any:
         """Number of the row, from 0, whose own equilibrium ends before the set's; -1: none; shape (*cases)."""
-        return self._shaped(self._outcome.fault)
+        return self._shaped(self.outcome.fault)
 
     def _known(self, array: NDArray) -> NDArray:
-        solved = self._outcome.status == CONVERGED
+        solved = self.outcome.status == CONVERGED
         return np.where(solved.reshape(-1, *[1] * (array.ndim - 1)), array, np.nan)
 
     @cached_property
@@ -187,14 +190,14 @@ class SetSolution(Plotted):
         Axially from where every row is pressed by its offset and by the preload that is held, and by what heat and
         spacers move it: heat from the reference position, spacers from the row of `BearingSet.axial_datum`.
         """
-        return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
+        return np.asarray(self._shaped(self._known(self.outcome.q[:, :5]), 5))
 
     @cached_property
     def slide(self) -> Any:
         """How far the sprung outer rings have slid towards their balls; shape (*cases) [m]; None without a spring."""
         if not any(row.sprung for row in self.set.rows):
             return None
-        return self._shaped(self._known(self._outcome.q[:, SLIDE]))
+        return self._shaped(self._known(self.outcome.q[:, SLIDE]))
 
     @cached_property
     def row_loads(self) -> NDArray:
@@ -212,7 +215,7 @@ class SetSolution(Plotted):
         shape (*cases, 5). Loads of the shaft's own, elsewhere, are not in it."""
         beside = -self._structure.load[:, :5]
         if self._structure.elasticity.size:
-            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self._outcome.q)
+            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self.outcome.q)
         load = self.row_loads.sum(axis=-2) + self._shaped(beside, 5)
         for i, channel in enumerate(CHANNELS):
             given = getattr(self.set.operation, channel.load)
@@ -224,7 +227,7 @@ class SetSolution(Plotted):
     @cached_property
     def axial_loads(self) -> NDArray:
         """Of each row in the direction that it carries; shape (*cases, row) [N]."""
-        return np.asarray(self._shaped(self._known(self._outcome.axial.T), len(self.set.rows)))
+        return np.asarray(self._shaped(self._known(self.outcome.axial.T), len(self.set.rows)))
 
     @cached_property
     def stiffness(self) -> NDArray:
@@ -256,7 +259,7 @@ class SetSolution(Plotted):
     @cached_property
     def _deflection(self) -> Deflection:
         loads = np.stack([row.load.reshape(-1, 5) for row in self.rows])
-        return Deflection(self.set, self.shape, self._structure, self._outcome.q, loads, self.load.reshape(-1, 5))
+        return Deflection(self.set, self.shape, self._structure, self.outcome.q, loads, self.load.reshape(-1, 5))
 
     def deflection(self, positions: ArrayLike) -> NDArray:
         """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
@@ -296,7 +299,7 @@ class SetSolution(Plotted):
     def point(self, position: float) -> ShaftPoint:
         """Likewise, of any position on the shaft [m]."""
         rows = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        free = [*self._free_channels, *self._followers]
+        free = [*self.free_channels, *self._followers]
         compliance, parts = self._deflection.compliance(position, self._tangent, free, rows)
         shares = {name: np.asarray(self._shaped(self._known(part), 5)) for name, part in parts.items()}
         compliance = np.asarray(self._shaped(self._known(compliance), 5, 5))
@@ -354,7 +357,7 @@ class SetSolution(Plotted):
         if at_rest is None:
             return None
         given = np.array(at_rest)
-        for numbers, side in self._sides.items():
+        for numbers, side in self.sides.items():
             given[..., list(numbers)] = side.axial_loads
         return np.where(given != 0.0, given, at_rest)
 
@@ -390,7 +393,7 @@ class SetSolution(Plotted):
         return None if self.preload_loads is None else preload_state.share(self.preload_loads)
 
     @cached_property
-    def _free_channels(self) -> NDArray:
+    def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
         given = [getattr(self.set.operation, channel.displacement) for channel in CHANNELS]
         return np.flatnonzero([displacement is None for displacement in given])
@@ -403,7 +406,7 @@ class SetSolution(Plotted):
         free direction.
         """
         out = np.full((*self.shape, 5, 5), np.nan)
-        free = self._free_channels
+        free = self.free_channels
         if not free.size:
             return out
         scale = np.ones(5)
