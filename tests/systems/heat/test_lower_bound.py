@@ -14,6 +14,7 @@ from qsbearing.cli.heat import _show
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.readings import static_load_rating
 from qsbearing.results.thermal_report import whole_bearing_record
+from qsbearing.systems.heat.state import Part
 from qsbearing.systems.heat.whole_bearing import with_whole_friction
 from tests.systems.heat.spindle import BEARING, EFFECTS, pair, scene, tables
 from tests.systems.heat.test_heating_up import run
@@ -45,7 +46,8 @@ def test_heat_shows_both(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     of = scene(thermal=WARM, operation={"speed_rpm": 14_000})
     state = qs.solve(by_palmgren(of)).thermal
     assert state is not None and state.speeds.at_limit is not None
-    shown = json.loads(run(tmp_path, input_tables(of), "--json").stdout)
+    text = run(tmp_path, input_tables(of), "--json").stdout
+    shown = json.loads(text, object_pairs_hook=lambda pairs: {Part(key): value for key, value in pairs})
     assert BOUND in shown["message"] and BOUND in shown["speeds"]["message"]
     found = shown["whole_bearing"]
     assert found["at_limit"]["speed_rpm"] == pytest.approx(state.speeds.at_limit.factor * 14_000, rel=1e-9)
