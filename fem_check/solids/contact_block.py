@@ -18,6 +18,11 @@ from fem_check.solids.gmsh_model import millimetres, revolved
 
 PATCH = 1.3
 """Half-sides of the patch that may carry pressure, in semi-axes of the contact that is expected there."""
+LEAST = 1.2
+"""Likewise along the groove, where a shoulder leaves less room: the coarsest of three meshes needs it, on which the
+contact is moved by half an element."""
+BESIDE = 0.02
+"""Left between the patch and such a shoulder, in semi-axes."""
 WIDTH, DEPTH = 2.7, 2.5
 """Half-width and depth of the block of slender elements below it, in semi-minor axes."""
 ALONG = 1.5
@@ -62,10 +67,13 @@ class Patch:
     along: float = ALONG
     """Elements per semi-major axis over those per semi-minor axis."""
 
+    reach: float = PATCH
+    """Of the patch along the major axis, in semi-axes to either side."""
+
     @property
     def half_length(self) -> float:
         """Of the block along the major axis [m]."""
-        return PATCH * self.semi_major_axis
+        return self.reach * self.semi_major_axis
 
     @property
     def half_width(self) -> float:

@@ -129,7 +129,7 @@ class TrueContact:
         # Rounded: the same mesh on every machine. Its size is a choice, not part of the problem.
         exact = ellipse(groove.problem(self.load))
         a, b = (float(f"{axis:.4g}") for axis in (exact.semi_major_axis, exact.semi_minor_axis))
-        patch = Patch(normal, a, b, along=1.0)
+        patch = Patch(normal, a, b, 1.0, self._reach(a))
         compliances = groove.ball.compliance, groove.race.compliance
         return ContactFrame(
             Sphere(centre, groove.ball_radius),
@@ -139,6 +139,13 @@ class TrueContact:
             self.elements,
             compliances[0] / sum(compliances),
         )
+
+    def _reach(self, semi_major_axis: float) -> float:
+        """Of the patch: less than usual where a shoulder is near, as far as that is enough."""
+        profile, angle = self.ring_profile, self.groove.contact_angle
+        room = min(profile.high_shoulder - angle, profile.low_shoulder + angle) * self.groove.groove_radius
+        left = round(room / semi_major_axis - contact_block.BESIDE, 3)
+        return left if contact_block.LEAST <= left < contact_block.PATCH else contact_block.PATCH
 
     @property
     def ring_profile(self) -> RingProfile:
@@ -169,6 +176,7 @@ class TrueContact:
         far = bodies.FAR if body == "ring" else bodies.far_in_half_ball(self.elements)
         recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements, far)]
         recipe += [f"{self.groove.ball_radius:.9g}"]
+        recipe += [patch.reach] if patch.reach != contact_block.PATCH else []
         if body == "ring":
             section = self.section
             lengths = (*section.groove_centre, section.groove_radius, section.back_radius, section.width)

@@ -6,6 +6,7 @@ is imported where it is used, so that `--help` appears at once.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, NoReturn
@@ -86,4 +87,6 @@ for command in (
 
 def main() -> NoReturn:
     """The console script."""
+    # No matrix here is large enough for the threads of BLAS, and a small machine lacks the memory that they set aside.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     run_to_the_end(cli, "qsbearing")

@@ -21,6 +21,7 @@ from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import agreement, as_read, quantity
+from fem_check.report.sections import tolerances
 from fem_check.rows.agreement import Row
 from fem_check.rows.row_text import UNITS, passes_through_zero
 from fem_check.running import records_store
@@ -272,6 +273,12 @@ def test_what_is_missing_is_said(records: Path) -> None:
     assert "not on record: patch_test, half_space_contacts, load_power_law" in text
     assert "the validation book" in text
     assert "commit, date and machine not recorded" in text
+
+
+def test_a_tolerance_that_little_could_miss_is_counted() -> None:
+    row = {"tolerance_percent": 1.0, "deviation_percent": 0.5, "uncertainty_percent": None}
+    wide, finding = row | {"deviation_percent": -0.05}, row | {"tolerance_percent": None}
+    assert tolerances._line("patch_test", [row, wide, finding])[1:] == ["2", "11", "11", "2", "1"]
 
 
 def test_a_failing_row_is_the_verdict(records: Path) -> None:

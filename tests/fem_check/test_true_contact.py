@@ -14,7 +14,7 @@ from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
 from fem_check.rows.agreement import Level
-from fem_check.solids import true_contact, true_statics
+from fem_check.solids import contact_block, true_contact, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
 
@@ -243,3 +243,19 @@ def test_planted_ring_twice_as_wide_is_seen(condensed):
         "work of a uniform dilation, ring",
         "mass over density, ring",
     }
+
+
+def test_an_uncut_contact_near_the_shoulder_has_a_shorter_patch(contact):
+    reach = contact.frame.patch.half_length / contact.frame.patch.semi_major_axis
+    assert reach == contact_block.PATCH
+    tip = contact.frame.patch.semi_major_axis / contact.groove.groove_radius
+
+    def of_shoulder(semi_axes):
+        shoulder = contact.groove.contact_angle + semi_axes * tip
+        near = replace(contact, profile=replace(contact.ring_profile, high_shoulder=shoulder))
+        return near.frame.patch.reach, near.mesh_file("ring")
+
+    # Nearer than the least the patch is as usual, and the ring refuses it.
+    for semi_axes, expected in ((1.33, 1.3), (1.27, 1.25), (1.2, 1.3)):
+        assert of_shoulder(semi_axes)[0] == pytest.approx(expected, abs=1e-3)
+    assert of_shoulder(1.27)[1] != of_shoulder(1.26)[1]

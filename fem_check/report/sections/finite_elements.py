@@ -5,7 +5,7 @@ from __future__ import annotations
 from fem_check.checks import ALL, OPTIONAL
 from fem_check.report.evidence import Evidence
 from fem_check.report.missing import missing
-from fem_check.report.sections import checks
+from fem_check.report.sections import checks, tolerances
 from qsbearing.documents.guide import FOLDER
 from qsbearing.documents.model import Block, Md, Paragraph, Picture, Section
 
@@ -63,5 +63,6 @@ def section(evidence: Evidence) -> Section:
                 [Paragraph(COMPARISON), _cut_open(), *kinds["model comparison"]],
                 "fe-limits",
             ),
+            tolerances.section(evidence),
         ],
     )

@@ -28,6 +28,7 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
+from textwrap import shorten
 from time import thread_time
 from typing import Any, TypeVar, cast
 
@@ -187,7 +188,7 @@ class Entry:
             try:
                 from qsbearing.model.compiler import numba_kernel
             except (ImportError, OSError, MemoryError) as error:
-                _process.fault = f"numba cannot be loaded ({' '.join(str(error).split())[-200:]})"
+                _process.fault = f"numba cannot be loaded ({shorten(str(error), 150, placeholder=' ...')})"
                 print(f"qsbearing: {_process.fault}: cases are solved as plain Python", file=sys.stderr, flush=True)
                 return
             self._compiled = numba_kernel.compiled_entry(self.function, self.name, args, _functions, compiles)

@@ -61,14 +61,16 @@ def command(arguments: str) -> str:
     return f"import sys\nfrom qsbearing.cli import cli\ncli({arguments.split()!r}, standalone_mode=False)\n"
 
 
-HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'qsbearing.model.compiler.background_compiler'}"
+HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'scipy', 'qsbearing.model.compiler.background_compiler'}"
 LOADED = f"print(*sorted({HEAVY} & set(sys.modules)), 'loaded')"
 
 
-def test_a_thrust_loaded_bearing_needs_no_compiler(tmp_path: Path) -> None:
+def test_a_bearing_and_a_set_need_no_compiler(tmp_path: Path) -> None:
     """Nor a cache, nor a process beside its own; on a machine however slow."""
     slow = "from qsbearing.model.compiler import compiled; compiled.LOADING = 60.0\n"
-    assert printed(slow + command("run b218") + LOADED, tmp_path).endswith("\nloaded\n")
+    (tmp_path / "pair.toml").write_text(printed(command("init --set"), tmp_path), encoding="utf-8")
+    for what in ("b218", tmp_path / "pair.toml"):
+        assert printed(slow + command(f"run {what}") + LOADED, tmp_path).endswith("\nloaded\n")
     assert not (tmp_path / "cache").exists()
 
 
@@ -93,6 +95,24 @@ def test_numba_that_cannot_be_loaded_is_said_in_a_sentence(probe: Path) -> None:
     assert done.stdout == "6.0\n"
     assert done.stderr.count("\n") == 1
     assert "numba cannot be loaded (libllvmlite.so: failed to map)" in done.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits the memory of a process by its addresses")
+def test_a_set_needs_no_more_than_300_megabytes(tmp_path: Path) -> None:
+    """Not even of addresses: numpy's BLAS would set aside some for threads that no matrix here needs."""
+    import resource
+
+    environment = {key: value for key, value in os.environ.items() if not key.endswith("_NUM_THREADS")}
+    program = [sys.executable, "-m", "qsbearing"]
+    (tmp_path / "pair.toml").write_bytes(subprocess.run([*program, "init", "--set"], capture_output=True).stdout)
+    done = subprocess.run(
+        [*program, "run", "pair.toml"], capture_output=True, text=True, cwd=tmp_path,
+        env=environment | {"PYTHONPATH": os.getcwd()},  # noqa: PTH109
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (300_000_000, 300_000_000)),
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("\n") <= 1  # a slow machine looks for numba, which cannot be loaded
+    assert "Incomplete model" in done.stdout
 
 
 SPEND = """
