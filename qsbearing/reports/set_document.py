@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Bullets, Document, Section, Table
+from qsbearing.documents.model import Block, Bullets, Document, Section
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
@@ -16,7 +16,6 @@ from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
-from qsbearing.results.shaft_report import DEFLECTION
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -67,18 +66,17 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
         ),
     ]
-    tables: list[Block] = list(set_report.tables(solution, found))
+    shaft: list[Block] = []
     if solution.set.shaft is not None:
         said = "The shaft's outline as drawn and as it bends, with bearings, loads and named points."
-        beside = 1 + next(n for n, each in enumerate(tables) if isinstance(each, Table) and each.caption == DEFLECTION)
-        tables.insert(
-            beside,
+        shaft.append(
             picture(
                 deformed_shaft(solution),
                 said,
                 "The shaft as drawn (grey) and as it bends (black), the deflection enlarged by the factor in its title",
-            ),
+            )
         )
+    tables = set_report.tables(solution, found, shaft)
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),

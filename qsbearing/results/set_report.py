@@ -53,18 +53,25 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
     return [*parts, *blocks(every_remark(solution, readings), is_apart=True)]
 
 
-def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+def tables(solution: SetSolution, readings: Sequence[Readings], drawn: Sequence[Block] = ()) -> list[Block]:
     """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
-    in hours."""
+    in hours.
+
+    Args:
+        drawn: what stands below the deflection of the shaft.
+    """
     found = set_record(solution, readings)
-    return [*_tables(solution, found), *_system_life(found)]
+    return [*_tables(solution, found, drawn), *_system_life(found)]
 
 
-def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Table]:
-    tables = [
+def _tables(solution: SetSolution, found: dict[str, Any], drawn: Sequence[Block] = ()) -> list[Block]:
+    of_shaft = shaft_tables(found["shaft"])
+    tables: list[Block] = [
         channels_table("Shaft", solution, found),
         *rows_tables(found),
-        *shaft_tables(found["shaft"]),
+        *of_shaft[:1],
+        *drawn,
+        *of_shaft[1:],
         stiffness_table(solution, found),
     ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]

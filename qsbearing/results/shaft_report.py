@@ -15,7 +15,6 @@ from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution
 
-DEFLECTION = "Shaft: deflection and internal forces (of the part after x on the part before)"
 CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")
 NOISE = 1e-9
 """Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
@@ -82,7 +81,8 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
-    tables = [Table(heading, cells, caption=DEFLECTION)]
+    title = "Shaft: deflection and internal forces (of the part after x on the part before)"
+    tables = [Table(heading, cells, caption=title)]
     for name, point in found["points"].items():
         heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.model.validation import SceneError
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
-from qsbearing.systems.heat.state import Course, State, ThermalState, in_words
+from qsbearing.systems.heat.state import Course, Part, State, ThermalState
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
@@ -146,11 +146,11 @@ def _thinned(every: Sequence[Any]) -> list[Any]:
     return [every[number] for number in numbers]
 
 
-def hottest(temperatures: dict[str, float]) -> dict[str, float]:
+def hottest(temperatures: Mapping[Part, float]) -> dict[str, float]:
     """By kind of node: of all rows' inner rings, for instance, the hottest."""
     found: dict[str, float] = {}
     for name, value in temperatures.items():
-        kind = name.rstrip("0123456789 ").replace("_", " ")
+        kind = name.kind.replace("_", " ")
         found[kind] = max(value, found.get(kind, value))
     return found
 
@@ -171,11 +171,11 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
 
 def thermal_tables(found: dict[str, Any]) -> list[Block]:
     """What a record says of a steady state: nodes, paths, and the verdict."""
-    nodes = [(in_words(name), digits_of(value)) for name, value in found["temperatures_C"].items()]
+    nodes = [(name.in_words, digits_of(value)) for name, value in found["temperatures_C"].items()]
     by = "" if found["friction"] == "contacts" else f" ({found['friction']})"
-    heat = [(f"{in_words(name)}{by}", "", digits_of(value)) for name, value in found["powers_W"].items()]
+    heat = [(f"{name.in_words}{by}", "", digits_of(value)) for name, value in found["powers_W"].items()]
     for path in found["flows_W"]:
-        ends, flow = (in_words(path["from"]), in_words(path["to"])), path["heat_W"]
+        ends, flow = (path["from"].in_words, path["to"].in_words), path["heat_W"]
         heat.append(
             (*(ends if flow is None or flow >= 0.0 else ends[::-1]), digits_of(np.nan if flow is None else abs(flow)))
         )

@@ -55,7 +55,7 @@ def columns(solution: Solution) -> dict[str, NDArray]:
         out["raceway_control"] = solution.raceway_control[exists]
     if solution.slips is not None:
         out["slips"] = solution.slips[exists]
-    out |= part(lambda each: each.name.startswith("ring_"))
+    out |= part(lambda each: each.ring is not None)
     names = [channel.label.replace(" ", "_") for channel in CHANNELS]
     for row, column in np.ndindex(5, 5):
         values = solution.stiffness[..., row, column]
@@ -63,7 +63,7 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     if solution.preload_at_rest is not None:
         for state in ("at_rest", "unmounted", "mounted"):
             out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
-    out |= part(lambda each: not each.is_per_ball and not each.name.startswith("ring_"))
+    out |= part(lambda each: not each.is_per_ball and each.ring is None)
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
 

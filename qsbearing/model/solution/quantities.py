@@ -6,7 +6,7 @@ The column's name in a table has the unit behind it: `inner_load` in N is `inner
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import Any, Protocol
 
@@ -75,6 +75,8 @@ class Quantity:
     """Whether tables have it; else it follows from what they have."""
     symbol: str = ""
     source: str = ""
+    ring: tuple[str, str, str] | None = None
+    """Of a channel of the ring: what of it (displacement, load, ...), and name and column without "ring_"."""
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -83,9 +85,9 @@ class Quantity:
 
 
 def _quantity(prefix: str, of: str | Shown, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
-    key, *about = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of,)
+    key, symbol, source = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of, "", "")
     name, unit = split(key)
-    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, *about)
+    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, symbol, source)
 
 
 def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:
@@ -155,10 +157,10 @@ def _all() -> dict[str, Quantity]:
     kinds = ("displacement", DISPLACEMENT), ("load", LOAD), *((f"{kind}_stiffness", STIFFNESS) for kind in STIFFNESSES)
     for kind, channels in kinds:
         for number, (key, size) in enumerate(channels):
-            values = attrgetter(kind)
-            found.append(
-                _quantity(f"ring_{kind}_", key, False, lambda it, of=values, n=number, size=size: of(it)[..., n] / size)  # type: ignore[misc]
-            )
+            values, own = attrgetter(kind), f"{kind}_"
+            of_shaft = _quantity(own, key, False, lambda it, of=values, n=number, size=size: of(it)[..., n] / size)  # type: ignore[misc]
+            names = of_shaft.name, of_shaft.column
+            found.append(replace(of_shaft, name=f"ring_{names[0]}", column=f"ring_{names[1]}", ring=(kind, *names)))
     found += [_of_case("operating_", shown, _reshaped) for shown in GEOMETRY]
     found += [_of_case(f"{side}_ring_", shown, attrgetter(f"{side}_ring")) for side in sides for shown in RING_STATE]
     found += [

@@ -39,7 +39,7 @@ def heat_capacities(balance: HeatBalance, scenes: Sequence[Scene]) -> list[float
         known |= {own_name(node, row, balance.rows): value for node, value in of_row.items()}
     for node, value in thermal.heat_capacities.items():
         known |= {own_name(node, row, balance.rows): value for row in range(balance.rows)}
-    missing = dict.fromkeys(name.partition(" ")[0] for name in balance.free if name not in known)
+    missing = dict.fromkeys(name.kind for name in balance.free if name not in known)
     if missing:
         cause = "Heating up needs it [J/K]; that of a ring follows from thermal.ring_width with ring expansion"
         raise SceneError([ErrorDetail(f"thermal.heat_capacities.{node}", "missing", cause=cause) for node in missing])

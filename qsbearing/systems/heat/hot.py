@@ -21,7 +21,7 @@ from qsbearing.readings.asked import LUBRICANT
 from qsbearing.systems.heat.balance import own_name
 from qsbearing.systems.heat.network import Thermal
 
-Temperatures = Mapping[str, NDArray]
+Temperatures = Mapping[Any, NDArray]
 RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")
 
 

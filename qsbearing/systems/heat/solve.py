@@ -15,7 +15,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.heat.hot import HotBearing, HotSystem
 from qsbearing.systems.heat.speeds import follow_speeds
-from qsbearing.systems.heat.state import SpeedCurve, ThermalState, Verdict
+from qsbearing.systems.heat.state import Part, SpeedCurve, ThermalState, Verdict
 from qsbearing.systems.heat.steady import Heated, Steady, feedback, find_steady
 from qsbearing.systems.heat.transient import heat_up
 
@@ -100,5 +100,5 @@ def _verdict_of(curve: SpeedCurve) -> Verdict:
     return Verdict.TOO_HOT if curve.fold is None else Verdict.RUNAWAY
 
 
-def _name(row: int, source: str, rows: int) -> str:
-    return f"{source} {row + 1}" if rows > 1 else source
+def _name(row: int, source: str, rows: int) -> Part:
+    return Part(source, row if rows > 1 else None)

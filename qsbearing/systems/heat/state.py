@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
@@ -16,9 +15,27 @@ from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.systems.heat.network import Thermal
 
 
-def in_words(name: str) -> str:
-    """A node or a source as people read it: that of a row with its number."""
-    return re.sub(r" (\d+)$", r" of row \1", name.replace("_", " "))
+class Part(str):
+    """A node or a source of a network by its name in files, which also says of which row it is."""
+
+    kind: str
+    """The name alone."""
+    row: int | None
+    """From 0; None where there is one row, or rows share it."""
+
+    def __new__(cls, kind: str, row: int | None = None) -> Part:
+        found = super().__new__(cls, kind if row is None else f"{kind} {row + 1}")
+        found.kind, found.row = kind, row
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Part, (self.kind, self.row)
+
+    @property
+    def in_words(self) -> str:
+        """As people read it: that of a row with its number."""
+        kind = self.kind.replace("_", " ")
+        return kind if self.row is None else f"{kind} of row {self.row + 1}"
 
 
 class State(NamedTuple):
@@ -69,7 +86,7 @@ class Course:
 
     time: NDArray
     """[s], growing, closer where more happens."""
-    temperatures: dict[str, NDArray]
+    temperatures: dict[Part, NDArray]
     """Of every node [K]."""
     powers: NDArray
     """Of the sources [W]; shape (instant, source)."""
@@ -107,11 +124,11 @@ def _digits(load: float) -> str:
 class ThermalState:
     """Temperatures and heats of a solution; arrays of shape (*cases), NaN where there is no steady state."""
 
-    temperatures: dict[str, NDArray]
+    temperatures: dict[Part, NDArray]
     """Of every node [K]; of a set of several rows, `inner_ring 1` is that of the first."""
-    powers: dict[str, NDArray]
+    powers: dict[Part, NDArray]
     """Heat that friction makes, by source [W]."""
-    flows: dict[tuple[str, str], NDArray]
+    flows: dict[tuple[Part, Part], NDArray]
     """Heat on each path, from its first node to its second [W]."""
     imbalance: NDArray
     """The largest heat that any free node takes in and does not give off, of what the solution's friction makes [W]."""
@@ -156,7 +173,7 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({in_words(name)}){self.thermal.bound}: one more "
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.in_words}){self.thermal.bound}: one more "
                 f"watt of heat makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run "
                 "away."
             )

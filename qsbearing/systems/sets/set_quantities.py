@@ -44,8 +44,8 @@ def _of_shaft(solution: SetSolution) -> Iterator[SetQuantity]:
     """Displacement, load and stiffnesses, read as those of a ring are."""
     for kind in ("displacement", "load", *(f"{kind}_stiffness" for kind in STIFFNESSES)):
         for quantity in ALL.values():
-            if quantity.name.startswith(f"ring_{kind}_"):
-                name, column = (text.replace("ring_", "shaft_", 1) for text in (quantity.name, quantity.column))
+            if quantity.ring is not None and quantity.ring[0] == kind:
+                name, column = (f"shaft_{own}" for own in quantity.ring[1:])
 
                 def read(of: Callable[..., NDArray | None] = quantity.read) -> NDArray:
                     return np.asarray(of(solution), float)
@@ -57,8 +57,8 @@ def _of_points(solution: SetSolution) -> Iterator[SetQuantity]:
     """Displacement and stiffness of the shaft's points, likewise."""
     for point in {} if solution.set.shaft is None else solution.set.shaft.points:
         for quantity in ALL.values():
-            if quantity.name.startswith(("ring_displacement_", "ring_effective_stiffness_")):
-                name, column = (text.replace("ring_", f"{point}_", 1) for text in (quantity.name, quantity.column))
+            if quantity.ring is not None and quantity.ring[0] in ("displacement", "effective_stiffness"):
+                name, column = (f"{point}_{own}" for own in quantity.ring[1:])
 
                 def read(of: Callable[..., NDArray | None] = quantity.read, point: str = point) -> NDArray:
                     return np.asarray(of(solution.points[point]), float)
