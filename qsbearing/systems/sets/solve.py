@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,13 @@ from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import TOLERANCE
-from qsbearing.systems.heat.hot import Temperatures, at_speed, hot_row
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
 from qsbearing.systems.sets.problem import Problem
 from qsbearing.systems.sets.set_solution import AtRest, SetSolution
+
+if TYPE_CHECKING:
+    from qsbearing.systems.heat.hot import Temperatures
 
 Sides = dict[tuple[int, ...], SetSolution]
 """Rows of one direction and group, pressed alone; by their numbers."""
@@ -176,6 +178,11 @@ class HotSet:
 
     def solve(self, temperatures: Temperatures, factor: NDArray) -> SetSolution:
         """The set's solution at these temperatures of its nodes."""
+        from qsbearing.systems.heat.hot import (  # not above: it loads every reading, and scipy with them
+            at_speed,
+            hot_row,
+        )
+
         bodies = {name: getattr(self.of, name) for name in ("shaft", "housing")}
         bodies = {
             name: replace(body, temperature=temperatures[name])

@@ -61,14 +61,16 @@ def command(arguments: str) -> str:
     return f"import sys\nfrom qsbearing.cli import cli\ncli({arguments.split()!r}, standalone_mode=False)\n"
 
 
-HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'qsbearing.model.compiler.background_compiler'}"
+HEAVY = "{'numba', 'llvmlite', 'platformdirs', 'pydantic', 'scipy', 'qsbearing.model.compiler.background_compiler'}"
 LOADED = f"print(*sorted({HEAVY} & set(sys.modules)), 'loaded')"
 
 
-def test_a_thrust_loaded_bearing_needs_no_compiler(tmp_path: Path) -> None:
+def test_a_bearing_and_a_set_need_no_compiler(tmp_path: Path) -> None:
     """Nor a cache, nor a process beside its own; on a machine however slow."""
     slow = "from qsbearing.model.compiler import compiled; compiled.LOADING = 60.0\n"
-    assert printed(slow + command("run b218") + LOADED, tmp_path).endswith("\nloaded\n")
+    (tmp_path / "pair.toml").write_text(printed(command("init --set"), tmp_path), encoding="utf-8")
+    for what in ("b218", tmp_path / "pair.toml"):
+        assert printed(slow + command(f"run {what}") + LOADED, tmp_path).endswith("\nloaded\n")
     assert not (tmp_path / "cache").exists()
 
 
