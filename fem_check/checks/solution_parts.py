@@ -275,7 +275,8 @@ def catalogue_rows() -> Iterator[Row]:
             worst = int(np.argmax(np.abs(off - 1.0)))
             yield Row(
                 f"{len(some)} bearings of series {series}", f"{name}, over the median", "1", 1.0, "ISO 281 and ISO 76",
-                float(off[worst]), None, 100.0 * allowed, catalogue_table.WHY_SPREAD, some[worst].name,
+                float(off[worst]), None, None if allowed is None else 100.0 * allowed, catalogue_table.WHY_SPREAD,
+                some[worst].name,
             )  # fmt: skip
 
 

@@ -13,9 +13,9 @@ from pathlib import Path
 
 TABLE = Path(__file__).parents[2] / "qsbearing" / "files" / "catalogue" / "gmn_spindle_bearings.csv"
 INCH = 25.4
-SPREAD = {"S": (0.16, 0.38), "KH": (0.04, 0.11)}
+SPREAD: dict[str, tuple[float, float | None]] = {"S": (0.16, None), "KH": (0.04, 0.11)}
 """By which C and C0 of a series' bearings may be off the median of their ratio to ISO's: as much as the printed ones
-are, rounded up. C0 of the smallest of series S is a third lower."""
+are, rounded up. C0 of the smallest of series S is a third lower: so wide a limit would judge nothing."""
 WHY_SPREAD = "the spread of the series as printed: grooves differ from bearing to bearing; it tells of wrong digits"
 
 

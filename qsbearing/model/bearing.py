@@ -78,7 +78,7 @@ class BallBearing:
         """The bearing whose free contact angle follows from its diametral clearance Pd [m].
 
         cos(alpha0) = 1 - Pd/(2 B D): Harris & Kotzalas; the other fields as for `BallBearing`. A negative clearance is
-        a radial interference, at a free contact angle of zero.
+        a radial interference, at a free contact angle of zero; one among the fields gives way to it.
         """
         inner, outer, ball = (
             numeric("", fields[name], LENGTH)[0]
@@ -95,7 +95,7 @@ class BallBearing:
                 angle = free_angle_from_clearance(np.maximum(clearance, 0.0), distance)
                 interference = np.maximum(-0.5 * clearance, 0.0)
         try:
-            bearing = cls(free_contact_angle=angle, radial_interference=interference, **fields)
+            bearing = cls(free_contact_angle=angle, **fields | {"radial_interference": interference})
         except SceneError as error:
             raise SceneError([*error.errors, *errors]) from None
         raise_if_any(errors)

@@ -123,7 +123,7 @@ def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
     """Doubled, each reference that is not zero is missed; where it is zero, so is a value as large as the scale."""
     record = json.loads((records_store.FOLDER / "quick" / "bearing_sector.json").read_text())
     judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
-    assert len(judged) > 25
+    assert len(judged) >= 25
     for entry in judged:
         row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
         other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
