@@ -34,7 +34,7 @@ from qsbearing.model.effects import (
     types_in,
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
-from qsbearing.model.effects.ring_expansion import Fit
+from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.scene.keys import (
     BALL_DEVIATIONS,
     EFFECT_SECTIONS,

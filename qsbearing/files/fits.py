@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.table_checks import Errors
-from qsbearing.model.effects.ring_expansion import Fit
+from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.units import mm, um
 from qsbearing.model.validation import near
 

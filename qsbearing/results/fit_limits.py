@@ -9,7 +9,7 @@ import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph
 from qsbearing.model.effects import RingExpansion
-from qsbearing.model.effects.ring_expansion import Fit
+from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve

@@ -37,7 +37,7 @@ from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, 
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
-from qsbearing.model.effects.ring_expansion_errors import expansion_errors, section_errors
+from qsbearing.model.effects.ring_expansion_errors import Fit, expansion_errors, section_errors
 from qsbearing.model.material import Material
 from qsbearing.model.operation import Operation
 from qsbearing.model.units import MPa, zero_celsius
@@ -82,21 +82,6 @@ class BodyTemperature(NamedTuple):
 
 RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
 """The ring on or in a seat, whose temperature the seat has where its own is left out."""
-
-
-class Fit(NamedTuple):
-    """A fit by its name, and the interferences that it allows, negative where loose [m]."""
-
-    name: str
-    """Of the seat: k5, JS6."""
-    tolerance_class: str
-    """Of the bearing: normal, P4."""
-    least: Any
-    most: Any
-
-    @property
-    def mean(self) -> Any:
-        return 0.5 * (self.least + self.most)
 
 
 Seat = tuple[NDArray, NDArray]

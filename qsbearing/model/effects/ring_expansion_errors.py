@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,6 +32,21 @@ HOUSING = ("housing_outside_diameter", "housing_material", "housing_temperature"
 TEMPERATURES = ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")
 
 
+class Fit(NamedTuple):
+    """A fit by its name, and the interferences that it allows, negative where loose [m]."""
+
+    name: str
+    """Of the seat: k5, JS6."""
+    tolerance_class: str
+    """Of the bearing: normal, P4."""
+    least: Any
+    most: Any
+
+    @property
+    def mean(self) -> Any:
+        return 0.5 * (self.least + self.most)
+
+
 def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
     """Errors of a temperature [K]."""
     errors = within(field, temperature, TEMPERATURE, 0.0, HOTTEST)
@@ -58,6 +73,9 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
             errors += _interference_errors(f"{path}.{seat}_interference", interference, getattr(effect, diameter))
         material = getattr(effect, f"{seat}_material")
         errors += [] if material is None else material_errors(f"{path}.{seat}_material", material)
+        fit = getattr(effect, f"{seat}_fit")
+        if fit is not None and not isinstance(fit, Fit):
+            errors.append(ErrorDetail(f"{path}.{seat}_fit", "is not a fit", fit, cause="Write a Fit(...), or None"))
     if effect.shaft_bore_diameter is not None:
         errors += within(f"{path}.shaft_bore_diameter", effect.shaft_bore_diameter, LENGTH, 0.0, 20.0)
     if effect.housing_outside_diameter is not None:
