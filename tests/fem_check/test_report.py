@@ -482,6 +482,22 @@ def test_the_sector_is_a_finding(read: Page) -> None:
         assert name in found
 
 
+def test_the_contact_at_the_edge_and_the_parts_of_a_solution_are_claims(read: Page) -> None:
+    """What each compares is named, with its largest deviation."""
+    kept = evidence.read().checks
+    table = next(table for table in read.tables if table[0][:2] == ["claim", "on record"])
+    lines = {line[0]: line[1:3] for line in table}
+    found, verdict = lines["A contact cut off by its groove's edge is as the reading overrun says."]
+    assert verdict == "pass"
+    rows = kept["contact_at_the_edge"].data["rows"]
+    for name in ("load over the uncut contact's", "load loss", "intensity", "largest pressure over p0"):
+        worst = max(abs(row["deviation_percent"]) for row in rows if row["quantity"].endswith(name))
+        assert f"{name} {worst:.2g} %" in found
+    found, verdict = next(lines[claim] for claim in lines if claim.startswith("Batches, motion"))
+    judged = sum(row["tolerance_percent"] is not None for row in kept["solution_parts"].data["rows"])
+    assert (found, verdict) == (f"{judged} of {judged} rows pass", "pass")
+
+
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
     text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
     before, _, after = text.partition("In a checkout of the repository")
