@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
 from math import sin
+from operator import attrgetter
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,7 @@ from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.rows.compared import compared
+from qsbearing.files import catalogue
 from qsbearing.model.compiler.compiled import can_compile
 from qsbearing.model.solution.solver import LEAST_BATCH
 from qsbearing.readings import kinematics, stress
@@ -233,12 +235,18 @@ def catalogue_rows() -> Iterator[Row]:
     for row in rows:
         for hybrid in ("", "_hybrid"):
             bearing = qs.load_scene(row.name + hybrid).bearing
-            for name, value in row.lengths.items():
+            entry = catalogue.find(row.name + hybrid)
+            told = {name: attrgetter(name)(bearing) for name in row.lengths}
+            for keys in row.others(bool(hybrid)):
+                told[keys[0]] = next((entry.dimensions[key] for key in keys if key in entry.dimensions), None)
+            printed = row.lengths | {keys[0]: value for keys, value in row.others(bool(hybrid)).items()}
+            for name, value in printed.items():
                 expected.setdefault(name, []).append(value)
-                found.setdefault(name, []).append(float(np.asarray(getattr(bearing, name))))
+                found.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
     for name, values in expected.items():
         off = np.asarray(found[name]) / np.asarray(values)
-        yield compared(case, f"{name} over the printed", "1", off, np.ones_like(off), source)
+        short = name.removeprefix("outline.").removesuffix("_mm").removesuffix("_N")
+        yield compared(case, f"{short} over the printed", "1", off, np.ones_like(off), source)
     odd = [row.name for row in rows if not row.has_standard_balls]
     yield Row(
         case, "balls of a standard size", "1", float(len(rows)), "ISO 3290-1: inches by 1/64, or millimetres by 1/2",
@@ -249,6 +257,11 @@ def catalogue_rows() -> Iterator[Row]:
         case, "pitch diameter over the mean of bore and outside diameter, farthest from 1", "1", 1.0, "drawing",
         float(over[np.argmax(np.abs(over - 1.0))]), None, 5.1, "rings of unequal height, as the lowest has",
         rows[int(np.argmax(np.abs(over - 1.0)))].name,
+    )  # fmt: skip
+    boundaries = catalogue_table.unlike_boundaries(rows)
+    yield Row(
+        case, "boundary dimensions unlike their designation's", "1", 0.0, "ISO 15: one designation, one d, D and B",
+        float(len(boundaries)), None, 0.0, "a count", ", ".join(boundaries[:3]) or None,
     )  # fmt: skip
     twins = catalogue_table.unlike_twins(rows)
     yield Row(

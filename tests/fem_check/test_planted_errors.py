@@ -557,6 +557,18 @@ PLANTED |= {
         "S 6206 C TA,30.0,62.0,16.0,46.0,9.252",
         PARTS,
     ),
+    "width of the catalogue, digits swapped": (
+        "qsbearing/files/catalogue/gmn_spindle_bearings.csv",
+        "S 6206 C TA,30.0,62.0,16.0,",
+        "S 6206 C TA,30.0,62.0,61.0,",
+        PARTS,
+    ),
+    "outside diameter for the bore": (
+        "qsbearing/files/catalogue/spindle_series.py",
+        '"outside_diameter_mm": "D_mm"',
+        '"outside_diameter_mm": "d_mm"',
+        PARTS,
+    ),
     "a tilt in milliradians read as degrees": (
         "qsbearing/model/scene/keys.py",
         'Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE)',
