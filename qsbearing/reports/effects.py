@@ -30,8 +30,7 @@ OF_SETS = (
 )
 OF_SHAFTS = (
     "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
-    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
-    "shaft."
+    "linear springs where the input has their stiffness. Bearing rings do not stiffen the shaft."
 )
 RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."

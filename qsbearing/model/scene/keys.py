@@ -217,7 +217,7 @@ FLOATING = (Key("spring_N", "spring", "N", N, FORCE),)
 SET_NUMBERS = {
     "rows": ROW,
     "shaft": SHAFT,
-    "housing": HEATED,
+    "housing": (*HEATED, DIAMETERS[1]),
     "spacers": SPACER,
     "floating": FLOATING,
     "sections": SECTION,
@@ -275,7 +275,7 @@ SET_SECTIONS: dict[str, tuple[str, ...]] = {
         *(key.name for key in ROW), "carries", "sprung", "housing_stiffness", "bearing", *EFFECT_TABLES, "readings",
     ),
     "shaft": (*(key.name for key in SHAFT), "gravity_m_s2", "sections", "loads", "supports", "masses", "points"),
-    "housing": (*(key.name for key in HEATED), "material", "outside_diameter_mm"),
+    "housing": (*(key.name for key in (*HEATED, DIAMETERS[1])), "material"),
     "spacers": ("rows", *(key.name for key in SPACER), "inner_material", "outer_material"),
     "floating": ("rows", *(key.name for key in FLOATING), "preload"),
 }  # fmt: skip

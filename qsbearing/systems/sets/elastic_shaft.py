@@ -246,7 +246,8 @@ def _modes(own: NDArray, channels: tuple[int, ...], length: NDArray) -> tuple[ND
 def axial_give(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
     """How far shaft and housings let each row draw back in the direction that it carries, under rows' axial loads in
     theirs [m]; of a set at rest and cold, its shaft unloaded."""
-    shape = np.broadcast_shapes(np.shape(of.reference), *map(np.shape, loads), *(np.shape(r.position) for r in of.rows))
+    given = (of.reference, *(row.position for row in of.rows), *of.numbers_around, *loads)
+    shape = np.broadcast_shapes(*(np.shape(each) for each in given if each is not None))
     places, signs = Places(of, shape), np.array([row.sign for row in of.rows])
     rows = len(of.rows)
     axial = places.own_flexibility()[:, :rows, :rows, 0, 0] * signs[:, None] * signs
