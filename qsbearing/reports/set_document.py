@@ -8,10 +8,10 @@ import numpy as np
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section
-from qsbearing.model.units import rpm
+from qsbearing.model.units import mm, rpm
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name
-from qsbearing.remarks.wording import capital
+from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, set_curves, set_inputs
 from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results_of_set
@@ -37,7 +37,6 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     found = [taken(row) for row in solution.rows]
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, effects.DEFAULT_TOLERANCE)
-    speed = f"Shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm"
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
         "Design report of a set",
@@ -51,7 +50,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
             evidence.section(checks, "set"),
             made_with(solution.message(), command),
         ],
-        ". ".join(filter(None, (speed, capital(report.loads_text(solution))))) + ".",
+        _summary(solution),
         head(
             margins_of_set(solution, found),
             every_remark(solution, found),
@@ -61,13 +60,26 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     )
 
 
+def _summary(solution: SetSolution) -> str:
+    """Its rows, speed and loads."""
+    of = solution.set
+    bearings = listed(dict.fromkeys(row.bearing.name or "bearing" for row in of.rows))
+    count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
+    said = [f"{count} of {bearings}", f"Shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm"]
+    said.append(capital(report.loads_text(solution)))
+    for load in () if of.shaft is None else of.shaft.loads:
+        values = report.named_loads(float(np.asarray(value)) for value in load.values)
+        said.append(f"At x = {load.position / mm:.6g} mm: {values}")
+    return ". ".join(filter(None, said)) + "."
+
+
 def _name(solution: SetSolution, number: int) -> str:
     return capital(row_name(solution.set.rows[number], number))
 
 
 def _shaft(solution: SetSolution) -> list[Block]:
     """The shaft as it bends; none without one."""
-    if solution.set.shaft is None:
+    if solution.set.shaft is None or not solution.set.shaft.sections:
         return []
     return [
         picture(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -147,7 +147,11 @@ def speeds_text(solution: Solution) -> str:
 
 def loads_text(solution: Solution | SetSolution) -> str:
     """What loads the free channels of ring or shaft, in a single case; empty where nothing does."""
-    loads = [float(solution.load[i]) if i in solution.free_channels else 0.0 for i in range(len(CHANNELS))]
+    return named_loads([float(solution.load[i]) if i in solution.free_channels else 0.0 for i in range(len(CHANNELS))])
+
+
+def named_loads(loads: Iterable[float]) -> str:
+    """Those of a load [N, N m] that are not zero, in the order of the channels."""
     return ", ".join(
         f"{channel.label} {load:.5g} {_UNITS[channel.is_rotation][1]}"
         for channel, load in zip(CHANNELS, loads, strict=True)
