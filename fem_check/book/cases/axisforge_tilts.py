@@ -123,7 +123,7 @@ def run() -> Result:
     shown = ("radial_mm", "moment_Nmm", "largest_load_N", "life_Mrev")
     ratio = points["life_Mrev"] / here.values["life_Mrev"]
     order = np.argsort(points["clearance_mm"])
-    inner, _ = with_clearance_angle(here.bearing)
+    by_angle = theirs.values["life_Mrev"] / here.values["life_Mrev"]
     return Result(
         f"As it is, displacements differ by up to {100 * abs(off['radial displacement']):.3f} %, moments by "
         f"{100 * abs(off['moment']):.1f} %, lives with clearance by up to {100 * abs(off['life with clearance']):.0f} "
@@ -144,7 +144,7 @@ def run() -> Result:
                 "diametral clearance, µm", "its life over ours",
                 [
                     Series("life", "dots", 1e3 * points["clearance_mm"], ratio),
-                    Series("the clearance's angle", "line", 1e3 * points["clearance_mm"][order], inner[order]),
+                    Series("the clearance's angle", "line", 1e3 * points["clearance_mm"][order], by_angle[order]),
                 ],
             ),
         ],
