@@ -9,8 +9,11 @@ from fem_check.book.case import Panel, Result, Series, compared
 
 PROGRAM = "an open Python program of ball bearings, run by an earlier evaluation"
 HAND = "Lamé's thick rings with rotation, worked out in the case"
-STEEL = qs.Material(203e9, 0.28, 7830.0, 1.13e-5)
-SHAFT, HOUSING = (qs.Material(205e9, 0.29, 7850.0, expansion) for expansion in (1.33783e-5, 1.33174e-5))
+Numbers = tuple[float, float, float, float]
+"""Elastic modulus [Pa], Poisson's ratio, density [kg/m^3], expansion [1/K]."""
+STEEL: Numbers = (203e9, 0.28, 7830.0, 1.13e-5)
+SHAFT: Numbers = (205e9, 0.29, 7850.0, 1.33783e-5)
+HOUSING: Numbers = (205e9, 0.29, 7850.0, 1.33174e-5)
 D, PITCH, ANGLE = 22.225e-3, 167.5375e-3, 27.0 * qs.deg
 INNER_GROOVE, OUTER_GROOVE = 11.557e-3, 11.445875e-3
 BORE, OUTSIDE, HOLLOW, OUTER_HOUSING, FIT = 133.35e-3, 201.725e-3, 100e-3, 220e-3, 50e-6
@@ -31,12 +34,13 @@ CONTACTS = {
 
 def scene() -> qs.Scene:
     """The other program's input."""
-    bearing = qs.BallBearing(20, D, PITCH, INNER_GROOVE, OUTER_GROOVE, ANGLE, ball_material=STEEL, ring_material=STEEL)
+    steel = qs.Material(*STEEL)
+    bearing = qs.BallBearing(20, D, PITCH, INNER_GROOVE, OUTER_GROOVE, ANGLE, ball_material=steel, ring_material=steel)
     rings = qs.RingExpansion(
-        BORE, OUTSIDE, shaft_interference=FIT, shaft_bore_diameter=HOLLOW, shaft_material=SHAFT,
+        BORE, OUTSIDE, shaft_interference=FIT, shaft_bore_diameter=HOLLOW, shaft_material=qs.Material(*SHAFT),
         shaft_temperature=WARM_SHAFT + qs.zero_celsius, inner_ring_temperature=INNER + qs.zero_celsius,
         outer_ring_temperature=OUTER + qs.zero_celsius, housing_interference=FIT,
-        housing_outside_diameter=OUTER_HOUSING, housing_material=HOUSING,
+        housing_outside_diameter=OUTER_HOUSING, housing_material=qs.Material(*HOUSING),
         housing_temperature=WARM_HOUSING + qs.zero_celsius, reference_temperature=REFERENCE + qs.zero_celsius,
     )  # fmt: skip
     operation = qs.Operation(speed=INNER_RPM * qs.rpm, outer_speed=OUTER_RPM * qs.rpm, axial_load=THRUST)
@@ -47,19 +51,20 @@ def pressure_by_hand() -> float:
     """Seat pressure of the inner ring on its shaft [Pa]: the overlap of both over what a unit pressure closes."""
     a, seat = 0.5 * HOLLOW, 0.5 * BORE
     bottom = 0.5 * PITCH + (INNER_GROOVE - 0.5 * D) * np.cos(ANGLE) - INNER_GROOVE
-    omega = INNER_RPM * qs.rpm
+    omega = float(INNER_RPM * qs.rpm)
 
-    def grown(r: float, inside: float, outside: float, m: qs.Material, warmer: float) -> float:
+    def grown(r: float, inside: float, outside: float, m: Numbers, warmer: float) -> float:
         """Free growth of a turning annulus at r, plane stress; a warm body keeps its mass, so its density falls."""
-        E, nu, strain = float(m.elastic_modulus), float(m.poisson_ratio), float(m.thermal_expansion) * warmer
-        force = float(m.density) / (1.0 + strain) * omega**2 / (8.0 * E)
+        E, nu, density, expansion = m
+        strain = expansion * warmer
+        force = density / (1.0 + strain) * omega**2 / (8.0 * E)
         squares = (3 + nu) * (1 - nu) * (inside**2 + outside**2) * r - (1 - nu**2) * r**3
         return force * (squares + (3 + nu) * (1 + nu) * (inside * outside) ** 2 / r) + strain * r
 
-    def softness(r: float, inside: float, outside: float, m: qs.Material, sign: float) -> float:
+    def softness(r: float, inside: float, outside: float, m: Numbers, sign: float) -> float:
         """Radial way of a seat at r by a unit pressure there; sign -1: at the outside of its annulus."""
         ratio = (outside**2 + inside**2) / (outside**2 - inside**2)
-        return sign * r / float(m.elastic_modulus) * (ratio + sign * float(m.poisson_ratio))
+        return sign * r / m[0] * (ratio + sign * m[1])
 
     overlap = 0.5 * FIT + grown(seat, a, seat, SHAFT, WARM_SHAFT - REFERENCE)
     overlap -= grown(seat, seat, bottom, STEEL, INNER - REFERENCE)
@@ -70,17 +75,20 @@ def run() -> Result:
     """Pressure and growth, then angles and loads as findings."""
     of = scene()
     solution = qs.solve(of)
+    inner, outer = solution.inner_ring, solution.outer_ring
+    assert inner is not None
+    assert outer is not None
     by_hand, case = pressure_by_hand(), "inner ring 12 000 rpm, outer ring 4000 rpm, fits and temperatures"
-    pressure = float(np.asarray(solution.inner_ring.seat_pressure))
+    pressure = float(np.asarray(inner.seat_pressure))
     rows = [
         compared(case, "seat pressure of the inner ring", "MPa", 1e-6 * by_hand, 1e-6 * pressure, HAND,
-                 1e-9 * by_hand, "the same closed form, worked out twice: 1e-3 of it for rounding"),
+                 1e-15 * by_hand, "the same closed form, worked out twice: 1e-9 of it for rounding"),
     ]  # fmt: skip
     now = of.operating_bearing
     bars: dict[str, list[float]] = {}
     for name, ring, radius, warm, side in (
-        ("inner", solution.inner_ring, INNER_GROOVE, now.inner_groove_radius, -1.0),
-        ("outer", solution.outer_ring, OUTER_GROOVE, now.outer_groove_radius, 1.0),
+        ("inner", inner, INNER_GROOVE, now.inner_groove_radius, -1.0),
+        ("outer", outer, OUTER_GROOVE, now.outer_groove_radius, 1.0),
     ):
         centre, own = 1e6 * float(np.asarray(ring.groove_growth)), 1e6 * (float(np.asarray(warm)) - radius)
         bars[name] = [centre, own, centre + side * own]

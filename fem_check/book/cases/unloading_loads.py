@@ -92,16 +92,13 @@ def run() -> Result:
     """Factors at a light preload, how they grow with it, and FAG's forces."""
     rows = []
     for each in ARRANGEMENTS:
-        within, why = 0.005, "two decimals are printed"
-        if not each.is_met:
-            by_angle = constant_angle(each)
-            within, why = (
-                None,
-                f"a finding: the printed digit is not met, nor by Hertz at a constant angle, {by_angle:.3f}",
-            )
+        missed = (
+            f"a finding: the printed digit is not met, nor by Hertz at a constant angle, {constant_angle(each):.3f}"
+        )
         rows.append(
             compared(f"{each.name}, light preload", "limiting load over preload", "1", each.printed,
-                     factor(each, LIGHT), TABLE, within, why)
+                     factor(each, LIGHT), TABLE, 0.005 if each.is_met else None,
+                     "two decimals are printed" if each.is_met else missed)
         )  # fmt: skip
     heavy = factor(ARRANGEMENTS[0], HEAVY)
     rows.append(
@@ -113,7 +110,7 @@ def run() -> Result:
         case = f"{pair.name} DB, preload {pair.preload:.0f} N"
         rows += [
             compared(case, "unloading force", "N", pair.force, found, FORCES, None,
-                     "a finding: 1.2 % below the printed force, more than its rounding"),
+                     "a finding: below the printed force by more than its rounding"),
             compared(case, "unloading force by Hertz at a constant angle", "N", pair.force,
                      2.0**1.5 * pair.preload, FORCES, None, "a finding: the opening angle is most of the difference"),
         ]  # fmt: skip
