@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
+ORIGIN = "rexs"
+"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
 
@@ -173,8 +175,9 @@ def is_there(path: Path) -> bool:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    errors += lacking_of_origin(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance"):
+        if name in (*SECTIONS, "tolerance", ORIGIN):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -191,6 +194,17 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
+
+
+def lacking_of_origin(document: dict[str, Any]) -> Errors:
+    """What an imported model leaves open and no other table shows, so that nobody solves it without."""
+    table = document.get(ORIGIN)
+    listed = table.get("missing", ()) if isinstance(table, dict) else ()
+    cause = f"Once it is given, take it out of missing in [{ORIGIN}]"
+    return [
+        FileErrorDetail(f"{ORIGIN}.missing", str(each), cause=cause)
+        for each in (listed if isinstance(listed, list) else [listed] if listed else ())
+    ]
 
 
 def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
