@@ -26,7 +26,8 @@ from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
-from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
