@@ -252,9 +252,8 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
     table.put(SHAFT[0], reference)
     operation = document["operation"] = Table()
     turns = _speeds(reader, bearings[0], operation)
-    free = np.zeros(5) if "sections" in table else shaft_mapping.about(given, reference)
-    for field, value in zip(_LOADS, free, strict=True):
-        operation.put(_OPERATION[field], float(value) + 0.0)
+    for field in _LOADS:
+        operation.put(_OPERATION[field], 0.0)
     if len({each for row in rows if (each := row.first_azimuth) is not None}) == 1:
         operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
     forces = {reader.positive(each, "preload_force") for each in bearings} - {None}

@@ -12,11 +12,11 @@ from qsbearing.files.rexs.bearing_mapping import ASSUMED, is_ours, material
 from qsbearing.files.rexs.model import Component
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table
-from qsbearing.model.scene.keys import SECTION, SHAFT, SHAFT_LOAD
+from qsbearing.model.scene import keys
+from qsbearing.model.scene.keys import SHAFT, SHAFT_LOAD
 from qsbearing.model.units import mm
 
-STEPS = 5
-"""Cylinders that a cone becomes (chosen: a deflection differs by some tenths of a per cent)."""
+SECTION = {key.name: key for key in keys.SECTION}
 SAME = 1e-6
 """Metres within which one section ends where the next begins (chosen: files round to a micrometre)."""
 HARMLESS = {
@@ -104,13 +104,14 @@ def about(given: Iterable[Load], position: float) -> NDArray:
 
 
 def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
-    """[shaft] with its sections and loads; without sections it is rigid, and loaded at its first bearing."""
+    """[shaft] with its sections and loads; without sections it is rigid."""
     table = Table()
     sections, start = _sections(reader, shaft, table)
-    if not sections:
-        return table
-    table.put(SHAFT[1], start)
-    table["sections"] = sections
+    if sections:
+        table.put(SHAFT[1], start)
+        table["sections"] = sections
+    else:
+        table.note("", "without sections: rigid")
     listed = []
     for load in given:
         one = Table()
@@ -120,19 +121,20 @@ def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
         if reader.number(load.component, "torque_around_u_axis"):
             one.note("", "its torque about the axis is no part of the model")
         one.note("", str(load.component))
-        listed += [one] if len(one) > 1 or load.position is None else []
+        listed += [one] if load.values.any() else []
     if listed:
         table["loads"] = listed
     return table
 
 
 def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Table], float]:
+    """The sections along the shaft, and where the first begins [m]; what is between them is noted."""
     parts = reader.model.parts(shaft.number, "shaft_section")
     placed = [(reader.number(each, "u_coordinate_on_shaft"), each) for each in parts]
     if any(at is None for at, _ in placed):
         table.note("", f"sections without u_coordinate_on_shaft: {ASSUMED}, they follow one another as in the file")
-    else:
-        placed.sort(key=lambda each: each[0] or 0.0)
+        placed = [(None, each) for each in parts]
+    placed.sort(key=lambda each: each[0] or 0.0)
     of, note = material(reader, reader.model.referenced(shaft.number, "material"), needs_expansion=False)
     found: list[Table] = []
     start = end = placed[0][0] or 0.0 if placed else 0.0
@@ -140,26 +142,16 @@ def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Tabl
         if at is not None and abs(at - end) > SAME:
             kind = "a gap" if at > end else "an overlap"
             table.note("sections", f"{kind} of {abs(at - end) / mm:.6g} mm before {part}")
+        one = Table()
+        one.note("", str(part))
         length = reader.positive(part, "length")
-        ends = [
-            [reader.number(part, f"{side}_diameter_{end}") for end in ("begin", "end")] for side in ("outer", "inner")
-        ]
-        (outer, last), (inner, inner_last) = (
-            [first if second is None else second, second if first is None else first][::-1] for first, second in ends
-        )
-        steps = 1 if outer == last and (inner or 0.0) == (inner_last or 0.0) else STEPS
-        for step in range(steps):
-            share = (step + 0.5) / steps
-            one = Table()
-            one.put(SECTION[0], None if length is None else length / steps)
-            one.put(SECTION[1], _between(outer, last, share))
-            one.put(SECTION[2], _between(inner, inner_last, share) or None)
-            one.set("material", of, note)
-            one.note("", str(part) + (f", a cone as {STEPS} cylinders, part {step + 1}" if steps > 1 else ""))
-            found.append(one)
+        one.put(SECTION["length_mm"], length)
+        for side in ("outer", "inner"):
+            first, last = (reader.number(part, f"{side}_diameter_{place}") for place in ("begin", "end"))
+            one.put(SECTION[f"{side}_diameter_mm"], (last if first is None else first) or None)
+            if first is not None and last is not None and first != last:
+                one.put(SECTION[f"end_{side}_diameter_mm"], last)
+        one.set("material", of, note)
+        found.append(one)
         end = (end if at is None else at) + (length or 0.0)
     return found, start
-
-
-def _between(first: float | None, last: float | None, share: float) -> float | None:
-    return None if first is None or last is None else first + (last - first) * share

@@ -107,7 +107,7 @@ class WriteBack:
             turn = turned(self.reader, bearing, sides(self.reader, bearing).get("inner_part"))
             for part, row in zip(parts, rows, strict=False):
                 self._contacts(part, turn, row)
-        if is_set and self.shaft is not None and solution.set.shaft is not None:
+        if self.shaft is not None and is_set and solution.set.shaft is not None and solution.set.shaft.sections:
             self._values(self.shaft, shaft_values(self.reader, self.shaft, solution))
         return self._edited()
 

@@ -172,14 +172,14 @@ def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Pat
     assert len(model.notes) == 0  # bearings without rows have no contacts to speak of
     found = model_in(opened(file))
     reader = Reader(found, None, [])
-    forces = np.array([[reader.number(found.components[at], f"force_acting_on_inner_component_{axis}") for axis in "uvw"]
-                       for at in (5, 6)], float)  # fmt: skip
+    names = [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]
+    forces = np.array([[reader.number(found.components[at], name) for name in names] for at in (5, 6)], float)
     assert forces.sum(axis=0) == pytest.approx(
         [0.0, -500.0, 0.0], abs=1e-4
     )  # of a residual of 1e-9 of some kilonewtons
     assert forces[:, 0] == pytest.approx(np.array([-1.0, 1.0]) * solution.axial_loads, rel=1e-12)
     nodes = np.array(reader.array(found.components[2], "u_coordinates_of_beam_nodes"))
-    assert nodes / mm == pytest.approx([0, 20, 40, 60, 80, 100, 300])
+    assert nodes / mm == pytest.approx([0, 100, 300])
     moved = reader.array(found.components[2], "displacement_v_of_nodes")
     assert moved == pytest.approx(solution.deflection(nodes)[:, 1], rel=1e-12)
     tilt = reader.number(found.components[6], "angular_deflection_in_w")
