@@ -21,6 +21,7 @@ from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import (
     Errors,
+    as_it_is,
     checked,
     made,
     si,
@@ -49,6 +50,7 @@ ORIGIN = "rexs"
 """The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -197,14 +199,15 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
 
 
 def lacking_of_origin(document: dict[str, Any]) -> Errors:
-    """What an imported model leaves open and no other table shows, so that nobody solves it without."""
-    table = document.get(ORIGIN)
-    listed = table.get("missing", ()) if isinstance(table, dict) else ()
+    """What is wrong with the table of an imported model's file; also what it leaves open and no other table shows, so
+    that nobody solves it without."""
+    errors: Errors = []
+    good, _ = checked(_ORIGIN, ORIGIN, document[ORIGIN], errors) if document.get(ORIGIN) is not None else ({}, set())
+    listed = good.get("missing") or ()
     cause = f"Once it is given, take it out of missing in [{ORIGIN}]"
-    return [
-        FileErrorDetail(f"{ORIGIN}.missing", str(each), cause=cause)
-        for each in (listed if isinstance(listed, list) else [listed] if listed else ())
-    ]
+    for each in listed if isinstance(listed, list) else [listed] if listed else ():
+        errors.append(FileErrorDetail(f"{ORIGIN}.missing", str(each), cause=cause))
+    return errors
 
 
 def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:

@@ -207,3 +207,14 @@ def test_loads_that_stand_as_results_are_taken_where_the_shaft_has_others_to_car
     bearing["attributes"]["angular_deflection_in_v"] = ("rad", 0.0)
     operation = tables(imported(xml(model)), "bearing_6.toml")["operation"]
     assert (operation["axial_load_N"], operation["radial_load_y_N"], operation["tilt_z_mrad"]) == (2500, -500, 0.1)
+
+
+def test_the_table_of_the_origin_is_read_as_strictly_as_others(imported: Any) -> None:
+    wanted = tables(imported(xml(b218())), "bearing_6.toml")
+    for wrong, said in (
+        (3, "is not a table"),
+        ({"bearing": [6]}, "unknown key"),
+        ({"missing": ["a", "b"]}, "2 errors"),
+    ):
+        with pytest.raises(SceneFileError, match=said):
+            scene_or_set_of(wanted | {"rexs": wrong}, "")
