@@ -30,8 +30,7 @@ OF_SETS = (
 )
 OF_SHAFTS = (
     "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
-    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
-    "shaft."
+    "linear springs where the input has their stiffness. Bearing rings do not stiffen the shaft."
 )
 RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
@@ -54,7 +53,8 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 def _of_shaft(solution: SetSolution) -> str:
     """What the set assumes of shaft and housing."""
     of = solution.set
-    is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
+    bends = of.shaft is not None and of.shaft.sections
+    is_elastic = bends or any(row.housing_stiffness is not None for row in of.rows)
     return OF_SHAFTS if is_elastic else OF_SETS
 
 

@@ -18,7 +18,7 @@ COVERED, SIMILAR, NOT_COVERED = Badge("covered", "pass"), Badge("similar", "find
 MEANING = (
     "*Covered*: effects, choices and numbers of this {what} lie within what was checked.",
     "*Similar*: the same effects and choices, but another bearing, or numbers beyond those that were checked.",
-    "*Not covered*: the {what} has an effect or choice that the check did not have. That does not make it wrong.",
+    "*Not covered*: the {what} has an effect or choice that the check did not have: untested, not wrong.",
 )
 WORDS = (
     "Nothing here is a measurement unless it says so: contact angles, loads and stiffness at speed have not been "

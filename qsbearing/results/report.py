@@ -257,7 +257,7 @@ def freedom(free: Collection[int]) -> str:
 
 def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
-    heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
+    heading = ("", "locked (other\ndisplacements held)", "effective\n(other loads held)", "")
     rows = []
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))

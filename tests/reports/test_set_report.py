@@ -128,7 +128,7 @@ def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
     (matrix,) = tables_with(page, "axial /µm", "tilt z /mrad")
     printed = np.array([[float(cell) for cell in line[2:]] for line in matrix])
     np.testing.assert_allclose(printed, solution.stiffness * sizes, rtol=1e-5, atol=1e-5)
-    (stiffness,) = tables_with(page, "locked: other displacements constant", "effective: at constant other loads")
+    (stiffness,) = tables_with(page, "locked (other displacements held)", "effective (other loads held)")
     effective = [float(line[2]) * unit for line, unit in zip(stiffness, (1e6, 1e6, 1e6, 1e3, 1e3), strict=True)]
     np.testing.assert_allclose(effective, solution.effective_stiffness, rtol=1e-5)
     (preload,) = tables_with(page, "before fitting N", "mounted N", "with the loads N")
