@@ -75,8 +75,10 @@ def _of_contacts(solution: Solution, readings: Mapping[str, Any]) -> Iterator[Ma
     moment = solution.scene.gyroscopic_moment
     if moment is not None:
         given = moment.friction_coefficient
-        limit, source = (FRICTION_BEYOND, "usual of lubricated steel") if given is None else (float(given), "input")
-        required = [side.required_friction[side.load > 0.0] for side in sides.values()]
+        limit, source = (
+            (FRICTION_BEYOND, "usual of lubricated steel") if given is None else (float(np.asarray(given)), "input")
+        )
+        required = [np.asarray(side.required_friction)[side.load > 0.0] for side in sides.values()]
         largest = max((float(np.max(each)) for each in required if each.size), default=0.0)
         yield Margin("friction coefficient", largest, limit, "", f"{source}; beyond it balls slip")
     overrun = readings.get("overrun")
