@@ -230,6 +230,15 @@ def test_the_table_of_the_origin_is_read_as_strictly_as_others(imported: Any) ->
             scene_or_set_of(wanted | {"rexs": wrong}, "")
 
 
+def test_a_load_case_replaces_what_the_component_says(imported: Any) -> None:
+    model = b218()
+    model["load_cases"] = [{3: {"rotational_speed": ("1 / min", 500)}}, {5: {"force_u_direction": ("kN", 3.0)}}]
+    found = imported(xml(model))
+    points = [tables(found, f"bearing_6_case_{number}.toml")["operation"] for number in (1, 2)]
+    assert [(each["speed_rpm"], each["axial_load_N"]) for each in points] == [(500, 17800), (10000, 3000)]
+    assert tables(found, "bearing_6_case_2.toml")["rexs"]["load_case"] == 2
+
+
 def double_row(version: str = "1.4") -> dict[str, Any]:
     """The model of one B218 made one of two rows, back to back, at 12 mm and 40 mm apart; its u against the shaft's."""
     model = b218(version, contacts=False, mirrored=True)
