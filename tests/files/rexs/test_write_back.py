@@ -161,6 +161,13 @@ def test_what_is_there_is_replaced_in_its_own_unit_and_load_cases_take_their_own
         assert pressure.unit == "GPa"
         assert float(pressure.value) == pytest.approx(solution.inner.max_pressure.max() / (1e3 * MPa), rel=1e-14)
         assert "force_acting_on_inner_component_u" not in found.components[6].attributes
+        new = b218(contacts=False)
+        file.write_bytes(FORMS[form](new | {"load_cases": model["load_cases"]}))
+        written(file, (tables, solution, readings))
+        found = model_in(opened(file))
+        contacts = [each for each in found.components.values() if each.kind == "rolling_element_contact"]
+        assert [len(each.attributes) for each in contacts] == [1] * 32  # their type; their results are the load case's
+        assert {len(found.load_cases[1].components[each.number].attributes) for each in contacts} == {5}
 
 
 def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Path) -> None:
