@@ -118,7 +118,9 @@ def bearing_rows() -> Iterator[Row]:
     rest, source = left(T, own), "balance of each node, written out"
     yield compared(case, "heat left at the nodes, and all", "W", [*rest, total], [*(0.0 * rest), total], source,
                    BALANCE_TOLERANCE)  # fmt: skip
-    bodies = {f"{body}_temperature": T[body] for body in ("inner_ring", "outer_ring", "shaft", "housing")}
+    bodies: dict[str, Any] = {
+        f"{body}_temperature": T[body] for body in ("inner_ring", "outer_ring", "shaft", "housing")
+    }
     ball = qs.BallExpansion(T["balls"])
     given = qs.solve(replace(SCENE, thermal=None, ring_effects=(qs.RingExpansion(**SEATS, **bodies), ball)))
     source = "the bearing at these temperatures, given"
@@ -146,6 +148,7 @@ def set_rows() -> Iterator[Row]:
     own, total = {"shaft": MOTOR, "oil": 0.0}, MOTOR
     for number, row in enumerate(solution.rows, 1):
         found = qs.readings.friction(row, **FRICTION)
+        assert found.drag_power is not None
         inner, outer, drag = (float(np.sum(each)) for each in (found.inner.power, found.outer.power, found.drag_power))
         own |= {
             f"inner_ring {number}": TO_RINGS * inner,

@@ -236,6 +236,7 @@ def catalogue_rows() -> Iterator[Row]:
         for hybrid in ("", "_hybrid"):
             bearing = qs.load_scene(row.name + hybrid).bearing
             entry = catalogue.find(row.name + hybrid)
+            assert entry is not None
             told = {name: attrgetter(name)(bearing) for name in row.lengths}
             for keys in row.others(bool(hybrid)):
                 told[keys[0]] = next((entry.dimensions[key] for key in keys if key in entry.dimensions), None)

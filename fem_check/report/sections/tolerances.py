@@ -32,11 +32,11 @@ def section(evidence: Evidence) -> Section:
                 "wide")  # fmt: skip
     table = Table(headings, [_line(name, rows) for name, rows in kept.items()], "lrrrrrrr", "Tolerance over deviation")
     wide = [line for name, rows in kept.items() for line in _wide_lines(name, rows)]
-    headings = ("check", "rows", "widest", "over both", "tolerance")
+    of_wide = ("check", "rows", "widest", "over both", "tolerance")
     caption = (
         f"Rows with tolerances more than {WIDE:g} times deviation and uncertainty, and why these are what they are"
     )
-    some = [Table(headings, wide, "lrlrl", caption, stack=True)] if wide else []
+    some = [Table(of_wide, wide, "lrlrl", caption, stack=True)] if wide else []
     return Section("Tolerance over deviation", [Paragraph(words), table, *some], "tolerances")
 
 
