@@ -102,8 +102,8 @@ def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
         if beyond.any():
             worst = np.unravel_index(np.nanargmax(np.where(beyond, use, 0.0)), np.shape(use))
             clearance = float(np.broadcast_to(given.pocket_clearance, use.shape)[worst]) / mm
-            numbers = {"excursion_mm": float(excursion[worst]) / mm, "clearance_mm": clearance}
-            said.append((beyond, remark("balls_press_cage", **numbers)))
+            needed = float(excursion[worst]) / mm
+            said.append((beyond, remark("balls_press_cage", excursion_mm=needed, clearance_mm=clearance)))
     advance = radius[..., None] * own
     return BallAdvance(mean, lead, lag, excursion, advance, use, remarks(said, solution.shape))
 
