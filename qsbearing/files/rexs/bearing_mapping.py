@@ -23,7 +23,7 @@ from qsbearing.files.rexs.scene_text import Table
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import STEEL
-from qsbearing.model.scene.keys import BALL_EXPANSION, BEARING, MATERIAL, PRINTED, RING_EXPANSION, Key
+from qsbearing.model.scene.keys import BALL_EXPANSION, BEARING, MATERIAL, MATERIALS, PRINTED, RING_EXPANSION, Key
 from qsbearing.systems.sets.shaft import REFERENCE_TEMPERATURE
 
 ROLLING = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
@@ -190,6 +190,9 @@ def _name(reader: Reader, bearing: Component, table: Table) -> None:
     told = read(word)
     if catalogue.named(word) is not None or (told is not None and not told.is_refused and told.kind == table["kind"]):
         table.set("name", word, "what the model lacks is looked up by this designation")
+        for name in MATERIALS:
+            if table.notes[name] == ASSUMED:  # the designation may tell ceramic balls
+                del table[name], table.notes[name]
     else:
         table.note("", f"designation {word}: not in the catalogue of this program")
 

@@ -52,7 +52,8 @@ def text_of(table: Table, path: str = "") -> str:
             own = each.notes.get("")
             is_needed = isinstance(value, list) or own or not each or any(not _tables(one) for one in each.values())
             heading = f"{heading:<39} # {printable(own)}" if own else heading
-            lines += [*(["", heading] if is_needed else []), text_of(each, inner).rstrip("\n")]
+            inside = text_of(each, inner).rstrip("\n")
+            lines += ["", *([heading] if is_needed else []), *([inside] if inside else [])]
     return "\n".join(line for number, line in enumerate(lines) if line or number) + "\n"
 
 

@@ -132,6 +132,13 @@ def spindle() -> dict[str, Any]:
     warm = {"mean_operating_temperature_inner_ring": ("C", 50), "mean_operating_temperature_outer_ring": ("C", 40),
             "shaft_tolerance_class": "k5", "bearing_tolerance_class": "P5", "inner_diameter": ("mm", 50),
             "outer_diameter": ("mm", 90)}  # fmt: skip
+    limits = {
+        **{f"{end}_casing_bore_diameter": ("mm", 90 + by) for end, by in (("minimum", 0.0), ("maximum", 0.022))},
+        **{f"{end}_bearing_outer_diameter": ("mm", 90 + by) for end, by in (("minimum", -0.015), ("maximum", 0.0))},
+        **{f"{end}_shaft_diameter": ("mm", 50 + by) for end, by in (("minimum", 0.002), ("maximum", 0.013))},
+        **{f"{end}_bearing_bore_diameter": ("mm", 50 + by) for end, by in (("minimum", -0.012), ("maximum", 0.0))},
+        "casing_outer_diameter": ("mm", 150), "inner_diameter": ("mm", 50), "outer_diameter": ("mm", 90),
+    }  # fmt: skip
     components = [
         part(1, "gear_casing", temperature_lubricant=("C", 60)), part(2, "shaft", rotational_speed=("1 / min", 3000)),
         part(3, "shaft_section", u_coordinate_on_shaft=("mm", 0), length=("mm", 100), outer_diameter_begin=("mm", 40),
@@ -141,7 +148,7 @@ def spindle() -> dict[str, Any]:
         part(5, kind, "left", axial_force_absorption="positive", u_coordinate_on_shaft_inner_side=("mm", 110),
              preload_force=("kN", 0.4), **common, **warm),
         part(6, kind, "right", axial_force_absorption="negative", u_coordinate_on_shaft_inner_side=("mm", 150),
-             **common),
+             **common, **limits),
         part(7, "external_load", u_coordinate_on_shaft=("mm", 0), force_v_direction=("N", 500),
              torque_around_w_axis=("N m", 2)),
         part(8, "lubricant", viscosity_at_40_degree_celsius=("mm^2 / s", 68),
@@ -168,7 +175,10 @@ def test_a_spindle_becomes_a_set_on_an_elastic_shaft(imported: Any) -> None:
     assert shaft["rexs"] == {"bearings": [5, 6], "shaft": 2}
     rings = shaft["rows"][0]["ring_expansion"]
     assert (rings["shaft_fit"], rings["tolerance_class"], rings["inner_ring_temperature_C"]) == ("k5", "P5", 50)
-    assert "ring_expansion" not in shaft["rows"][1]
+    rings = shaft["rows"][1]["ring_expansion"]
+    assert (rings["shaft_interference_um"], rings["housing_interference_um"]) == pytest.approx((13.5, -18.5), rel=1e-9)
+    assert rings["housing_outside_diameter_mm"] == 150
+    assert [row["bearing"].get("ball_material") for row in shaft["rows"]] == [None, None]  # that of the designation
     assert shaft["readings"]["lubricant"] == {
         "viscosity_at_40C_mm2_s": 68, "viscosity_at_100C_mm2_s": 9, "oil_temperature_C": 60,
     }  # fmt: skip
@@ -218,3 +228,56 @@ def test_the_table_of_the_origin_is_read_as_strictly_as_others(imported: Any) ->
     ):
         with pytest.raises(SceneFileError, match=said):
             scene_or_set_of(wanted | {"rexs": wrong}, "")
+
+
+def test_load_cases_have_files_of_their_own_and_with_shares_a_spectrum(imported: Any) -> None:
+    model = b218()
+    model["load_cases"] = [
+        {1: {"load_duration_fraction": ("%", 20)}, 3: {"rotational_speed": ("1 / min", 500)}},
+        {1: {"operating_time_fraction": ("%", 80)}, 5: {"force_u_direction": ("kN", 3.0)}},
+    ]
+    found = imported(xml(model))
+    points = [tables(found, f"bearing_6_case_{number}.toml")["operation"] for number in (1, 2)]
+    assert [(each["speed_rpm"], each["axial_load_N"]) for each in points] == [(500, 17800), (10000, 3000)]
+    assert tables(found, "bearing_6_case_2.toml")["rexs"]["load_case"] == 2
+    whole = tables(found, "bearing_6_spectrum.toml")
+    assert whole["spectrum"] == [{"share": 0.2, **points[0]}, {"share": 0.8, **points[1]}]
+    scene = scene_or_set_of(whole, "")
+    assert scene.readings["spectrum"]["time_share"].tolist() == [0.2, 0.8]
+    model["load_cases"][0][1] = {}
+    assert "bearing_6_spectrum.toml" not in texts(imported(xml(model)))
+
+
+def double_row(version: str = "1.4") -> dict[str, Any]:
+    """The model of one B218 made one of two rows, back to back, at 12 mm and 40 mm apart; its u against the shaft's."""
+    model = b218(version, contacts=False, mirrored=True)
+    for each in model["components"]:
+        if each["type"] == ROLLING:
+            each["attributes"] |= {"number_of_bearing_rows": ("none", 2), "distance_between_bearing_rows": ("mm", 40),
+                                   "axial_force_absorption": ("none", "both_directions")}  # fmt: skip
+        if each["type"] == "rolling_bearing_row":
+            each["attributes"]["axial_force_absorption_of_row"] = ("none", "positive")
+            second = copy.deepcopy(each) | {"id": 70}
+            second["attributes"]["axial_force_absorption_of_row"] = ("none", "negative")
+    ball = part(71, "rolling_element", diameter_of_rolling_element=("mm", 22.225))
+    model["components"] += [second, ball]
+    model["relations"] += [("ordered_assembly", 2, {"assembly": 6, "part": 70}),
+                           ("ordered_assembly", 1, {"assembly": 70, "part": 71})]  # fmt: skip
+    return model
+
+
+def test_a_bearing_of_two_rows_is_a_set(imported: Any) -> None:
+    found = imported(xml(double_row()))
+    assert [each.lacks for each in found.files] == [[], []]
+    for name in ("bearing_6.toml", "shaft_3.toml"):
+        rows = tables(found, name)["rows"]
+        assert [(row["position_mm"], row["carries"]) for row in rows] == [(32, "-x"), (-8, "+x")]
+        assert tables(found, name)["rexs"]["bearings"] == [6, 6]
+
+
+def test_a_bearing_that_carries_no_axial_load_floats(imported: Any) -> None:
+    model = spindle()
+    model["components"][5]["attributes"] |= {
+        "bearing_type": ("none", "radial_grooved_ball_bearing"), "axial_force_absorption": ("none", "no_direction"),
+    }  # fmt: skip
+    assert tables(imported(xml(model)), "shaft_2.toml")["floating"] == [{"rows": [2]}]

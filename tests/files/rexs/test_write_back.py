@@ -26,7 +26,7 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.results.readings_record import taken
 from tests.files.rexs.models import b218, json_text, xml, zipped
-from tests.files.rexs.test_import import spindle
+from tests.files.rexs.test_import import double_row, spindle
 
 Result = tuple[dict[str, Any], Any, Any]
 RADIAL = {"radial_load_y_N": 3000.0, "tilt_y_mrad": 0.1}
@@ -161,6 +161,13 @@ def test_what_is_there_is_replaced_in_its_own_unit_and_load_cases_take_their_own
         assert pressure.unit == "GPa"
         assert float(pressure.value) == pytest.approx(solution.inner.max_pressure.max() / (1e3 * MPa), rel=1e-14)
         assert "force_acting_on_inner_component_u" not in found.components[6].attributes
+        new = b218(contacts=False)
+        file.write_bytes(FORMS[form](new | {"load_cases": model["load_cases"]}))
+        written(file, (tables, solution, readings))
+        found = model_in(opened(file))
+        contacts = [each for each in found.components.values() if each.kind == "rolling_element_contact"]
+        assert [len(each.attributes) for each in contacts] == [1] * 32  # their type; their results are the load case's
+        assert {len(found.load_cases[1].components[each.number].attributes) for each in contacts} == {5}
 
 
 def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Path) -> None:
@@ -185,6 +192,30 @@ def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Pat
     tilt = reader.number(found.components[6], "angular_deflection_in_w")
     assert tilt == pytest.approx(solution.deflection([0.150])[0, 4], rel=1e-12)
     assert abs(tilt or 0.0) < deg
+
+
+def test_the_rows_of_a_bearing_add_up_in_its_middle(tmp_path: Path) -> None:
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(double_row()))
+    result = solved(file, "bearing_6.toml")
+    solution = result[1]
+    model = written(file, result)
+    (note,) = model.notes
+    assert note.startswith("component 70 (rolling_bearing_row): its rolling elements are not the balls")
+    bearing = model_in(opened(file)).components[6]
+    reader = Reader(model_in(opened(file)), None, [])
+    assert solution.set.reference == pytest.approx(0.012)
+    sign = np.array([-1.0, -1.0, 1.0, -1.0, 1.0])  # the bearing's axes are turned about w
+    for (row, column), name in (
+        ((0, 0), "f_u_d_u"),
+        ((1, 4), "f_v_rot_w"),
+        ((4, 4), "m_w_rot_w"),
+        ((2, 3), "f_w_rot_v"),
+    ):
+        wanted = sign[row] * sign[column] * solution.stiffness[row, column]
+        assert reader.number(bearing, f"operating_point_stiffness_{name}") == pytest.approx(wanted, rel=1e-12), name
+    force = reader.number(bearing, "force_acting_on_inner_component_u")
+    assert force == pytest.approx(17800.0, rel=1e-9)  # as the solver balances the shaft
 
 
 @pytest.mark.parametrize(
