@@ -6,7 +6,8 @@ cage that keeps up turns at 2 pi/T, the harmonic mean, and a ball is ahead of it
 
     advance(psi) = psi - (2 pi/T) integral of dpsi/omega + constant,    on the arc of the pitch circle times dm/2,
 
-the constant such that its mean over time vanishes. All balls go through the same, one after another, so that from the
+the constant such that its mean vanishes: over the azimuth, and so over time, since (2 pi/T)/omega is 1 less its slope,
+and a periodic function times its slope has no mean. All balls go through the same, one after another, so that from the
 largest lag to the largest lead each needs the same freedom: the excursion. More than the pockets' clearance, and the
 cage holds balls back and pulls others along.
 
@@ -139,12 +140,8 @@ def advance_over_a_turn(speeds: NDArray, turn: NDArray) -> tuple[NDArray, NDArra
     mean = 1.0 / (1.0 / speeds).mean(axis=-1)
     harmonics = np.fft.rfft(mean[..., None] / speeds)[..., 1 : wave.size + 1] * (2.0 / count)
     at_balls = 2.0 * np.pi * np.arange(count) / count
-    pace, *ahead = (
-        (factors @ np.exp(1j * np.outer(wave, at))).real
-        for factors, at in ((harmonics, turn), (1j / wave * harmonics, turn), (1j / wave * harmonics, at_balls))
-    )
-    middle = (ahead[0] * (1.0 + pace)).mean(axis=-1, keepdims=True)
-    return mean, ahead[0] - middle, ahead[1] - middle
+    along, own = ((1j / wave * harmonics @ np.exp(1j * np.outer(wave, at))).real for at in (turn, at_balls))
+    return mean, along, own
 
 
 ENTRY = Reading(
