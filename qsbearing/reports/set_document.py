@@ -54,7 +54,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         head(
             margins_of_set(solution, found),
             every_remark(solution, found),
-            [*key_results_of_set(solution, found), *_shaft(solution)],
+            key_results_of_set(solution, found),
             [*effects.is_right(effect_rows, effects.DEFAULT_TOLERANCE), evidence.in_short(checks)],
         ),
     )
@@ -108,7 +108,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
-    return Section("Results", [*tables, *parts])
+    return Section("Results", [*_shaft(solution), *tables, *parts])
 
 
 def _row(solution: SetSolution, number: int, found: Readings) -> Section:
