@@ -23,6 +23,7 @@ from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
+    as_word,
     checked,
     made,
     si,
@@ -47,10 +48,14 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
+REPORT = "report"
+REPORT_KEYS = ("title", "customer", "author", "document")
+"""What a design report says of itself."""
 ORIGIN = "rexs"
 """The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
+_REPORT = table_model(REPORT, (), dict.fromkeys(REPORT_KEYS, as_word))
 _ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
 
 
@@ -178,9 +183,9 @@ def is_there(path: Path) -> bool:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
-    errors += lacking_of_origin(document)
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance", ORIGIN):
+        if name in (*SECTIONS, "tolerance", *OTHER_TABLES):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -199,10 +204,16 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def lacking_of_origin(document: dict[str, Any]) -> Errors:
-    """What is wrong with the table of an imported model's file; also what it leaves open and no other table shows, so
-    that nobody solves it without."""
+OTHER_TABLES = (REPORT, ORIGIN)
+"""Tables that change no result."""
+
+
+def wrong_in_other_tables(document: dict[str, Any]) -> Errors:
+    """What is wrong with the table for reports and that of an imported model's file; also what the latter leaves open
+    and no other table shows, so that nobody solves it without."""
     errors: Errors = []
+    if document.get(REPORT) is not None:
+        checked(_REPORT, REPORT, document[REPORT], errors)
     good, _ = checked(_ORIGIN, ORIGIN, document[ORIGIN], errors) if document.get(ORIGIN) is not None else ({}, set())
     listed = good.get("missing") or ()
     cause = f"Once it is given, take it out of missing in [{ORIGIN}]"

@@ -15,12 +15,12 @@ from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import (
-    ORIGIN,
+    OTHER_TABLES,
     document_of,
     heated,
-    lacking_of_origin,
     operation_of,
     preload_of,
+    wrong_in_other_tables,
 )
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
@@ -92,9 +92,9 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
-    errors += lacking_of_origin(document)
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*TABLES, "tolerance", ORIGIN):
+        if name in (*TABLES, "tolerance", *OTHER_TABLES):
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):

@@ -54,7 +54,8 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         value: what the file gives under that key.
     """
     if not section and name in TITLES:
-        return Suggestion("A scene is called after its file; `name` under [bearing] is an entry of the catalogue")
+        own = "`name` under [bearing] is an entry of the catalogue, `title` under [report] heads the design report"
+        return Suggestion(f"A scene is called after its file; {own}")
     for table, keys in _tables().items():
         if table != section and name in keys:
             return Suggestion(f"It belongs under {_title(table)}")

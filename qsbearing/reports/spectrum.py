@@ -56,13 +56,14 @@ def document(
     said = [
         each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
     ]
+    first = next(number for number, each in enumerate(whole.head) if isinstance(each, Remark))
     # Warnings stand with their points above.
-    rest: list[Block] = [each for each in whole.head[1:] if not isinstance(each, Remark)]
+    rest: list[Block] = [each for each in whole.head[first + 1 :] if not isinstance(each, Remark)]
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[*said, Paragraph(which), whole.head[0], *rest],
+        head=[*whole.head[:first], *said, Paragraph(which), whole.head[first], *rest],
     )
 
 
