@@ -53,7 +53,8 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 def _of_shaft(solution: SetSolution) -> str:
     """What the set assumes of shaft and housing."""
     of = solution.set
-    is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
+    bends = of.shaft is not None and of.shaft.sections
+    is_elastic = bends or any(row.housing_stiffness is not None for row in of.rows)
     return OF_SHAFTS if is_elastic else OF_SETS
 
 

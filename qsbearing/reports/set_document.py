@@ -67,7 +67,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
         ),
     ]
     shaft: list[Block] = []
-    if solution.set.shaft is not None:
+    if solution.set.shaft is not None and solution.set.shaft.sections:
         said = "The shaft's outline as drawn and as it bends, with bearings, loads and named points."
         shaft.append(
             picture(
