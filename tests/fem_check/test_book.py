@@ -274,7 +274,11 @@ def test_every_case_has_an_error_planted() -> None:
     assert {name for name, _ in PLANTED} == set(ALL)
 
 
-@pytest.mark.parametrize(("name", "plant"), PLANTED, ids=lambda value: getattr(value, "__name__", value))
+@pytest.mark.parametrize(
+    ("name", "plant"),
+    [pytest.param(*each, marks=[pytest.mark.heavy] if each[0] == "code_aster_spheres" else []) for each in PLANTED],
+    ids=lambda value: getattr(value, "__name__", value),
+)
 def test_a_planted_error_is_seen(
     name: str, plant: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
