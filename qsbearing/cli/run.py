@@ -148,9 +148,10 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         if solution.choice is None:
             return result(solution, readings)
+        from qsbearing.files.file_keys import IN_FILE
         from qsbearing.remarks.bearing import chosen
 
-        said = enumerate(chosen(solution, scene))
+        said = enumerate(chosen(solution, scene, IN_FILE))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     solution = _solved(scene, accuracy)

@@ -16,16 +16,18 @@ from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
-from qsbearing.model.solution.judgement import estimated, lines_to_add
+from qsbearing.model.solution.judgement import estimated, settings_to_add
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mrad, um
 from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.remarks.kinds import to_add
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import preload_remarks
 from qsbearing.remarks.remark import Found, Remark, in_case, remark
+from qsbearing.remarks.wording import Words
 
 SMALL_TILT = 0.02
 """Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
@@ -133,7 +135,7 @@ def _unsupported(case: NDArray) -> str:
     return f"{' or '.join(causes)} is too large for the axial load to keep the balls in contact."
 
 
-def chosen(solution: Solution, named: Scene) -> list[str]:
+def chosen(solution: Solution, named: Scene, words: Words) -> list[str]:
     """What was chosen for a single case, beside the scene that was given: left out, with errors; and added."""
     choice = solution.choice
     if choice is None:
@@ -145,7 +147,7 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
         needed = f"Needed, but not named in the scene: {', '.join(entry.what for entry in added)}."
-        said.append(f"{needed} Add under [effects]: {', '.join(lines_to_add(named, added))}")
+        said.append(f"{needed} {to_add(settings_to_add(named, added), words)}")
     return said
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
-from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, lines_to_add
+from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.remarks.remark import Found, Of, Remark
 
 MOST_CASES = 64
@@ -59,7 +59,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
                 "quantities": tuple(quantity for quantity, _ in most),
                 "changes": tuple(change for _, change in most),
                 "is_estimated": not are_few,
-                "add": tuple(lines_to_add(of, [entry for entry, _ in here])),
+                "add": settings_to_add(of, [entry for entry, _ in here]),
             },
         )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.effects import QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -81,7 +82,7 @@ def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
         tolerance: above which a change counts.
     """
     _, rows = explain(solution.scene, tolerance)
-    said = [] if solution.choice is None else chosen(solution, asked)
+    said = [] if solution.choice is None else chosen(solution, asked, IN_FILE)
     return _section(assumptions(solution.scene), said, rows, tolerance)
 
 

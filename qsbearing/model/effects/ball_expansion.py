@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.changed_geometry import change_by, geometry_errors
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in
+from qsbearing.model.effects.entry import Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.operation import Operation
@@ -75,5 +75,5 @@ ENTRY = Entry(
     effect("ring_effects", BallExpansion),
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
-    needs="[effects.ball_expansion] with the balls' temperature",
+    needs=given(BallExpansion, " with the balls' temperature"),
 )
