@@ -44,7 +44,7 @@ made for axial load works at its free angle; 1 % of it is 1 % of the axial load 
 def message(solution: Solution, index: Index = None) -> str:
     """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
-        return f"{solution._maker.count} cases: {solution._counts()}."
+        return f"{solution.maker.count} cases: {solution.counts()}."
     k = solution.flat_index(index)
     status, residual, iterations = (
         np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
@@ -58,7 +58,7 @@ def message(solution: Solution, index: Index = None) -> str:
         )
     if solution.preloaded is not None:
         preloaded = solution.preloaded
-        numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
+        numbers = np.arange(preloaded.maker.count).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
         if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
@@ -73,13 +73,13 @@ def message(solution: Solution, index: Index = None) -> str:
 
 
 def _why_no_equilibrium(solution: Solution, k: int) -> str:
-    case = solution._maker.make(k, k + 1)[0]
+    case = solution.maker.make(k, k + 1)[0]
     reason = np.ravel(solution.reason)[k]
     if reason == Reason.UNSUPPORTED:
         free = solution.free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements, nothing supports the balls."
-        ring = np.nan_to_num(np.abs(solution._results["displacement"][k][free]), nan=np.inf)
+        ring = np.nan_to_num(np.abs(solution.results["displacement"][k][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
         return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
     if reason == Reason.FRICTION_WITHOUT_LOAD:
@@ -194,7 +194,7 @@ def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     free = solution.free_channels
     unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
     yield unloaded, remark("ring_unloaded")
-    stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
+    stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)

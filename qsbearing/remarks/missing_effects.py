@@ -24,7 +24,7 @@ of two)."""
 
 def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
     """Of a scene or set; a row of a set has nothing to say of itself."""
-    if solution._solve is None:
+    if solution.solve_alike is None:
         return
     are_few = int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)

@@ -101,14 +101,14 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
         return results, positions, controls
     if not isinstance(start, Solution):
         raise TypeError(f"start = {start!r}: must be a Solution")
-    if start._maker.ball_axis != balls or start._maker.count not in (1, count):
+    if start.maker.ball_axis != balls or start.maker.count not in (1, count):
         raise ValueError(
-            f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"start has case axes {start.shape} and {start.maker.ball_axis} balls; the scene has {maker.shape} and "
             f"{balls}: a start must match, or be a single case with as many balls"
         )
-    results[:], controls[:] = start._results, start._controls
-    both = min(positions.shape[-1], start._positions.shape[-1])
-    positions[..., both:], positions[..., :both] = 0.0, start._positions[..., :both]
+    results[:], controls[:] = start.results, start.controls
+    both = min(positions.shape[-1], start.positions.shape[-1])
+    positions[..., both:], positions[..., :both] = 0.0, start.positions[..., :both]
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
     failed = results["status"] != CONVERGED
     results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0
