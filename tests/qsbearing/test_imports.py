@@ -41,7 +41,7 @@ def test_no_circle_of_files() -> None:
     assert {name for name, found in reach.items() if name in found} == set()
 
 
-# Private names ---------------------------------------------------------------------------------------------------------
+# Private names --------------------------------------------------------------------------------------------------------
 
 OF_NAMED_TUPLES = {"_asdict", "_replace", "_make", "_fields"}
 
