@@ -74,8 +74,7 @@ class Setting(Field):
 
     def __new__(cls, field: str, value: Any) -> Setting:
         is_class = isinstance(value, type)
-        text = f"{value.__name__}(...) in {field}" if is_class else f"{field}={_in_python(value)}"
-        made = super().__new__(cls, text)
+        made = super().__new__(cls, f"{value.__name__}(...)" if is_class else f"{field}={_in_python(value)}")
         made.field, made.value = field, value
         return made
 
