@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import can_compile
 from qsbearing.model.compiler.threads import in_threads, thread_count
+from qsbearing.model.effects.ball_expansion import unfound_errors
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.scene.scene import Scene
@@ -19,6 +20,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
 from qsbearing.model.solution.solved_cases import KEPT
+from qsbearing.model.validation import raise_if_any
 
 TOLERANCE = 1e-12
 LEAST_BATCH = 1000
@@ -42,12 +44,14 @@ def solve(
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
 
     Raises:
+        SceneError: a temperature that a heat balance should have found.
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     if scene.tolerance is not None:
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
+    raise_if_any(unfound_errors(scene.ring_effects))
     scene = with_touching(scene, {}) if scene.ring_effects else scene
     if scene.elastic_rings is not None and scene.ring_expansion is not None:
         return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
