@@ -462,7 +462,7 @@ def test_records_without_a_commit_are_named(records: Path) -> None:
 def test_what_is_no_measurement_is_not_called_validation(read: Page) -> None:
     assert "Validation of Hertz" not in read.text
     assert "Limits of Hertz and of rigid rings, by finite elements" in read.text
-    assert "cases computed by others, 2 measurements; 1 counter-example, not expected to be met" in read.text
+    assert "cases computed by others, 2 measurements; 2 counter-examples, not expected to be met" in read.text
 
 
 def test_the_sector_is_a_finding(read: Page) -> None:

@@ -161,13 +161,13 @@ def _book(evidence: Evidence) -> tuple[str | None, bool]:
     if not evidence.book:
         return None, False
     cases = [kept.data for kept in evidence.book.values()]
-    counter_examples = sum(bool(each.get("counter_example")) for each in cases)
-    measured = sum(each["kind"] == "M" and not each.get("counter_example") for each in cases)
+    expected = [each for each in cases if not each.get("counter_example")]
+    counter_examples = len(cases) - len(expected)
+    measured = sum(each["kind"] == "M" for each in expected)
     failed = [name for name, kept in evidence.book.items() if kept.data["verdict"] != "pass"]
-    computed = sum(each["kind"] != "M" for each in cases)
-    said = f"{computed} cases computed by others, {measured} measurements"
+    said = f"{len(expected) - measured} cases computed by others, {measured} measurements"
     if counter_examples:
-        said += f"; {counter_examples} counter-example, not expected to be met"
+        said += f"; {counter_examples} counter-example{'s' * (counter_examples > 1)}, not expected to be met"
     return said + (f"; not passed: {', '.join(failed)}" if failed else ""), not failed
 
 
