@@ -20,8 +20,8 @@ from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.results.json_record import record
 from qsbearing.results.set_record import set_record
-from qsbearing.results.thermal_report import along_curve, speeds_record, thermal_tables
-from qsbearing.systems.heat.state import Part, ThermalState
+from qsbearing.results.thermal_report import speeds_record, thermal_tables
+from qsbearing.systems.heat.state import Part, ThermalState, along_curve
 from tests.systems.heat.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
 
 KELVIN = 1e-8 * (AMBIENT + qs.zero_celsius)
