@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import OVER_BALLS, Result, find, known_results, read, reading_of, suggestion
+from qsbearing.studies.results import Result, find, known_results, read, why_unknown
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -154,7 +153,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
     known = known_results(_solved(scene, chosen))
     kept: list[Result | FileErrorDetail | None]
     if study.quantities:
-        kept = [_asked(study, name, known) for name in study.quantities]
+        kept = [_asked(name, known) for name in study.quantities]
         errors = [each for each in kept if isinstance(each, FileErrorDetail)]
         if errors:
             raise SceneFileError(study.file, errors)
@@ -165,21 +164,11 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
     return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
 
 
-def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
+def _asked(name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
     result = find(name, known)
     if result is not None:
         return result
-    plain = next((each.name for each in known.values() if name == each.column), "")
-    stem, _, ending = name.rpartition("_")
-    if plain:
-        return FileErrorDetail("study.quantities", "has a unit behind it", name, cause=f"Write {plain}")
-    if name in quantities.ALL or (ending in OVER_BALLS and stem in quantities.ALL):
-        problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
-    elif reading := reading_of(name):
-        cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
-        problem = "is not called for by this scene"
-    else:
-        problem, cause = "is not a result", suggestion(name, known)
+    problem, cause = why_unknown(name, known)
     return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 
