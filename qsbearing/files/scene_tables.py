@@ -140,7 +140,7 @@ def _material(material: Material) -> str | dict[str, float]:
 
 
 def _effects(of: Scene | BearingSet) -> Tables:
-    if isinstance(of, Scene) and of.tolerance is not None:
+    if of.tolerance is not None:
         asked = {each.name: each.default for each in fields(Scene) if each.name in (*CHOICES, "ball_effects")}
         if of.ring_effects or any(getattr(of, name) != usual for name, usual in asked.items()):
             raise _without_key("tolerance", "a file chooses all effects by it, or names them")
