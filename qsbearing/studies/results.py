@@ -89,14 +89,14 @@ def why_unknown(name: str, known: Mapping[str, Result]) -> tuple[str, str]:
     """What is wrong with a name that no result of a scene or set has, and what is likely meant."""
     every, plain = _by_every_name(known), name.replace(".", "_")
     stem = max((each for each in every if any((b + plain).startswith(f"{each}_") for b in BEFORE)), key=len, default="")
-    if stem and not every[stem].is_per_ball:
+    if stem:
         return "is in another unit", f"It is in {printed_unit(every[stem].unit)}: write {every[stem].column}"
     of_rows = [each for each in every if re.fullmatch(rf"row_\d+_(inner_|outer_)?{re.escape(plain)}", each)]
     if of_rows:
         return "is a result of each row", f"Such as {of_rows[0]}"
     if plain.removesuffix("_max").removesuffix("_min") in quantities.ALL:
         return "is not called for by this scene", "Name in [effects] the effect that it belongs to"
-    if (reading := reading_of(name)) and not any(f"_{reading}_" in each for each in every):
+    if reading := reading_of(name):
         cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
         return "is not called for by this scene", cause
     near = difflib.get_close_matches(name, sorted(every, key=len), n=1, cutoff=0.5)
