@@ -13,6 +13,7 @@ from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.housing_table import with_housing
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
@@ -21,6 +22,8 @@ from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.table_checks import (
     Errors,
+    as_it_is,
+    as_word,
     checked,
     made,
     si,
@@ -31,10 +34,10 @@ from qsbearing.files.toml import read_toml
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.keys import (
     EFFECT_SECTIONS,
+    MAKES_SET,
     OPERATION,
     PRELOAD,
     SECTIONS,
-    SET_SECTIONS,
 )
 from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
@@ -45,8 +48,15 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
+REPORT = "report"
+REPORT_KEYS = ("title", "customer", "author", "document")
+"""What a design report says of itself."""
+ORIGIN = "rexs"
+"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
+_REPORT = table_model(REPORT, (), dict.fromkeys(REPORT_KEYS, as_word))
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -121,7 +131,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     """
     if "spectrum" in document:
         return over_spectrum(document, file, label, scene_of)
-    of_set = [name for name in SET_SECTIONS if name in document]
+    of_set = [name for name in MAKES_SET if name in document]
     if of_set:
         cause = "A set of rows on one shaft is read by `qs.load_set` and most commands, such as `qsbearing run`"
         raise SceneFileError(
@@ -129,7 +139,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         )
     errors: Errors = []
     document, thermal = heated(with_preload_class(document, errors), errors)
-    document = with_printed(document)
+    document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
@@ -179,8 +189,9 @@ def is_there(path: Path) -> bool:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance"):
+        if name in (*SECTIONS, "tolerance", *OTHER_TABLES):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -197,6 +208,24 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
+
+
+OTHER_TABLES = (REPORT, ORIGIN)
+"""Tables that change no result."""
+
+
+def wrong_in_other_tables(document: dict[str, Any]) -> Errors:
+    """What is wrong with the table for reports and that of an imported model's file; also what the latter leaves open
+    and no other table shows, so that nobody solves it without."""
+    errors: Errors = []
+    if document.get(REPORT) is not None:
+        checked(_REPORT, REPORT, document[REPORT], errors)
+    good, _ = checked(_ORIGIN, ORIGIN, document[ORIGIN], errors) if document.get(ORIGIN) is not None else ({}, set())
+    listed = good.get("missing") or ()
+    cause = f"Once it is given, take it out of missing in [{ORIGIN}]"
+    for each in listed if isinstance(listed, list) else [listed] if listed else ():
+        errors.append(FileErrorDetail(f"{ORIGIN}.missing", str(each), cause=cause))
+    return errors
 
 
 def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:

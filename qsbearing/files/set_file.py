@@ -10,16 +10,25 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.housing_table import with_housing
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
-from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
-from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
+from qsbearing.files.scene_file import (
+    OTHER_TABLES,
+    document_of,
+    heated,
+    operation_of,
+    preload_of,
+    wrong_in_other_tables,
+)
+from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
-from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
@@ -51,7 +60,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
     document, thermal = heated(with_preload_class(document, errors), errors)
-    document = with_housing_diameter(with_printed(document))
+    document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
@@ -83,8 +92,9 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in TABLES or name == "tolerance":
+        if name in (*TABLES, "tolerance", *OTHER_TABLES):
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):

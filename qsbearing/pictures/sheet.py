@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.model.solution.case_index import Index, Place, place_of
 from qsbearing.model.solution.solution import Solution
+from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
@@ -79,6 +80,11 @@ def section(solution: Solution, index: Index = None, ball: int | None = None) ->
     return _alone(partial(draw_section, ball=ball), (6.4, 5.4), solution, index)
 
 
+def ball_advance(solution: Solution, index: Index = None) -> Figure:
+    """How far balls run ahead of and behind the cage over a turn; with its pockets' clearance where that is read."""
+    return _alone(draw_advance, (6.2, 3.6), solution, index)
+
+
 def ring_shape(solution: Solution, index: Index = None) -> Figure:
     """The grooves of elastic rings around the bearing, as they move away from the balls, far larger than they do."""
     return _alone(draw_shape, (4.8, 4.8), solution, index, "polar")
@@ -90,7 +96,7 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
     Raises:
         ValueError: the set has no shaft of its own.
     """
-    if solution.set.shaft is None:
+    if solution.set.shaft is None or not solution.set.shaft.sections:
         raise ValueError("this set's shaft is rigid: qs.BearingSet(..., shaft=qs.Shaft(...))")
     place = place_of(index, solution.shape)
     planes = planes_of(solution, place)
@@ -158,7 +164,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     if drawings == [ANGLES] and lines > 1:
         panels = [(ANGLES.small[0], FLAT)]
     heights = [height for _, height in panels] * lines
-    planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
+    shaft = solution.set.shaft
+    planes = planes_of(solution, place) if shaft is not None and shaft.sections and len(drawings) > 1 else []
     heights += [SHAFT_HEIGHT] * len(planes)
     figure = figure_of_size(max(columns * panels[0][0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
