@@ -8,20 +8,21 @@ from dataclasses import replace
 from typing import Any
 
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
+from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.housing_table import with_housing
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import (
-    ORIGIN,
+    OTHER_TABLES,
     document_of,
     heated,
-    lacking_of_origin,
     operation_of,
     preload_of,
+    wrong_in_other_tables,
 )
-from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
+from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
@@ -60,14 +61,14 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     errors: Errors = []
     document = with_preload_class(document, errors)
     thermal, found = heated(document, errors)
-    document = with_housing_diameter(with_printed(document))
+    document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
     rows = _rows(document, common, has_common, errors, found)
     operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
     preload = preload_of(document, None, errors)
-    effects = _effects(document, errors, found)
+    effects = effects_of(document, errors, found)
     readings = asked_readings(document, errors, found)
     around = surroundings(document, errors)
     if thermal is not None:
@@ -92,9 +93,9 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
-    errors += lacking_of_origin(document)
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*TABLES, "tolerance", ORIGIN):
+        if name in (*TABLES, "tolerance", *OTHER_TABLES):
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):
@@ -103,14 +104,6 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:
             unknown_key(name, name, "", value, errors)
-
-
-def _effects(document: dict[str, Any], errors: Errors, found: frozenset[str]) -> dict[str, Any]:
-    if document.get("effects") == AUTO or "tolerance" in document:
-        cause = "Name them under [effects]; `qsbearing explain` shows which ones matter"
-        errors.append(FileErrorDetail("effects", "are not chosen for sets", AUTO, cause=cause))
-        return {}
-    return effects_of(document, errors, found)
 
 
 def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str]) -> list[Row]:

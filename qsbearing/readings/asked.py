@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -19,6 +19,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.readings import (
+    ball_advance,
     ball_motion,
     contact_friction,
     film_thickness,
@@ -47,6 +48,7 @@ _FILES = (
     load_spectrum,
     static_rating,
     ball_motion,
+    ball_advance,
     pass_frequencies,
     film_thickness,
     contact_friction,
@@ -152,6 +154,18 @@ def by_short_name(name: str, known: Iterable[str]) -> str | None:
         if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
     }
     return found.pop() if len(found) == 1 else None
+
+
+BEFORE = ("", "ring_", "shaft_", "system_")
+"""What may be left out before the name of a result."""
+
+
+def named(name: str, known: Collection[str]) -> str | None:
+    """The result of a name as people write it: with points as in `life.duration_h`, without the reading's name or the
+    word ring, shaft or system before it; None where there is none, or more than one."""
+    plain = name.replace(".", "_")
+    same = (each for each in (name, *(before + plain for before in BEFORE)) if each in known)
+    return next(same, None) or by_short_name(plain, known)
 
 
 def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tuple[str, bool, NDArray]]:

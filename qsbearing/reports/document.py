@@ -6,7 +6,7 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
@@ -30,13 +30,13 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         command: that makes this report.
     """
     scene = solution.scene
-    name = scene.bearing.name or "Ball bearing"
+    report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     found, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
-        name,
+        report_of.get("title", name),
         "Design report",
         [
             _results(solution),
@@ -48,8 +48,9 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
-        f"{capital(report.geometry_text(solution))}. {point}.",
+        f"{name}: {report.geometry_text(solution)}. {point}.",
         head(
+            report_of,
             margins(solution, found),
             every_remark(solution, found),
             [key_results(solution, found)],
@@ -89,6 +90,14 @@ def _results(solution: Solution) -> Section:
             "Contact ellipses of the balls, with their maximum pressures",
         )
     )
+    if "ball_advance" in solution.scene.readings and not are_alike:
+        drawn.append(
+            picture(
+                ball_advance(solution),
+                "How far a ball is ahead of its mean place in the cage, by its azimuth.",
+                "Advance of the balls in the cage over one turn; grey: the clearance of its pockets",
+            )
+        )
     if solution.scene.elastic_rings is not None:
         drawn.append(
             picture(
