@@ -81,6 +81,8 @@ def _of_set(
     of: BearingSet, as_json: bool, tolerance: float
 ) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
     """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
+    from dataclasses import replace
+
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.remarks import blocks, every_remark, remarks_record
     from qsbearing.results.set_record import set_record
@@ -89,7 +91,7 @@ def _of_set(
     from qsbearing.systems.sets.preload_limits import preload_summary
 
     with solving():
-        solution, rows = explain_set(of, tolerance)
+        solution, rows = explain_set(replace(of, tolerance=None), tolerance)
         said = preload_summary(solution) if solution.converged else []
         remarks = every_remark(solution)
     found = set_record(solution, [{}] * len(solution.rows))

@@ -19,7 +19,7 @@ from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
-from qsbearing.files.spectrum_table import over_spectrum
+from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
@@ -81,7 +81,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     """
     path = Path(source)
     if source in STANDARD_INPUT:
-        return read_toml(path), "standard input", ""
+        return _with_points(read_toml(path), Path()), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.named(source)
         if entry is None:
@@ -94,7 +94,13 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
         return document, str(source), label
     if not is_there(path) and catalogue.find(path.stem) is not None:
         raise refused(path, "no such file", f"The catalogue's {path.stem} is run by name, without {path.suffix}")
-    return read_toml(path), str(source), printable(path.stem)
+    return _with_points(read_toml(path), path.parent), str(source), printable(path.stem)
+
+
+def _with_points(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The tables of a file, the points of a spectrum read from the file that it names."""
+    table = document.get("spectrum")
+    return document | {"spectrum": points_of_table(table, folder)} if isinstance(table, dict) else document
 
 
 def text_of(source: str) -> str:

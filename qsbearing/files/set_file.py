@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
+from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.housing_table import with_housing
@@ -67,7 +67,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     rows = _rows(document, common, has_common, errors)
     operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
     preload = preload_of(document, None, errors)
-    effects = _effects(document, errors)
+    effects = effects_of(document, errors)
     readings = asked_readings(document, errors)
     around = surroundings(document, errors)
     if thermal is not None:
@@ -103,14 +103,6 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:
             unknown_key(name, name, "", value, errors)
-
-
-def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    if document.get("effects") == AUTO or "tolerance" in document:
-        cause = "Name them under [effects]; `qsbearing explain` shows which ones matter"
-        errors.append(FileErrorDetail("effects", "are not chosen for sets", AUTO, cause=cause))
-        return {}
-    return effects_of(document, errors)
 
 
 def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors) -> list[Row]:

@@ -59,7 +59,9 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         return Suggestion(f"A scene is called after its file; {own}")
     for table, keys in _tables().items():
         if table != section and name in keys:
-            return Suggestion(f"It belongs under {_title(table)}")
+            own = next((each for each in _tables().get(section, ()) if each.endswith(f"_{name}")), "")
+            meant = f"Did you mean {own}? {name} alone" if own else "It"
+            return Suggestion(f"{meant} belongs under {_title(table)}", own)
     converted = _in_known_unit(name, section, value)
     if converted is not None:
         return converted

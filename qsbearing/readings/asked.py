@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -152,6 +152,18 @@ def by_short_name(name: str, known: Iterable[str]) -> str | None:
         if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
     }
     return found.pop() if len(found) == 1 else None
+
+
+BEFORE = ("", "ring_", "shaft_", "system_")
+"""What may be left out before the name of a result."""
+
+
+def named(name: str, known: Collection[str]) -> str | None:
+    """The result of a name as people write it: with points as in `life.duration_h`, without the reading's name or the
+    word ring, shaft or system before it; None where there is none, or more than one."""
+    plain = name.replace(".", "_")
+    same = (each for each in (name, *(before + plain for before in BEFORE)) if each in known)
+    return next(same, None) or by_short_name(plain, known)
 
 
 def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tuple[str, bool, NDArray]]:

@@ -14,7 +14,6 @@ from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, lines_to_add
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
@@ -133,7 +132,7 @@ def _unsupported(case: NDArray) -> str:
     return f"{' or '.join(causes)} is too large for the axial load to keep the balls in contact."
 
 
-def chosen(solution: Solution, named: Scene) -> list[str]:
+def chosen(solution: Any, named: Any) -> list[str]:
     """What was chosen for a single case, beside the scene that was given: left out, with errors; and added."""
     choice = solution.choice
     if choice is None:

@@ -49,6 +49,8 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if of.tolerance is not None:
+        raise ValueError("the set leaves its effects to be chosen: solve it by `qsbearing.solve_set`")
     if of.thermal is None:
         return solve_at_given_temperatures(of, threads, tolerance)
     from qsbearing.systems.heat.solve import at_steady_temperatures
