@@ -26,6 +26,15 @@ from qsbearing.remarks.wording import Reader, Words
 if TYPE_CHECKING:
     from qsbearing.readings.entry import Table
 
+REPORT = "report"
+"""The table that says what a design report is about and for whom."""
+ORIGIN = "rexs"
+"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
+OTHER_TABLES = {
+    REPORT: ("title", "customer", "author", "document"),
+    ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
+}
+"""Tables that change no result, with their keys."""
 _EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
 _OF_EFFECTS = {"ball_effects": "ball"}
 

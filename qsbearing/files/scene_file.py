@@ -12,7 +12,7 @@ from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
-from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
 from qsbearing.files.housing_table import with_housing
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
@@ -48,15 +48,10 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
-REPORT = "report"
-REPORT_KEYS = ("title", "customer", "author", "document")
-"""What a design report says of itself."""
-ORIGIN = "rexs"
-"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
-_REPORT = table_model(REPORT, (), dict.fromkeys(REPORT_KEYS, as_word))
-_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
+_REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word))
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(OTHER_TABLES[ORIGIN], as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -210,10 +205,6 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
-
-
-OTHER_TABLES = (REPORT, ORIGIN)
-"""Tables that change no result."""
 
 
 def wrong_in_other_tables(document: dict[str, Any]) -> Errors:

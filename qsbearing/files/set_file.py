@@ -10,12 +10,12 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.housing_table import with_housing
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import (
-    OTHER_TABLES,
     document_of,
     heated,
     operation_of,
