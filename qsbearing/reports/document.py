@@ -6,15 +6,18 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
+from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
-from qsbearing.reports.front import head
+from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results
+from qsbearing.reports.margins import margins
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark, message
+from qsbearing.studies.chooser.explain import explain
 
 
 def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:
@@ -27,23 +30,33 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         command: that makes this report.
     """
     scene = solution.scene
-    name = scene.bearing.name or "Ball bearing"
+    report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
-    found = taken(solution)
+    found, checks = taken(solution), evidence.statements([solution])
+    _, rows = explain(scene, tolerance)
+    point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
-        name,
+        report_of.get("title", name),
         "Design report",
         [
-            inputs.section(scene, source, asked.thermal),
-            effects.section(solution, asked, tolerance),
             _results(solution),
             *heat.sections(solution.thermal),
             *([Section("Readings", readings_tables(found, scene))] if found else []),
             curves.section(solution),
-            evidence.section([solution]),
+            effects.section(solution, asked, rows, tolerance),
+            inputs.section(scene, source, asked.thermal),
+            evidence.section(checks, "scene"),
+            made_with(message(solution), command),
         ],
-        "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        head(message(solution), key_results(solution, found), every_remark(solution, found), command),
+        f"{name}: {report.geometry_text(solution)}. {point}.",
+        head(
+            report_of,
+            margins(solution, found),
+            every_remark(solution, found),
+            [key_results(solution, found)],
+            [*effects.is_right(rows, tolerance), evidence.in_short(checks)],
+            solution,
+        ),
     )
 
 
@@ -77,6 +90,14 @@ def _results(solution: Solution) -> Section:
             "Contact ellipses of the balls, with their maximum pressures",
         )
     )
+    if "ball_advance" in solution.scene.readings and not are_alike:
+        drawn.append(
+            picture(
+                ball_advance(solution),
+                "How far a ball is ahead of its mean place in the cage, by its azimuth.",
+                "Advance of the balls in the cage over one turn; grey: the clearance of its pockets",
+            )
+        )
     if solution.scene.elastic_rings is not None:
         drawn.append(
             picture(

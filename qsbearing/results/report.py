@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
+from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
@@ -29,7 +31,7 @@ makes them equal but for rounding."""
 _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
-def result(solution: Solution, readings: Readings) -> list[Block]:
+def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> list[Block]:
     """The report on a single case: heading, ring, balls, what was read off, warnings."""
     said = every_remark(solution, readings)
     found = record(solution, {}, said=said)
@@ -40,7 +42,7 @@ def result(solution: Solution, readings: Readings) -> list[Block]:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
 
             parts += readings_tables(readings, solution.scene)
-    return [*parts, *blocks(said, is_apart=True)]
+    return [*parts, *blocks(said, is_apart=True, words=words)]
 
 
 def heat_tables(found: dict[str, Any]) -> list[Block]:
@@ -115,21 +117,48 @@ def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
 
 
 def _heading(solution: Solution, found: dict[str, Any]) -> list[Block]:
-    numbers = {name: float(values) for name, values in case_arrays(solution.scene).items() if values is not None}
-    bearing = solution.scene.bearing
-    name = bearing.name or "Bearing"
-    what = (
-        f"{name}  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
-        f"{numbers['ball_diameter'] / mm:.6g} mm on {numbers['pitch_diameter'] / mm:.6g} mm, free contact angle "
-        f"{numbers['free_contact_angle'] / deg:.5g} deg"
-    )
-    outer = f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm" if "outer_speed" in numbers else ""
-    turning = f"Inner ring {numbers['speed'] / rpm:.6g} rpm{outer}. {asked_for(found)}"
-    parts: list[Block] = [Paragraph(what, name), Paragraph(turning)]
+    name = solution.scene.bearing.name or "Bearing"
+    parts: list[Block] = [
+        Paragraph(f"{name}  {geometry_text(solution)}", name),
+        Paragraph(f"{speeds_text(solution)}. {asked_for(found)}"),
+    ]
     preload = found["preload"]
     if preload is not None and found["status"] == "converged":
         parts.append(Paragraph(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}"))
     return [*parts, *ending(found)]
+
+
+def geometry_text(solution: Solution) -> str:
+    """The bearing of a single case: kind, balls, free contact angle."""
+    numbers = case_arrays(solution.scene)
+    count, ball, pitch, angle = (
+        float(numbers[name]) for name in ("ball_count", "ball_diameter", "pitch_diameter", "free_contact_angle")
+    )
+    kind = str(solution.scene.bearing.kind).replace("_", " ")
+    balls = f"{count:.0f} balls of {ball / mm:.6g} mm on {pitch / mm:.6g} mm"
+    return f"{kind}, {balls}, free contact angle {angle / deg:.5g} deg"
+
+
+def speeds_text(solution: Solution) -> str:
+    """The speeds of both rings of a single case."""
+    numbers = case_arrays(solution.scene)
+    outer = numbers.get("outer_speed")
+    turning = "" if outer is None else f", outer ring {float(outer) / rpm:.6g} rpm"
+    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{turning}"
+
+
+def loads_text(solution: Solution | SetSolution) -> str:
+    """What loads the free channels of ring or shaft, in a single case; empty where nothing does."""
+    return named_loads([float(solution.load[i]) if i in solution.free_channels else 0.0 for i in range(len(CHANNELS))])
+
+
+def named_loads(loads: Iterable[float]) -> str:
+    """Those of a load [N, N m] that are not zero, in the order of the channels."""
+    return ", ".join(
+        f"{channel.label} {load:.5g} {_UNITS[channel.is_rotation][1]}"
+        for channel, load in zip(CHANNELS, loads, strict=True)
+        if load != 0.0
+    )
 
 
 def preload_text(preload: dict[str, Any]) -> str:

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import rpm
 from qsbearing.remarks.remark import row_name
-from qsbearing.remarks.wording import capital
+from qsbearing.remarks.wording import Words, capital
 from qsbearing.results.json_record import LOAD_NOISE
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
@@ -34,7 +35,7 @@ from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+def set_result(solution: SetSolution, readings: Sequence[Readings], words: Words = IN_FILE) -> list[Block]:
     """The report on a single case of a set; with what each row was asked to be read off."""
     found = set_record(solution, readings)
     parts = heading(solution, found)
@@ -50,28 +51,21 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
 
                 parts += readings_tables(readings[number], solution.rows[number].scene)
         parts += [*heat_tables(found), *_system_life(found)]
-    return [*parts, *blocks(every_remark(solution, readings), is_apart=True)]
+    return [*parts, *blocks(every_remark(solution, readings), is_apart=True, words=words)]
 
 
-def tables(solution: SetSolution, readings: Sequence[Readings], drawn: Sequence[Block] = ()) -> list[Block]:
+def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
-    in hours.
-
-    Args:
-        drawn: what stands below the deflection of the shaft.
-    """
+    in hours."""
     found = set_record(solution, readings)
-    return [*_tables(solution, found, drawn), *_system_life(found)]
+    return [*_tables(solution, found), *_system_life(found)]
 
 
-def _tables(solution: SetSolution, found: dict[str, Any], drawn: Sequence[Block] = ()) -> list[Block]:
-    of_shaft = shaft_tables(found["shaft"])
+def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
     tables: list[Block] = [
         channels_table("Shaft", solution, found),
         *rows_tables(found),
-        *of_shaft[:1],
-        *drawn,
-        *of_shaft[1:],
+        *shaft_tables(found["shaft"]),
         stiffness_table(solution, found),
     ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_keys import ORIGIN
+from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
@@ -17,13 +20,11 @@ from qsbearing.files.rexs.names import NEWEST
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table, text_of
 from qsbearing.files.rexs.source import model_in, opened
-from qsbearing.files.scene_file import ORIGIN
 from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
 
-MOST_FILES = 5000
-"""Bearings times load cases."""
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 _ALONE = {
@@ -43,6 +44,7 @@ class SceneText:
     text: str
     lacks: list[str]
     """What must be given before it can be solved, one sentence each."""
+    document: Table
 
 
 @dataclass
@@ -69,9 +71,9 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     files: list[SceneText] = []
     plain = Reader(model, None, errors)
     ours = [each for each in model.components.values() if is_ours(plain, each)]
-    if len(cases) * len(ours) > MOST_FILES:
+    if len(cases) * len(ours) > MOST_MODEL_FILES:
         cause = "Take the load cases out that do not matter, or name one shaft"
-        raise refused(path, f"would make more than {MOST_FILES:,} files", cause)
+        raise refused(path, f"would make more than {MOST_MODEL_FILES:,} files", cause)
     for case in cases:
         reader = Reader(model, case, errors)
         chosen = _chosen(reader, shaft)
@@ -79,11 +81,12 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
             if shaft is None or shaft_mapping.sides(reader, each).get("inner_part") in chosen:
                 files.append(_of_bearing(reader, path, each))
         files += [_of_shaft(reader, path, each) for each in chosen if shaft_mapping.bearings_on(reader, each)]
+    files += list(_with_spectra(model, path, files, errors))
     if errors:
         raise SceneFileError(str(path), errors)
-    others = [f"{each}{_kind(plain, each)}" for each in model.components.values()
-              if each.kind in _ALONE and not is_ours(plain, each)]  # fmt: skip
-    return Imported(files, others, _remarks(model))
+    others = [each for each in model.components.values() if each.kind in _ALONE and not is_ours(plain, each)]
+    named = [str(each) + f": {plain.word(each, 'bearing_type')}" * (each.kind in ROLLING) for each in others]
+    return Imported(files, named, _remarks(model))
 
 
 def _chosen(reader: Reader, shaft: str | None) -> list[Component]:
@@ -95,11 +98,6 @@ def _chosen(reader: Reader, shaft: str | None) -> list[Component]:
             "--shaft", [FileErrorDetail("--shaft", "no shaft has this name or id", shaft, cause=cause)]
         )
     return found
-
-
-def _kind(reader: Reader, component: Component) -> str:
-    word = reader.word(component, "bearing_type") if component.kind in ROLLING else ""
-    return f": {word or 'its type is not told'}" if component.kind in ROLLING else ""
 
 
 def _remarks(model: Model) -> list[str]:
@@ -114,14 +112,19 @@ def _suffix(case: LoadCase | None, model: Model) -> str:
     return f"_case_{case.number}" if case is not None and len(model.load_cases) > 1 else ""
 
 
+def _share(reader: Reader) -> float | None:
+    """The load case's part of the time."""
+    units = (each for each in reader.model.components.values() if each.kind == "gear_unit")
+    return next(
+        (share for each in units if (share := reader.number(each, "operating_time_fraction")) is not None), None
+    )
+
+
 def _origin(reader: Reader, bearings: list[int], **others: object) -> Table:
     table = Table(bearings=bearings, **others)
     if reader.case is not None:
-        table["load_case"] = reader.case.number
-        share = next((value for each in reader.model.components.values() if each.kind == "gear_unit"
-                      and (value := reader.number(each, "operating_time_fraction")) is not None), None)  # fmt: skip
-        if share is not None:
-            table.note("load_case", f"share of the time: {share:g}")
+        share = _share(reader)
+        table.set("load_case", reader.case.number, "" if share is None else f"share of the time: {share:g}")
     table.note("", "where `qsbearing run FILE --into MODEL` writes the results")
     return table
 
@@ -150,74 +153,77 @@ def _effects(turns: bool, own: Table) -> Table:
 
 
 def _of_bearing(reader: Reader, path: Path, bearing: Component) -> SceneText:
-    shaft = shaft_mapping.sides(reader, bearing).get("inner_part")
-    rows = rows_of(reader, bearing, shaft)
-    operation = Table()
+    parts = shaft_mapping.sides(reader, bearing)
+    rows = rows_of(reader, bearing, parts.get("inner_part"))
+    row, is_single = rows[0], len(rows) == 1
+    sign = row.direction or 1.0 if is_single else 1.0
+    row.table.note("", str(bearing))
+    document = Table(bearing=row.table) if is_single else Table(rows=[_row(each) for each in rows])
+    operation = document["operation"] = Table()
     turns = _speeds(reader, bearing, operation)
-    casing = shaft_mapping.sides(reader, bearing).get("outer_part")
-    document = Table()
-    row = rows[0]
-    if len(rows) == 1:
-        sign = row.direction or 1.0
-        document["bearing"] = row.table
-        row.table.note("", str(bearing))
-        document["operation"] = operation
-        _load(reader, bearing, shaft, row, sign, operation, document)
-        if row.first_azimuth:
-            operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
-        document["effects"] = _effects(turns, row.effects)
-        origin = _origin(reader, [bearing.number], x_along="+u" if sign > 0.0 else "-u")
-        if row.direction is None:
-            origin.note("x_along", f"{ASSUMED} which way it carries axial load")
-    else:
-        document["rows"] = [_row(each) for each in rows]
-        document["operation"] = operation
-        _load(reader, bearing, shaft, row, 1.0, operation, document)
-        document["effects"] = _effects(turns, Table())
-        origin = _origin(reader, [bearing.number] * len(rows))
-    if document["effects"] == {}:
-        del document["effects"]
-    document["readings"] = readings(reader, bearing, casing)
-    document[ORIGIN] = origin
+    _load(reader, bearing, row, sign, document)
+    if row.first_azimuth:
+        operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
+    if effects := _effects(turns, row.effects if is_single else Table()):
+        document["effects"] = effects
+    document["readings"] = readings(reader, bearing, parts.get("outer_part"))
+    origin = document[ORIGIN] = _origin(reader, [bearing.number] * len(rows))
+    if is_single:
+        said = f"{ASSUMED} which way it carries axial load" if row.direction is None else ""
+        origin.set("x_along", "+u" if sign > 0.0 else "-u", said)
     name = f"bearing_{bearing.number}{_suffix(reader.case, reader.model)}.toml"
-    return _finished(document, name, str(bearing), path, [])
+    return _finished(document, name, str(bearing), path)
 
 
-def _load(
-    reader: Reader,
-    bearing: Component,
-    shaft: Component | None,
-    row: Row,
-    sign: float,
-    operation: Table,
-    document: Table,
-) -> None:
+def _with_spectra(model: Model, path: Path, files: list[SceneText], errors: Errors) -> Iterator[SceneText]:
+    """Of each bearing with a load in all load cases, whose shares make up the time: one file of all of them."""
+    shares = [_share(Reader(model, case, errors)) for case in model.load_cases]
+    if len(shares) < 2 or None in shares or abs(sum(each or 0.0 for each in shares) - 1.0) > WHOLE:
+        return
+    cases: dict[str, list[SceneText]] = {}
+    for file in files:
+        cases.setdefault(file.title, []).append(file)
+    for title, own in cases.items():
+        if "bearing" not in own[0].document or any(each.lacks for each in own):
+            continue
+        points = [Table(share=share, **each.document["operation"]) for share, each in zip(shares, own, strict=True)]
+        document = Table(own[0].document | {"spectrum": points})
+        del document["operation"]
+        document[ORIGIN] = Table({key: each for key, each in document[ORIGIN].items() if key != "load_case"})
+        yield _finished(document, f"{own[0].name.partition('_case_')[0]}_spectrum.toml", title, path)
+
+
+def _preload(document: Table, forces: list[float]) -> None:
+    """[preload] of the forces that bearings state, if any does."""
+    if forces:
+        table = document["preload"] = Table()
+        table.put(PRELOAD[1], max(forces), "assumed: held rigidly, before fitting; programs differ")
+        if len(set(forces)) > 1:
+            table.note("", "the bearings have different preload forces: the largest is written")
+
+
+def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> None:
     """Loads of a shaft that this bearing alone carries, else by the results in the model, else preload."""
-    found, tilts, note, of_tilts = (
-        None,
-        np.zeros(2),
-        "the sum of the loads on the shaft",
-        "assumed: shaft and housing hold it",
-    )
-    if shaft is not None and shaft.kind == "shaft" and row.position is not None:
+    shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
+    found, note = None, "the sum of the forces on the shaft"
+    tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
+    if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
         if len(carried) == 1 and given and not shaft_mapping.lacking(reader, shaft):
-            found = shaft_mapping.about(given, row.position)
+            found = np.sum([load.values[:3] for load in given], axis=0)
     if found is None and (found := _results(reader, bearing, row.turn)) is not None:
         note = "by the results that stand in the model"
         angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
         if None not in angles:
             tilts, of_tilts = row.turn[3:, 3:].T @ np.array(angles, float) * sign, note
-    if found is not None:
-        for field, value in zip(_LOADS[:3], found[:3] * (sign, 1.0, 1.0), strict=True):
-            operation.put(_OPERATION[field], float(value) + 0.0, note)
-        for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
-            operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
-    force = reader.positive(bearing, "preload_force")
-    if force is not None and found is None:
-        document["preload"] = Table()
-        document["preload"].put(PRELOAD[1], force, "assumed: held rigidly, before fitting; programs differ")
+    if found is None:
+        _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
+        return
+    for field, value in zip(_LOADS[:3], found * (sign, 1.0, 1.0), strict=True):
+        operation.put(_OPERATION[field], float(value) + 0.0, note)
+    for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
+        operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
 
 
 def _results(reader: Reader, bearing: Component, turn: NDArray) -> NDArray | None:
@@ -231,9 +237,7 @@ def _row(row: Row) -> Table:
     table.note("", str(row.bearing))
     table.put(ROW[0], row.position, "the middle of the bearing: assumed that its balls are there")
     if row.direction is not None:
-        said = (
-            "" if row.table["kind"] == "deep_groove" else "assumed: the direction of the shaft's force that it carries"
-        )
+        said = "assumed: the direction of the shaft's force that it carries" * (row.table["kind"] != "deep_groove")
         table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
     table["bearing"] = row.table
     table.update(row.effects)
@@ -256,13 +260,7 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
         operation.put(_OPERATION[field], 0.0)
     if len({each for row in rows if (each := row.first_azimuth) is not None}) == 1:
         operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
-    forces = {reader.positive(each, "preload_force") for each in bearings} - {None}
-    if forces:
-        document["preload"] = Table()
-        said = "assumed: held rigidly, before fitting; programs differ"
-        document["preload"].put(PRELOAD[1], max(each for each in forces if each is not None), said)
-        if len(forces) > 1:
-            document["preload"].note("", "the bearings have different preload forces: the largest is written")
+    _preload(document, [force for each in bearings if (force := reader.positive(each, "preload_force")) is not None])
     floating = [number for number, row in enumerate(rows, 1) if row.floats]
     document |= {"floating": [Table(rows=[number]) for number in floating]} if floating else {}
     document["effects"] = _effects(turns, Table())
@@ -274,20 +272,21 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
     document[ORIGIN] = _origin(reader, [row.bearing.number for row in rows], shaft=shaft.number)
     table.note("", f"{shaft}; its housing is assumed to be rigid")
     name = f"shaft_{shaft.number}{_suffix(reader.case, reader.model)}.toml"
-    return _finished(document, name, str(shaft), path, lacks)
-
-
-def _finished(document: Table, name: str, title: str, path: Path, lacks: list[str]) -> SceneText:
-    """The text of the tables, and what reading them finds missing."""
     if lacks:
-        document[ORIGIN].set("missing", lacks, "")
+        document[ORIGIN]["missing"] = lacks
+    return _finished(document, name, str(shaft), path)
+
+
+def _finished(document: Table, name: str, title: str, path: Path) -> SceneText:
+    """The text of the tables, and what reading them finds missing."""
     found: list[str] = []
     try:
         scene_or_set_of(_plain(document), name, may_infer=True)
     except SceneFileError as error:
-        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in error.errors]  # type: ignore[attr-defined]
+        listed: Any = error.errors
+        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in listed]
     heading = f"# {title}\n# of {path.name}. Run it with: qsbearing run {name}\n\n"
-    return SceneText(name, title, heading + text_of(document), found)
+    return SceneText(name, title, heading + text_of(document), found, document)
 
 
 def _plain(value: Any) -> Any:

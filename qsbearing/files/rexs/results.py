@@ -13,8 +13,8 @@ from qsbearing.files.rexs.bearing_mapping import azimuths, elements_of
 from qsbearing.files.rexs.model import Component
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.shaft_mapping import sides
-from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.solution.solution import Solution
+from qsbearing.systems.rotor_dynamics.springs import from_shaft
 from qsbearing.systems.sets.system_life import system_life
 
 Values = dict[str, float | list[float]]
@@ -52,11 +52,12 @@ def bearing_values(reader: Reader, bearing: Component, rows: list[RowResult], mo
     turn = turned(reader, bearing, sides(reader, bearing).get("inner_part"))
     stiffness, load = np.zeros((5, 5)), np.zeros(5)
     for row in rows:
-        lever = _lever(row)
+        lever = from_shaft(row.solution, row.sign, row.arm)
         stiffness += lever.T @ row.solution.stiffness @ lever
         load += lever.T @ row.solution.load
     if moved is None:
-        moved = np.linalg.solve(_lever(rows[0]), rows[0].solution.displacement)
+        only = rows[0]
+        moved = np.linalg.solve(from_shaft(only.solution, only.sign, only.arm), only.solution.displacement)
     found: Values = {}
     matrix = turn @ stiffness @ turn.T
     for force, line in zip(_FORCES, matrix, strict=True):
@@ -88,15 +89,6 @@ def bearing_values(reader: Reader, bearing: Component, rows: list[RowResult], mo
     if all(each is not None for each in safeties):
         found["static_safety_factor_iso_76_2006"] = min(float(each.static_safety) for each in safeties)
     return {name: float(value) + 0.0 for name, value in found.items() if isfinite(float(value))}  # type: ignore[arg-type]
-
-
-def _lever(row: RowResult) -> NDArray:
-    """From the displacement of the bearing's middle, in the shaft's axes, to the row's own."""
-    scene, found = row.solution.scene, np.diag([row.sign, 1.0, 1.0, row.sign, row.sign])
-    own = scene.operating_bearing.groove_centre_offsets[0] if scene.tilt_lever is TiltLever.GROOVE_CENTRE else 0.0
-    arm = row.arm + row.sign * float(own)
-    found[1, 4], found[2, 3] = arm, -arm
-    return found
 
 
 def contact_values(

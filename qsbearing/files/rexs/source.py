@@ -10,12 +10,11 @@ from zipfile import BadZipFile, ZipFile, ZipInfo
 from zlib import error as ZlibError  # noqa: N812 - as it is used
 
 from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.limits import LARGEST_MODEL
 from qsbearing.files.raw import decoded, read_bytes
 from qsbearing.files.rexs import json_form, xml_form
 from qsbearing.files.rexs.model import Model, Span, model_of
 
-LARGEST_MODEL = 20_000_000
-"""Bytes of a model, packed or not; a gearbox of three shafts takes a tenth of a million."""
 ENDINGS = (".rexs", ".rexsj", ".xml", ".json")
 MOST_PARTS = 1000
 _MARK = b"\xef\xbb\xbf"
@@ -105,13 +104,7 @@ def _unpacked(data: bytes, path: Path) -> tuple[str, bytes]:
         models = [each for each in parts if Path(each.filename).suffix.lower() in ENDINGS]
         if len(parts) > MOST_PARTS or len(models) != 1:
             raise refused(path, f"is a ZIP with {len(models)} models in {len(parts)} files; one is read")
-        if models[0].file_size > LARGEST_MODEL:
-            raise refused(path, f"unpacks to more than {LARGEST_MODEL / 1e6:g} MB")
-        with folder.open(models[0]) as file:
-            text = file.read(LARGEST_MODEL + 1)  # the size that it states may be wrong
-        if len(text) > LARGEST_MODEL:
-            raise refused(path, f"unpacks to more than {LARGEST_MODEL / 1e6:g} MB")
-        return models[0].filename, text
+        return models[0].filename, _bounded(folder, models[0], path)
 
 
 def _packed(data: bytes, part: str, text: bytes) -> bytes:
@@ -121,13 +114,13 @@ def _packed(data: bytes, part: str, text: bytes) -> bytes:
         for each in old.infolist():
             same = ZipInfo(each.filename, each.date_time)
             same.compress_type, same.external_attr = each.compress_type, each.external_attr
-            new.writestr(same, text if each.filename == part else _bounded(old, each))
+            new.writestr(same, text if each.filename == part else _bounded(old, each, Path(part)))
     return made.getvalue()
 
 
-def _bounded(folder: ZipFile, part: ZipInfo) -> bytes:
+def _bounded(folder: ZipFile, part: ZipInfo, path: Path) -> bytes:
     with folder.open(part) as file:
-        found = file.read(LARGEST_MODEL + 1)
+        found = file.read(LARGEST_MODEL + 1)  # the size that it states may be wrong
     if len(found) > LARGEST_MODEL:
-        raise BadZipFile(f"{part.filename} unpacks to more than {LARGEST_MODEL / 1e6:g} MB")
+        raise refused(path, f"unpacks to more than {LARGEST_MODEL / 1e6:g} MB")
     return found

@@ -230,6 +230,24 @@ def test_the_table_of_the_origin_is_read_as_strictly_as_others(imported: Any) ->
             scene_or_set_of(wanted | {"rexs": wrong}, "")
 
 
+def test_load_cases_have_files_of_their_own_and_with_shares_a_spectrum(imported: Any) -> None:
+    model = b218()
+    model["load_cases"] = [
+        {1: {"load_duration_fraction": ("%", 20)}, 3: {"rotational_speed": ("1 / min", 500)}},
+        {1: {"operating_time_fraction": ("%", 80)}, 5: {"force_u_direction": ("kN", 3.0)}},
+    ]
+    found = imported(xml(model))
+    points = [tables(found, f"bearing_6_case_{number}.toml")["operation"] for number in (1, 2)]
+    assert [(each["speed_rpm"], each["axial_load_N"]) for each in points] == [(500, 17800), (10000, 3000)]
+    assert tables(found, "bearing_6_case_2.toml")["rexs"]["load_case"] == 2
+    whole = tables(found, "bearing_6_spectrum.toml")
+    assert whole["spectrum"] == [{"share": 0.2, **points[0]}, {"share": 0.8, **points[1]}]
+    scene = scene_or_set_of(whole, "")
+    assert scene.readings["spectrum"]["time_share"].tolist() == [0.2, 0.8]
+    model["load_cases"][0][1] = {}
+    assert "bearing_6_spectrum.toml" not in texts(imported(xml(model)))
+
+
 def double_row(version: str = "1.4") -> dict[str, Any]:
     """The model of one B218 made one of two rows, back to back, at 12 mm and 40 mm apart; its u against the shaft's."""
     model = b218(version, contacts=False, mirrored=True)

@@ -1,0 +1,227 @@
+"""The stiffness of a solved bearing or set for finite-element programs: as JSON, for MATLAB, as springs of CalculiX
+and Nastran.
+
+Each row by itself, about the plane of its balls' centres, in the axes of the shaft.
+"""
+
+from __future__ import annotations
+
+import json
+from io import BytesIO
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.units import mm, rpm
+from qsbearing.model.validation import printable
+from qsbearing.model.version import __version__
+from qsbearing.systems.rotor_dynamics.springs import asymmetry, combined_springs, from_shaft
+
+UNITS = {"N-mm-t": mm, "N-m-kg": 1.0}
+"""Systems of units: the size of their length in metres."""
+AXES = "x along the shaft, y and z across it; rotations right-handed"
+POINT = "on the axis, in the plane of the balls' centres"
+FIRST_NODE = 900_000
+"""Nodes of a deck begin there: 100 for each row."""
+HELD = "The shaft's rotation about its axis, which no bearing holds, is held here:"
+
+
+class Seat(NamedTuple):
+    """A row of balls as a program has it, in the units of that program."""
+
+    name: str
+    position: float
+    stiffness: NDArray
+    """(5, 5), without the rotation about x, which is free."""
+    load: NDArray
+    lever: float
+    """Half the pitch diameter, by which tilts are weighed."""
+    speed: float
+    """[rpm]"""
+
+    @property
+    def asymmetry(self) -> float:
+        """As `springs.asymmetry`."""
+        return asymmetry(self.stiffness, self.lever)
+
+
+def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]:
+    """The rows of a solved case.
+
+    Args:
+        solution: of a scene or a set.
+        mirrored: the bearing of a scene carries in -x of the shaft.
+    """
+    length = UNITS[units]
+    if hasattr(solution, "rows"):
+        listed = [(row.bearing, float(row.position), row.sign, solved)
+                  for row, solved in zip(solution.set.rows, solution.rows, strict=True)]  # fmt: skip
+        speed = solution.set.operation.speed
+    else:
+        listed = [(solution.scene.bearing, 0.0, -1.0 if mirrored else 1.0, solution)]
+        speed = solution.scene.operation.speed
+    found = []
+    for bearing, position, sign, solved in listed:
+        lever = from_shaft(solved, sign)
+        scale = np.array([length, length, length, 1.0, 1.0])  # from displacements of the program to metres, radians
+        stiffness = (lever.T @ solved.stiffness @ lever) * scale[:, None] * scale / length
+        load = (lever.T @ solved.load) * scale / length
+        half = 0.5 * float(np.asarray(bearing.pitch_diameter)) / length
+        name = printable(bearing.name) or "bearing"
+        found.append(Seat(name, position / length, stiffness, load, half, float(speed) / rpm))
+    return found
+
+
+def _facts(units: str) -> dict[str, str]:
+    length = units.split("-")[1]
+    return {
+        "version": __version__,
+        "what": "tangent stiffness: forces and moments of the shaft on the bearing over its displacements",
+        "units": f"{units}: N/{length}, N/rad, N {length}/rad; positions in {length}, speeds in rpm",
+        "axes": AXES,
+        "point": POINT,
+        "channels": "x, y, z, rotations about x (free), y, z",
+    }
+
+
+def _of(seat: Seat) -> dict[str, Any]:
+    """The numbers of a row, 6 × 6, without stiffness about the axis."""
+    return {
+        "name": seat.name,
+        "position": seat.position,
+        "speed": seat.speed,
+        "load": np.insert(seat.load, 3, 0.0),
+        "stiffness": np.insert(np.insert(seat.stiffness, 3, 0.0, axis=0), 3, 0.0, axis=1),
+        "asymmetry": seat.asymmetry,
+    }
+
+
+def json_text(seats: list[Seat], units: str) -> str:
+    """All rows as JSON."""
+    rows = [{key: each.tolist() if isinstance(each, np.ndarray) else each for key, each in _of(seat).items()}
+            for seat in seats]  # fmt: skip
+    return json.dumps(_facts(units) | {"rows": rows}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def mat_bytes(seats: list[Seat], units: str) -> bytes:
+    """All rows as a file of MATLAB and Octave: the same, `rows` an array of structures."""
+    from scipy.io import savemat
+
+    data = BytesIO()
+    savemat(data, _facts(units) | {"rows": [_of(seat) for seat in seats]}, oned_as="column")
+    return data.getvalue()
+
+
+def calculix_deck(seats: list[Seat], units: str) -> str:
+    """All rows as an input of CalculiX to be included: springs between the shaft and the ground.
+
+    An auxiliary node takes each combination of displacements by *EQUATION, and a SPRING1 holds it.
+    """
+    lines = _head("**", units, "Include it before the first *STEP.")
+    for number, seat in enumerate(seats, 1):
+        moved, turned, springs = _springs(number, seat)
+        lines += [
+            *_row("**", number, seat, units),
+            f"** Node {moved} moves with the shaft at the bearing, and {turned} turns with it. Write into your model:",
+            f"**   *RIGID BODY, NSET=your_seat, REF NODE={moved}, ROT NODE={turned}",
+            "*NODE",
+        ]
+        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in (moved, turned, *(each.node for each in springs))]
+        for node, constant, moves, turns in springs:
+            terms = [(node, 1, 1.0), *((moved, dof, -part) for dof, part in moves)]
+            terms += [(turned, dof, -part) for dof, part in turns]
+            lines += [f"*ELEMENT, TYPE=SPRING1, ELSET=QS_{node}", f"{node}, {node}"]
+            lines += [f"*SPRING, ELSET=QS_{node}", "1", f"{constant:.12e}", "*EQUATION", f"{len(terms)}"]
+            for at in range(0, len(terms), 4):
+                lines.append(", ".join(f"{each}, {dof}, {part:.12e}" for each, dof, part in terms[at : at + 4]))
+            lines += ["*BOUNDARY", f"{node}, 2, 3"]
+        if number == 1:
+            lines += [f"** {HELD}", "*BOUNDARY", f"{turned}, 1, 1"]
+    return "\n".join(lines) + "\n"
+
+
+def nastran_deck(seats: list[Seat], units: str) -> str:
+    """All rows as bulk data of Nastran to be included: springs between the shaft and the ground, in large fields.
+
+    A grid of its own takes each combination of displacements by an MPC, and a CELAS2 holds it.
+    """
+    lines = _head("$", units, f"Include it in the bulk data, and select MPC = {FIRST_NODE} in the case control.")
+    lines += [f"$ Grid {FIRST_NODE} is the ground.", *_large("GRID", FIRST_NODE, "", 0.0, 0.0, 0.0, "", "123456")]
+    for number, seat in enumerate(seats, 1):
+        moved, _, springs = _springs(number, seat)
+        lines += [
+            *_row("$", number, seat, units),
+            f"$ Grid {moved} moves and turns with the shaft at the bearing. Write into your model:",
+            f"$   RBE2, EID, {moved}, 123456, grids of your seat",
+            *([f"$ {HELD}"] if number == 1 else []),
+            *_large("GRID", moved, "", seat.position, 0.0, 0.0, "", "4" if number == 1 else ""),
+        ]
+        for node, constant, moves, turns in springs:
+            terms = [(node, 1, 1.0)]
+            terms += [(moved, dof, -part) for dof, part in moves] + [(moved, dof + 3, -part) for dof, part in turns]
+            fields: list[Any] = [FIRST_NODE]
+            for place, (each, dof, part) in enumerate(terms):
+                fields += [each, dof, part, *(["", ""] if place % 2 else [])]
+            lines += _large("GRID", node, "", seat.position, 0.0, 0.0, "", "23456")
+            lines += [*_large("MPC", *fields), *_large("CELAS2", node, constant, node, 1, FIRST_NODE, 1)]
+    return "\n".join(lines) + "\n"
+
+
+class _Spring(NamedTuple):
+    node: int
+    constant: float
+    moves: list[tuple[int, float]]
+    """By the number of the displacement, 1 to 3: its part in the combination."""
+    turns: list[tuple[int, float]]
+    """Likewise, of the rotation."""
+
+
+def _springs(number: int, seat: Seat) -> tuple[int, int, list[_Spring]]:
+    """The nodes that move and turn with a row, and its springs, each with a node of its own."""
+    first = FIRST_NODE + 100 * number
+    found = []
+    for count, (constant, parts) in enumerate(zip(*combined_springs(seat.stiffness, seat.lever), strict=True), 11):
+        named = [(dof, float(part)) for dof, part in zip((1, 2, 3, 2, 3), parts, strict=True)]
+        moves, turns = ([each for each in half if each[1]] for half in (named[:3], named[3:]))
+        found.append(_Spring(first + count, float(constant), moves, turns))
+    return first + 1, first + 2, found
+
+
+def _head(mark: str, units: str, use: str) -> list[str]:
+    length = units.split("-")[1]
+    return [
+        f"{mark} Bearings as springs, by qsbearing {__version__}. {use}",
+        f"{mark} Units {units}: N/{length}, N/rad, N {length}/rad. Axes: {AXES}.",
+        f"{mark} Tangent stiffness about a solved operating point: load the model with changes of its loads.",
+    ]
+
+
+def _row(mark: str, number: int, seat: Seat, units: str) -> list[str]:
+    length = units.split("-")[1]
+    load = ", ".join(f"{each:.6g}" for each in seat.load)
+    return [
+        mark,
+        f"{mark} {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
+        f"{mark} Point: {POINT}, x = {seat.position:.6g} {length}.",
+        f"{mark} The springs are the symmetric part of the stiffness. Of what is not symmetric the largest",
+        f"{mark} difference of two terms is {100.0 * seat.asymmetry:.3g} % of the largest term.",
+    ]
+
+
+def _large(name: str, *fields: Any) -> list[str]:
+    """A card of Nastran in fields of 16 letters, four in a line; of lines there are two, four, ..."""
+    texts = [f"{_real(each) if isinstance(each, float) else each!s:>16}" for each in fields]
+    texts += [""] * (-len(texts) % 8)
+    lines = ["".join(texts[at : at + 4]).rstrip() for at in range(0, len(texts), 4)]
+    return [f"{f'{name}*' if number == 0 else '*':<8}{line}" for number, line in enumerate(lines)]
+
+
+def _real(value: float) -> str:
+    """With the most digits that a field of 16 letters holds: the exponent without its E."""
+    for digits in (11, 10):
+        part, exponent = f"{value:.{digits}E}".split("E")
+        text = f"{part}{int(exponent):+d}"
+        if len(text) <= 16:
+            break
+    return text
