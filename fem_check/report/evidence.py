@@ -95,8 +95,10 @@ class Evidence:
         yield from self.checks.values()
         yield from self.book.values()
         yield from self.campaigns
-        others = (self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost)
-        others += (self.auto_accuracy, self.scipy, self.mutations, self.gate)
+        others = (
+            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
+            self.auto_accuracy, self.scipy, self.mutations, self.gate,
+        )  # fmt: skip
         yield from (each for each in others if each is not None)
 
 
