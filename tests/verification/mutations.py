@@ -49,7 +49,7 @@ CHECKS = {
     "fem_check/elements": ("patch_test", "half_space_contacts"),
     "fem_check/independent": ("solution_contacts", "solution_parts"),
     "fem_check/solids": ("patch_test",),
-    "fem_check/checks": ("solution_contacts",),
+    "fem_check/checks": ("solution_parts", "solution_contacts"),
     "fem_check": ("patch_test",),
 }
 """By the beginning of a file's path, the longest first."""
