@@ -278,7 +278,17 @@ def test_what_is_missing_is_said(records: Path) -> None:
 def test_a_tolerance_that_little_could_miss_is_counted() -> None:
     row = {"tolerance_percent": 1.0, "deviation_percent": 0.5, "uncertainty_percent": None}
     wide, finding = row | {"deviation_percent": -0.05}, row | {"tolerance_percent": None}
-    assert tolerances._line("patch_test", [row, wide, finding])[1:] == ["2", "11", "11", "2", "1"]
+    exact = row | {"tolerance_percent": 1e-7, "deviation_percent": 1e-12}
+    told = tolerances._line("patch_test", [row, wide, exact])[1:]
+    assert told == ["3", "1", "2", "11", "11", "2", "1"]
+    assert tolerances._judged([row, finding]) == [row]
+
+
+def test_rows_with_wide_tolerances_are_listed_with_their_reasons() -> None:
+    """All of them that compare no two evaluations at full precision, and no more."""
+    _, of_checks, wide = tolerances.section(evidence.read()).blocks
+    assert sum(int(line[1]) for line in wide.rows) == sum(int(line[-1]) for line in of_checks.rows) > 0
+    assert all(float(line[3]) >= tolerances.WIDE and line[4] for line in wide.rows)
 
 
 def test_a_failing_row_is_the_verdict(records: Path) -> None:
@@ -480,6 +490,22 @@ def test_the_sector_is_a_finding(read: Page) -> None:
     assert f"axial displacement {max(moved, key=abs):+.2g} µm" in found
     for name in ("load", "angle", "a ", "b ", "p0"):
         assert name in found
+
+
+def test_the_contact_at_the_edge_and_the_parts_of_a_solution_are_claims(read: Page) -> None:
+    """What each compares is named, with its largest deviation."""
+    kept = evidence.read().checks
+    table = next(table for table in read.tables if table[0][:2] == ["claim", "on record"])
+    lines = {line[0]: line[1:3] for line in table}
+    found, verdict = lines["A contact cut off by its groove's edge is as the reading overrun says."]
+    assert verdict == "pass"
+    rows = kept["contact_at_the_edge"].data["rows"]
+    for name in ("load over the uncut contact's", "load loss", "intensity", "largest pressure over p0"):
+        worst = max(abs(row["deviation_percent"]) for row in rows if row["quantity"].endswith(name))
+        assert f"{name} {worst:.2g} %" in found
+    found, verdict = next(lines[claim] for claim in lines if claim.startswith("Batches, motion"))
+    judged = sum(row["tolerance_percent"] is not None for row in kept["solution_parts"].data["rows"])
+    assert (found, verdict) == (f"{judged} of {judged} rows pass", "pass")
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:

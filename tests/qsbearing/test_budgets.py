@@ -17,8 +17,8 @@ BUDGETS = {
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     "systems": 5700,
     # Wanted: 5,500. Of these, 2,050 are REXS: XML, JSON and ZIP of strangers read and edited, nine versions of names,
-    # units, the mapping of bearings and shafts with its assumptions, results put back; 130 are decks of springs.
-    "files": 7100,
+    # units, the mapping of bearings and shafts with its assumptions, results put back; 210 are decks of springs.
+    "files": 7200,
     # With its compiler; wanted: 5,200. Balls that lost the inner raceway, lanes, and records as plain objects.
     "model/kernel + model/compiler": 5800,
 }
@@ -28,9 +28,9 @@ LONGER = {
     "model/solution/solution.py": 560,
     "systems/sets/set_solution.py": 470,
 }
-LAYERS = 11
-"""Of `qsbearing`. Wanted: 8. Readings make remarks, results state errors as files do, pictures take states from
-results, reports their table of effects from studies."""
+LAYERS = 10
+"""Of `qsbearing`. Wanted: 8. Readings make remarks, results name keys as files do, reports take their table of effects
+from studies."""
 
 
 def lines_of(*folders: str) -> int:

@@ -90,6 +90,16 @@ def _claims(evidence: Evidence) -> list[Claim]:
         "One ball between elastic rings, bore and outside diameter fixed, differs little from the model.", found, good,
         "[bearing sector](#check-bearing-sector)" if "bearing_sector" in evidence.checks else "", "finding",
     )  # fmt: skip
+    found, good = _parts(evidence)
+    claim(
+        "Batches, motion, stresses, elastic shafts, heat, scene files and the catalogue agree with references of their "
+        "own.", found, good, "[solution parts](#check-solution-parts)" if found else "",
+    )  # fmt: skip
+    found, good = _edge(evidence)
+    claim(
+        "A contact cut off by its groove's edge is as the reading overrun says.", found, good,
+        "[contact at the edge](#check-contact-at-the-edge)" if found else "",
+    )  # fmt: skip
     found, good = _book(evidence)
     claim("Published results are reproduced within their tolerances.", found, good, "[the book](#computed-by-others)")
     found, good = _wrong(evidence.campaigns)
@@ -155,6 +165,27 @@ def _sector(evidence: Evidence) -> tuple[str | None, bool]:
 
 SECTOR = ("load", "angle", "axial_displacement", "semi_major_axis", "semi_minor_axis", "max_pressure")
 """Of either raceway."""
+
+
+def _parts(evidence: Evidence) -> tuple[str | None, bool]:
+    kept = evidence.checks.get("solution_parts")
+    if kept is None:
+        return None, False
+    found = counts(kept.data["rows"])
+    return f"{found['pass']} of {found['pass'] + found['fail']} rows pass", kept.data["verdict"] == "pass"
+
+
+def _edge(evidence: Evidence) -> tuple[str | None, bool]:
+    """Of the sharp edge and of rounded ones, by what is compared: the largest deviations."""
+    kept = evidence.checks.get("contact_at_the_edge")
+    if kept is None:
+        return None, False
+    worst: dict[str, float] = {}
+    for row in kept.data["rows"]:
+        name = row["quantity"].removeprefix("reading overrun: ")
+        worst[name] = max(worst.get(name, 0.0), abs(row["deviation_percent"]))
+    said = ", ".join(f"{name} {number(value, 2)} %" for name, value in worst.items())
+    return f"largest deviations: {said}", kept.data["verdict"] == "pass"
 
 
 def _book(evidence: Evidence) -> tuple[str | None, bool]:

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_keys import ORIGIN
+from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
@@ -18,14 +20,11 @@ from qsbearing.files.rexs.names import NEWEST
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table, text_of
 from qsbearing.files.rexs.source import model_in, opened
-from qsbearing.files.scene_file import ORIGIN
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
 
-MOST_FILES = 5000
-"""Bearings times load cases."""
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 _ALONE = {
@@ -72,9 +71,9 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     files: list[SceneText] = []
     plain = Reader(model, None, errors)
     ours = [each for each in model.components.values() if is_ours(plain, each)]
-    if len(cases) * len(ours) > MOST_FILES:
+    if len(cases) * len(ours) > MOST_MODEL_FILES:
         cause = "Take the load cases out that do not matter, or name one shaft"
-        raise refused(path, f"would make more than {MOST_FILES:,} files", cause)
+        raise refused(path, f"would make more than {MOST_MODEL_FILES:,} files", cause)
     for case in cases:
         reader = Reader(model, case, errors)
         chosen = _chosen(reader, shaft)
@@ -206,13 +205,13 @@ def _preload(document: Table, forces: list[float]) -> None:
 def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> None:
     """Loads of a shaft that this bearing alone carries, else by the results in the model, else preload."""
     shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
-    found, note = None, "the sum of the loads on the shaft"
+    found, note = None, "the sum of the forces on the shaft"
     tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
-    if shaft is not None and shaft.kind == "shaft" and row.position is not None:
+    if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
         if len(carried) == 1 and given and not shaft_mapping.lacking(reader, shaft):
-            found = shaft_mapping.about(given, row.position)
+            found = np.sum([load.values[:3] for load in given], axis=0)
     if found is None and (found := _results(reader, bearing, row.turn)) is not None:
         note = "by the results that stand in the model"
         angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
@@ -221,7 +220,7 @@ def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: T
     if found is None:
         _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
         return
-    for field, value in zip(_LOADS[:3], found[:3] * (sign, 1.0, 1.0), strict=True):
+    for field, value in zip(_LOADS[:3], found * (sign, 1.0, 1.0), strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, note)
     for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
