@@ -12,7 +12,7 @@ from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
-from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
 from qsbearing.files.housing_table import with_housing
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
@@ -48,15 +48,10 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
-REPORT = "report"
-REPORT_KEYS = ("title", "customer", "author", "document")
-"""What a design report says of itself."""
-ORIGIN = "rexs"
-"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
-_REPORT = table_model(REPORT, (), dict.fromkeys(REPORT_KEYS, as_word))
-_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
+_REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word))
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(OTHER_TABLES[ORIGIN], as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -138,14 +133,15 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(with_preload_class(document, errors), errors)
+    document = with_preload_class(document, errors)
+    thermal, found = heated(document, errors)
     document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors)
-    readings = asked_readings(document, errors)
+    effects = effects_of(document, errors, found)
+    readings = asked_readings(document, errors, found)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
@@ -154,19 +150,20 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
-    wrong = errors_in_scene(scene)
+    wrong = errors_in_scene(scene, found)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
 
 
-def heated(document: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], Thermal | None]:
-    """The tables with what a heat balance will find filled in for now, and what they say of the heat."""
+def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, frozenset[str]]:
+    """What tables say of the heat, and the keys of temperatures that its balance will find."""
     if "thermal" not in document:
-        return document, None
-    from qsbearing.files.thermal_table import thermal_of, with_found_temperatures  # loaded only where there is heat
+        return None, frozenset()
+    from qsbearing.files.thermal_table import found_temperatures, thermal_of  # loaded only where there is heat
 
-    return with_found_temperatures(document, errors), thermal_of(document, errors)
+    found = found_temperatures(document, errors)
+    return thermal_of(document, errors), found
 
 
 def is_file(path: Path) -> bool:
@@ -208,10 +205,6 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
-
-
-OTHER_TABLES = (REPORT, ORIGIN)
-"""Tables that change no result."""
 
 
 def wrong_in_other_tables(document: dict[str, Any]) -> Errors:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from qsbearing.files.file_keys import numbers, reading_tables, sections
+from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections
 from qsbearing.files.thermal_keys import CONDUCTANCES
 from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.files.usual_words import is_preload, usual
@@ -27,6 +27,7 @@ LARGEST = 1e30
 
 def _tables() -> dict[str, tuple[str, ...]]:
     return sections() | {
+        **OTHER_TABLES,
         "material": MATERIAL_KEYS,
         **SET_SECTIONS,
         **SHAFT_SECTIONS,

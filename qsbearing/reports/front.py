@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Section
 from qsbearing.documents.model import Remark as Shown
-from qsbearing.files.scene_file import REPORT_KEYS
+from qsbearing.files.file_keys import OTHER_TABLES, REPORT
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
 from qsbearing.pictures.margins import margins as draw_margins
@@ -43,7 +43,7 @@ def head(
         "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in found),
     )
     shown = blocks(said) or [Shown("No warnings.")]
-    people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in REPORT_KEYS[1:] if key in report]
+    people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
     return [*([Facts(people)] if people else []), answer(found, said), drawn, *results, *shown, *rest]
 
 

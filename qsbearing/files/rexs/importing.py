@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
@@ -19,7 +20,6 @@ from qsbearing.files.rexs.names import NEWEST
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table, text_of
 from qsbearing.files.rexs.source import model_in, opened
-from qsbearing.files.scene_file import ORIGIN
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
