@@ -19,6 +19,7 @@ from tests.systems.sets.arrangements import PAIR_FILE
 POSSIBLE = {
     *("offset_um", "sprung", "reference_position_mm", "spring_N", "axial_displacement_um"),
     *("start_mm", "length_mm", "outer_diameter_mm", "inner_diameter_mm", "position_mm", "radial_y_N", "tool_mm"),
+    "gravity_m_s2",
 }
 """Keys that the template shows in comments."""
 
