@@ -177,9 +177,10 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         if solution.choice is None:
             return result(solution, readings)
+        from qsbearing.files.file_keys import IN_FILE
         from qsbearing.remarks.bearing import chosen
 
-        said = enumerate(chosen(solution, scene))
+        said = enumerate(chosen(solution, scene, IN_FILE))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     solution = _solved(scene, accuracy)
@@ -221,6 +222,7 @@ def _of_data_sheet(scene: Scene) -> Found:
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     from qsbearing.documents.model import Paragraph
+    from qsbearing.files.file_keys import IN_FILE
     from qsbearing.remarks.bearing import chosen
     from qsbearing.results.readings_record import Readings, taken
     from qsbearing.results.set_record import set_columns, set_record
@@ -228,7 +230,7 @@ def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
         from qsbearing.results.set_report import set_result  # not above: --json does without
 
-        said = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(chosen(solution, of))]
+        said = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(chosen(solution, of, IN_FILE))]
         return set_result(solution, readings) + said
 
     solution: SetSolution = _solved(of, accuracy)

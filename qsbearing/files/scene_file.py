@@ -133,14 +133,15 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(with_preload_class(document, errors), errors)
+    document = with_preload_class(document, errors)
+    thermal, found = heated(document, errors)
     document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors)
-    readings = asked_readings(document, errors)
+    effects = effects_of(document, errors, found)
+    readings = asked_readings(document, errors, found)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
@@ -149,19 +150,20 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
-    wrong = errors_in_scene(scene)
+    wrong = errors_in_scene(scene, found)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
 
 
-def heated(document: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], Thermal | None]:
-    """The tables with what a heat balance will find filled in for now, and what they say of the heat."""
+def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, frozenset[str]]:
+    """What tables say of the heat, and the keys of temperatures that its balance will find."""
     if "thermal" not in document:
-        return document, None
-    from qsbearing.files.thermal_table import thermal_of, with_found_temperatures  # loaded only where there is heat
+        return None, frozenset()
+    from qsbearing.files.thermal_table import found_temperatures, thermal_of  # loaded only where there is heat
 
-    return with_found_temperatures(document, errors), thermal_of(document, errors)
+    found = found_temperatures(document, errors)
+    return thermal_of(document, errors), found
 
 
 def is_file(path: Path) -> bool:

@@ -59,16 +59,17 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(with_preload_class(document, errors), errors)
+    document = with_preload_class(document, errors)
+    thermal, found = heated(document, errors)
     document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
-    rows = _rows(document, common, has_common, errors)
+    rows = _rows(document, common, has_common, errors, found)
     operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
     preload = preload_of(document, None, errors)
-    effects = effects_of(document, errors)
-    readings = asked_readings(document, errors)
+    effects = effects_of(document, errors, found)
+    readings = asked_readings(document, errors, found)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -79,7 +80,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         of = BearingSet(tuple(rows), operation, preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
-    wrong = _errors_of_readings(of)
+    wrong = _errors_of_readings(of, found)
     if wrong:
         raise SceneFileError(file, wrong)
     return of
@@ -105,7 +106,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors) -> list[Row]:
+def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str]) -> list[Row]:
     tables = document.get("rows")
     if not isinstance(tables, list) or not tables:
         cause = 'Write [[rows]] for each row, with position_mm = 0 and carries = "+x" below it'
@@ -116,14 +117,22 @@ def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Error
     rows = []
     for number, table in enumerate(tables, 1):
         own: Errors = []
-        row = _row(table, f"row {number}", common, has_common, document, own)
+        row = _row(table, f"row {number}", common, has_common, document, own, found)
         errors += own
         if row is not None:
             rows.append(row)
     return rows
 
 
-def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[str, Any], errors: Errors) -> Row | None:
+def _row(
+    table: Any,
+    path: str,
+    common: Any,
+    has_common: bool,
+    document: dict[str, Any],
+    errors: Errors,
+    found: frozenset[str],
+) -> Row | None:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
     good, unusable = checked(_ROW, path, plain, errors)
     if not isinstance(table, dict):
@@ -144,8 +153,8 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
     within: Errors = []
     if "housing_stiffness" in table:
         numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
-    effects = [ring_effect(name, table[name], within) for name in EFFECT_TABLES if name in table]
-    readings = asked_readings(table, within) if "readings" in table else None
+    effects = [ring_effect(name, table[name], within, found) for name in EFFECT_TABLES if name in table]
+    readings = asked_readings(table, within, found) if "readings" in table else None
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)
@@ -174,9 +183,9 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
     ]
 
 
-def _errors_of_readings(of: BearingSet) -> Errors:
+def _errors_of_readings(of: BearingSet, heat: frozenset[str]) -> Errors:
     """What is wrong with readings that only the whole row shows; what all rows have alike is said once."""
-    found = [errors_in_scene(of.turning_scene(number)) for number in range(len(of.rows))]
+    found = [errors_in_scene(of.turning_scene(number), heat) for number in range(len(of.rows))]
     if all(each == found[0] for each in found):
         return found[0]
     return [error for number, errors in enumerate(found, 1) for error in _below(f"row {number}", errors)]

@@ -34,7 +34,7 @@ from qsbearing.readings import (
     subsurface_stress,
 )
 from qsbearing.readings.entry import Reading, Table
-from qsbearing.readings.lubricant import OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
+from qsbearing.readings.lubricant import FREEZING, OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
 
 Arguments = Mapping[str, Any]
 Errors = list[ErrorDetail]
@@ -72,13 +72,14 @@ def tables() -> dict[str, Table]:
     return found
 
 
-def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None) -> Errors:
+def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, oil_is_found: bool = False) -> Errors:
     """Everything that is wrong with what is asked for; fields begin with `readings.` and the reading's name.
 
     Args:
         scene: None where there is none yet: then what depends on it is not judged.
+        oil_is_found: whether a heat balance will find the oil's temperature.
     """
-    oil, errors = _oil(readings)
+    oil, errors = _oil(readings, oil_is_found)
     for name, arguments in readings.items():
         if name == LUBRICANT:
             continue
@@ -127,11 +128,12 @@ def with_defaults(name: str, given: Arguments) -> dict[str, Any]:
     return {field: value for field, value in (usual | dict(given)).items() if value is not None}
 
 
-def _oil(readings: Mapping[str, Arguments]) -> tuple[OilState | None, Errors]:
-    """The oil at its temperature, if there is one, and what is wrong with it."""
+def _oil(readings: Mapping[str, Arguments], is_found: bool = False) -> tuple[OilState | None, Errors]:
+    """The oil at its temperature, if there is one, and what is wrong with it; at any where that is yet to be found."""
     if LUBRICANT not in readings:
         return None, []
-    oil, errors = oil_of(readings[LUBRICANT])
+    later = {"oil_temperature": FREEZING + 40.0} if is_found else {}  # to judge the rest by
+    oil, errors = oil_of(later | dict(readings[LUBRICANT]))
     return oil, [replace(each, field=f"readings.{LUBRICANT}.{each.field}") for each in errors]
 
 

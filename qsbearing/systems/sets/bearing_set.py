@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 
 SAME_PLACE = 0.01
 """Of the ball diameter: rows that are nearer have the same balls (chosen: more than any clearance parts them)."""
-IDEAL_DISTANCE = 1e-6
-"""Metres: below it, but not zero, a set stands for one whose rows have no distance, each with balls of its own."""
 
 
 @dataclass(frozen=True)
@@ -301,7 +299,7 @@ def _share_place(row: Row, other: Row) -> bool:
     if np.ndim(row.position) or np.ndim(other.position) or not isinstance(row.bearing, BallBearing):
         return False
     apart = abs(float(row.position) - float(other.position))  # type: ignore[arg-type]
-    return apart == 0.0 or IDEAL_DISTANCE < apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
+    return apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
 
 
 def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[ErrorDetail]:

@@ -67,7 +67,7 @@ class SetSolution(Plotted):
         self.sides = sides
         """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
         self._unloaded = unloaded
-        self._solve = solve
+        self.solve_alike = solve
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.thermal: ThermalState | None = None

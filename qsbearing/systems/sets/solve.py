@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects import as_fitted, as_made
+from qsbearing.model.effects.ball_expansion import unfound_errors
 from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
 from qsbearing.systems.sets.problem import Problem
@@ -66,6 +68,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
 
 def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: float) -> SetSolution:
     """Every case of a set, at the temperatures that its rows state."""
+    raise_if_any([each for row in of.rows for each in unfound_errors(of.effects_of(row))][:1])
     began = time.perf_counter()
     workers = thread_count(threads)
     sides = _sides(of, threads, tolerance)
@@ -191,7 +194,7 @@ class HotSet:
         bodies = {
             name: replace(body, temperature=temperatures[name])
             for name, body in bodies.items()
-            if body is not None and name in temperatures
+            if body is not None and name in temperatures and getattr(body, "sections", True)  # a rigid shaft has none
         }
         own = {name: value for name, value in temperatures.items() if name not in bodies}  # rows take theirs from these
         rows = []
