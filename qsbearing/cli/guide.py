@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -110,12 +111,16 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
 
     into = folder(target) if target is not None else _own_folder()
     made = pages(documents(__version__, lists=LISTS), HOME)
-    fill({into / name: lambda found, name=name: found[name].encode() for name in made}, lambda: made)
+    fill({into / name: partial(_file, name) for name in made}, lambda: made)
     print_wrote([into / HOME])
     if is_opened:
         page, _, section = (topic or "").partition("#")
         place = f"#{page}-{section}" if section else ""
         click.launch((into / (file_of(page) if page else HOME)).resolve().as_uri() + place)
+
+
+def _file(name: str, made: dict[str, str]) -> bytes:
+    return made[name].encode()
 
 
 def _own_folder() -> Path:
