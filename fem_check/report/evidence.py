@@ -10,7 +10,7 @@ from typing import Any
 
 from fem_check.cost import record as cost_record
 from fem_check.running import records_store
-from qsbearing.documents.model import Trace
+from qsbearing.documents.model import Md, Remark, Trace
 
 REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
@@ -212,3 +212,9 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
         )
         for name, path in zip(names, paths, strict=True)
     }
+
+
+def missing(what: str, command: str) -> Remark:
+    """A sentence that stands in the place of a record."""
+    where = ", in a checkout of the repository" if needs_checkout(command) else ""
+    return Remark(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.missing import missing
+from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.rows import as_read
 from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
