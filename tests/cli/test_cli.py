@@ -520,7 +520,7 @@ def test_an_old_terminal_gets_question_marks_and_no_traceback(tmp_path: Path) ->
 def test_letters_that_no_font_has_are_said_once(tmp_path: Path) -> None:
     """A bearing is called after its file; in place of matplotlib's warning for each letter."""
     text = (GUIDE / "ten_minutes.md").read_text(encoding="utf-8").partition("```toml\n")[2].partition("```")[0]
-    file = tmp_path / "\U0010fffd\U0010fffc.toml"
+    file = tmp_path / "軸受.toml"
     file.write_text(text, encoding="utf-8")
     picture = tmp_path / "drawn.png"
     result = CliRunner().invoke(cli, ["run", str(file), "--plot", str(picture)])
