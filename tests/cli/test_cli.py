@@ -517,7 +517,7 @@ def test_an_old_terminal_gets_question_marks_and_no_traceback(tmp_path: Path) ->
     assert result.stdout.startswith("Lager_?  angular contact")
 
 
-def test_letters_that_no_font_has_are_said_once(tmp_path: Path) -> None:
+def test_letters_that_no_font_has_are_said_once(tmp_path: Path, drawn: None) -> None:
     """A bearing is called after its file; in place of matplotlib's warning for each letter."""
     text = (GUIDE / "ten_minutes.md").read_text(encoding="utf-8").partition("```toml\n")[2].partition("```")[0]
     file = tmp_path / "軸受.toml"
