@@ -10,7 +10,7 @@ from typing import Any
 
 from fem_check.cost import record as cost_record
 from fem_check.running import records_store
-from qsbearing.documents.model import Trace
+from qsbearing.documents.model import Md, Remark, Trace
 
 REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
@@ -86,6 +86,7 @@ class Evidence:
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
+    mutations: Kept | None = None
     gate: Kept | None = None
     """The steps of the last release run."""
 
@@ -94,8 +95,11 @@ class Evidence:
         yield from self.checks.values()
         yield from self.book.values()
         yield from self.campaigns
-        others = (self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost)
-        yield from (each for each in (*others, self.auto_accuracy, self.scipy, self.gate) if each is not None)
+        others = (
+            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
+            self.auto_accuracy, self.scipy, self.mutations, self.gate,
+        )  # fmt: skip
+        yield from (each for each in others if each is not None)
 
 
 def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
@@ -139,6 +143,7 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
             "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
         ),
         _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
+        _elsewhere("tests/verification/mutations.json", "python -m tests.verification.mutations"),
         gate.get("steps"),
     )
 
@@ -212,3 +217,9 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
         )
         for name, path in zip(names, paths, strict=True)
     }
+
+
+def missing(what: str, command: str) -> Remark:
+    """A sentence that stands in the place of a record."""
+    where = ", in a checkout of the repository" if needs_checkout(command) else ""
+    return Remark(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

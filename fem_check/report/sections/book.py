@@ -6,9 +6,8 @@ from typing import Any
 
 from fem_check.book import picture
 from fem_check.book.not_yet import NOT_YET
-from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
-from fem_check.report.missing import missing
 from fem_check.report.rows import agreement, as_read, badge
 from qsbearing.documents.drawing import width_of
 from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Picture, Remark, Section, Table

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import table as cost_table
-from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.missing import missing
+from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.rows import row_text
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Paragraph, Section

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from fem_check.checks import ALL, OPTIONAL
-from fem_check.report.evidence import Evidence
-from fem_check.report.missing import missing
+from fem_check.report.evidence import Evidence, missing
 from fem_check.report.sections import checks, tolerances
 from qsbearing.documents.guide import FOLDER
 from qsbearing.documents.model import Block, Md, Paragraph, Picture, Section

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.missing import missing
+from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.rows import as_read
 from fem_check.rows.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Paragraph, Section, Table
