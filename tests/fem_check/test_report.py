@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from fem_check.book.cases import ALL
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
@@ -32,8 +33,8 @@ from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
 from tests.documents.test_pdf import fonts
 
-PAGES = 45
-"""At most, on paper."""
+PAGES = 30 + len(ALL)
+"""At most, on paper: a page for each case of the book, and thirty."""
 SMALL = ("patch_test", "manufactured_solution", "body_size")
 
 
