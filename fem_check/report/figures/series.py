@@ -13,7 +13,7 @@ from fem_check.report.rows import quantity
 def load_series(entry: Entry) -> Figure:
     """Deviation from Hertz over the load, one mesh."""
     series = entry["pictures"]["load_series"]
-    figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     axes.set_prop_cycle(color=COLOURS)
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max_shear_stress"):
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
@@ -27,7 +27,7 @@ def load_series(entry: Entry) -> Figure:
 def body_size(entry: Entry) -> Figure:
     """Approach of clamped boxes over their size."""
     series = entry["pictures"]["body_size"]
-    figure, axes = plt.subplots(figsize=(6.0, 3.4), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     inverse = 1.0 / np.asarray(series["size"])
     axes.plot(inverse, 1e6 * np.asarray(series["approach"]), "o", color="#d55e00", label="clamped boxes")
     axes.plot([0.0], [1e6 * series["limit"]], "s", color="#d55e00", label="their limit")
@@ -41,7 +41,7 @@ def body_size(entry: Entry) -> Figure:
 def convergence(entry: Entry) -> Figure:
     """Errors over element size."""
     series = entry["pictures"]["convergence"]
-    figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     for index, name in enumerate(("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")):
         colour = COLOURS[index]
         label = quantity(name)
@@ -61,7 +61,7 @@ def convergence(entry: Entry) -> Figure:
 def true_geometry(entry: Entry) -> Figure:
     """The true contact and the gap's shape alone, over Hertz, against the load."""
     series = entry["pictures"]["true_geometry"]
-    figure, grid = plt.subplots(2, 2, figsize=(8.4, 6.0), sharex=True, layout="constrained")
+    figure, grid = plt.subplots(2, 2, figsize=(8.4, 4.0), sharex=True, layout="constrained")
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
     for axes, name in zip(grid.ravel(), names, strict=True):
         for race, part in series.items():
@@ -91,7 +91,7 @@ def true_geometry(entry: Entry) -> Figure:
 def conformity(entry: Entry) -> Figure:
     """Worst deviation over load for each groove."""
     series = entry["pictures"]["conformity"]
-    figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     axes.set_prop_cycle(color=COLOURS)
     for coefficient, curve in series["curves"].items():
         worst = np.max(np.abs(np.asarray(list(curve.values()))), axis=0)
