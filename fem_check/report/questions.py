@@ -31,7 +31,7 @@ class Question(NamedTuple):
     records: Sequence[Kept]
     answer: str = ""
     worst: str = ""
-    limit: str = "none"
+    limit: str = "no limit"
     verdict: Badge = Badge("not on record", "missing")
     may: str = ""
     """What the version may be used for, where this holds."""

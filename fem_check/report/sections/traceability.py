@@ -42,7 +42,7 @@ def _line(kept: Kept) -> list[Cell]:
         name,
         kept.name.removeprefix("fem_check/records/"),
         commit,
-        made["date"][:10] if made else NOT_RECORDED,
+        made["date"][:10].replace("-", "\N{NON-BREAKING HYPHEN}") if made else NOT_RECORDED,
         tally,
         kept.digest[:12],
     ]
