@@ -68,8 +68,9 @@ from qsbearing.studies.study import Study as Study
 from qsbearing.studies.sweep import sweep as sweep
 from qsbearing.systems.heat.network import Conductance as Conductance, OilFlow as OilFlow, Thermal as Thermal
 from qsbearing.systems.rotor_dynamics import stiffness_table as stiffness_table, to_ross as to_ross
-from qsbearing.systems.sets.bearing_set import BearingSet as BearingSet, Row as Row
+from qsbearing.systems.sets.bearing_set import BearingSet as BearingSet
 from qsbearing.systems.sets.preload_limits import preload_loads as preload_loads, preload_speeds as preload_speeds
+from qsbearing.systems.sets.row import Row as Row
 from qsbearing.systems.sets.set_solution import SetSolution as SetSolution
 from qsbearing.systems.sets.shaft import (
     FloatingGroup as FloatingGroup,
@@ -77,6 +78,7 @@ from qsbearing.systems.sets.shaft import (
     HousingStiffness as HousingStiffness,
     Shaft as Shaft,
     ShaftLoad as ShaftLoad,
+    ShaftMass as ShaftMass,
     ShaftSection as ShaftSection,
     ShaftSupport as ShaftSupport,
     Spacer as Spacer,

@@ -62,6 +62,13 @@ def gmn(series: str, angle: float) -> list[dict[str, Any]]:
     return [row for row in gmn_rows() if row["name"].startswith(series) and row["alpha_deg"] == angle]
 
 
+def columns_of(table: str) -> dict[str, NDArray]:
+    """A table of the book's data folder by its columns: numbers in the units of their names, and `name`."""
+    text = (files("fem_check.book") / "data" / f"{table}.csv").read_text("utf-8")
+    rows = list(csv.DictReader(text.splitlines()))
+    return {key: np.array([row[key] for row in rows], str if key == "name" else float) for key in rows[0]}
+
+
 def endurance_groups() -> NDArray:
     """Lieblein & Zelen: columns company, bearings, load [N], Z, D [mm], L10 [10^6 rev]."""
     lines = (files("fem_check.book") / "data" / "lieblein_zelen_1956.dat").read_text("utf-8").splitlines()

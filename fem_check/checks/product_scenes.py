@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from qsbearing.systems.sets.bearing_set import Direction
+from qsbearing.systems.sets.row import Direction
 
 B218 = qs.load_scene("b218").bearing
 PLUS, MINUS = Direction

@@ -57,8 +57,8 @@ def remark(record: dict[str, Any]) -> str:
     machine = record["machine"]
     return (
         f"Measured on {machine['processor']}, {machine['cores']} cores, load average {machine['load_average']} at the "
-        f"start, linear solver {record['solver']}, by `{record['made_by']}`. Times: medians of alternating "
-        "runs in separate processes (min–max); memory is the peak of the process. "
+        f"start, linear solver {record['solver']}, by `{record['made_by']}`. Medians of "
+        "alternating runs in separate processes (smallest to largest); memory is the process's peak. "
         "The elements' errors are those of the mean over 8 positions of the contact's edge in an element. All meshes "
         "are divided in depth as 20-node hexahedra need it: elements of first order level off."
     )

@@ -181,14 +181,15 @@ def _published(evidence: Evidence) -> Question:
     asked = Question("Published results?", "published", records)
     if not records:
         return asked
-    good, missed = sum(map(_passes, records)), _failing(records)
-    rows = [(row, kept) for kept in records for row in kept.data["rows"] if row["tolerance_percent"]]
+    expected = [kept for kept in records if not is_counter_example(kept.data)]
+    good, missed = sum(map(_passes, expected)), _failing(records)
+    rows = [(row, kept) for kept in expected for row in kept.data["rows"] if row["tolerance_percent"]]
     near, case = max(rows, key=lambda each: used(each[0]))
-    told = row_text.of_row(near)
+    told, more = row_text.of_row(near), _and_more(records, expected)
     return asked._replace(
-        answer=f"{len(records)} cases computed by others; nearest to its limit: {case.data['title']}",
+        answer=f"{len(expected)} cases computed by others{more}; nearest to its limit: {case.data['title']}",
         worst=(told.deviation and difference(near)) or told.found, limit=told.tolerance,
-        verdict=_judged(not missed, f"{good} of {len(records)}"), missed=missed,
+        verdict=_judged(not missed, f"{good} of {len(expected)}"), missed=missed,
         may="" if missed else "ratings, rating life and film thickness by published formulas",
     )  # fmt: skip
 
@@ -201,15 +202,19 @@ def _measured(evidence: Evidence) -> Question:
     expected = [kept for kept in records if not is_counter_example(kept.data)]
     rows = [row for kept in expected for row in kept.data["rows"] if row["reference"] and row["verdict"] == "finding"]
     worst = max(rows, key=lambda row: abs(row["deviation_percent"]), default=None)
-    missed, more = _failing(records), len(records) - len(expected)
-    many = "" if not more else f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree"
+    missed, more = _failing(records), _and_more(records, expected)
     return asked._replace(
-        answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{many}; worst single finding: "
+        answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
         + ("none" if worst is None else f"{as_read(worst['quantity'])}, {as_read(worst['case'])}"),
         worst="" if worst is None else largest([worst]),
         verdict=_judged(False) if missed else Badge("not validated", "finding"), missed=missed,
         not_for="contact angles, loads and stiffness at speed (no such measurement was found)",
     )  # fmt: skip
+
+
+def _and_more(records: Sequence[Kept], expected: Sequence[Kept]) -> str:
+    more = len(records) - len(expected)
+    return f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree" if more else ""
 
 
 def is_counter_example(entry: dict[str, Any]) -> bool:

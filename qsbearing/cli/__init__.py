@@ -23,6 +23,7 @@ from qsbearing.cli.figures import figures
 from qsbearing.cli.find import find
 from qsbearing.cli.guide import guide
 from qsbearing.cli.heat import heat
+from qsbearing.cli.import_model import import_model
 from qsbearing.cli.init import init
 from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
@@ -75,6 +76,7 @@ for command in (
     plot,
     heat,
     stiffness,
+    import_model,
     figures,
     cost,
     init,

@@ -44,6 +44,12 @@ if TYPE_CHECKING:
     ".svg or .pdf.",
 )
 @click.option(
+    "--into",
+    metavar="MODEL",
+    help="Also write the results into the REXS model that SCENE was made of by `qsbearing import`; no other line of it "
+    "changes.",
+)
+@click.option(
     "--accuracy",
     type=float,
     metavar="ERROR",
@@ -69,6 +75,7 @@ def run(
     as_json: bool,
     csv_target: str | None,
     plot_target: str | None,
+    into: str | None,
     accuracy: float | None,
     points: str | None,
     out: str | None,
@@ -83,20 +90,21 @@ def run(
     Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
     """
     if points is not None or out is not None or decimal is not None:
-        others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--accuracy": accuracy}
+        others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
         clashing = {name: given for name, given in others.items() if given not in (None, False)}
         run_points(scene, points, out, decimal, clashing)
         return
-    targets = {"--csv": csv_target, "--plot": plot_target}
+    targets = {"--csv": csv_target, "--plot": plot_target, "--into": into}
     with ExitStack() as stack:
         writers = claimed(stack, targets, csv_problems(csv_target) + picture_problems(plot_target), scene)
         loaded = load_scene_or_set(scene, may_infer=True)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
+        model: Any = None if into is None else _model_of(scene, into, loaded)
         from qsbearing.model.scene.scene import Scene
 
         if isinstance(loaded, Scene) and loaded.bearing.inferred is not None:
-            refuse_all(_not_of_list(loaded, {"--plot": plot_target, "--accuracy": accuracy}))
+            refuse_all(_not_of_list(loaded, {"--plot": plot_target, "--into": into, "--accuracy": accuracy}))
             found = _of_data_sheet(loaded)
         else:
             found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
@@ -113,11 +121,30 @@ def run(
         make = {
             "--csv": lambda: csv_bytes(found.columns()),
             "--plot": lambda: _drawn(found.solution, plot_target or ""),
+            "--into": lambda: model.put(found.solution, found.readings),
         }
         write_files(writers, make)
+        if model is not None:
+            note("\n".join([f"{model.count} attributes written into {into}", *model.notes]))
 
 
 NO_PICTURE = "--plot: a picture shows a single operating point, not a spectrum; --csv writes every ball of every point"
+
+
+def _model_of(scene: str, into: str, loaded: Scene | BearingSet) -> Any:
+    """The model that takes the results; ends with what is wrong with it, before anything is solved."""
+    from pathlib import Path
+
+    from qsbearing.files.rexs.write_back import WriteBack
+    from qsbearing.files.scene_file import STANDARD_INPUT, document_of
+    from qsbearing.model.validation import SceneError
+
+    if "spectrum" in loaded.readings or scene in STANDARD_INPUT:
+        refuse("--into: takes a scene file of one operating point; `qsbearing import` writes one for each load case")
+    try:
+        return WriteBack(Path(into), document_of(scene)[0])
+    except SceneError as error:
+        refuse(str(error))
 
 
 class Found(NamedTuple):
@@ -129,6 +156,8 @@ class Found(NamedTuple):
     record: Callable[[], dict[str, Any]]
     blocks: Callable[[], list[Block]]
     columns: Callable[[], dict[str, NDArray]]
+    readings: Any
+    """What the input asks to be read off; of a set a list, by row."""
 
     @property
     def lacks(self) -> str:
@@ -223,7 +252,7 @@ def _found(
     def shown() -> list[Block]:
         return [*blocks(solution, readings), *(_fits("fits_blocks", solution) or ())]
 
-    return Found(solution, asked, whole, shown, partial(columns, solution, readings))
+    return Found(solution, asked, whole, shown, partial(columns, solution, readings), readings)
 
 
 def _fits(what: str, solution: Any) -> Any:

@@ -8,7 +8,7 @@ from contextlib import ExitStack
 import click
 
 from qsbearing.cli.files import claimed, write_files
-from qsbearing.cli.output import UNSOLVED, print_text, refuse
+from qsbearing.cli.output import UNSOLVED, note, print_text, refuse
 from qsbearing.cli.vary import study_of, vary_option
 
 
@@ -16,15 +16,35 @@ from qsbearing.cli.vary import study_of, vary_option
 @click.argument("scene")
 @vary_option
 @click.option("--mirrored", is_flag=True, help="The bearing is mounted the other way round on the shaft.")
-@click.option("--out", metavar="FILE", help="Write the table to this CSV file instead of printing it.")
-def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None) -> None:
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["csv", "json", "calculix"]),
+    default="csv",
+    help="csv: a table over speed and load. Of one operating point: json, or springs as an input of CalculiX.",
+)
+@click.option(
+    "--units",
+    type=click.Choice(["N-mm-t", "N-m-kg"]),
+    help="Of --format json and calculix; N-mm-t unless given.",
+)
+@click.option("--out", metavar="FILE", help="Write to this file instead of printing.")
+def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str | None, out: str | None) -> None:
     """Tabulate the stiffness of SCENE for rotor dynamics: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
 
     The shaft turns about z: x, y, z of the table are y, z, x of the scene. For instance: qsbearing stiffness 7210c
     --vary speed_rpm=0:24000:13 --vary axial_load_N=240,720,1440 --out 7210c.csv
 
+    With --format json or calculix, the stiffness of each row about its balls' centres for finite-element programs, x
+    along the shaft.
+
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
+    if form != "csv":
+        _for_finite_elements(scene, vary, mirrored, form, units or "N-mm-t", out)
+        return
+    if units is not None:
+        refuse("--units: a table as CSV is in N, m and rad; --format json and calculix have other units")
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.model.validation import SceneError
     from qsbearing.studies.stiffness import stiffness_of
@@ -41,3 +61,30 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, out: str | None
             print_text(text.decode())
     if not (columns["status"] == "converged").any():
         sys.exit(UNSOLVED)
+
+
+def _for_finite_elements(
+    scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str, out: str | None
+) -> None:
+    import numpy as np
+
+    from qsbearing.cli.scene import load_one, solve
+    from qsbearing.files.stiffness_files import calculix_deck, json_text, seats_of
+
+    of = load_one(scene)
+    problems = [f"--vary: --format {form} is of one operating point"] if vary else []
+    if mirrored and hasattr(of, "rows"):
+        problems.append("--mirrored: the rows of a set say themselves in which direction they carry")
+    with ExitStack() as stack:
+        writers = claimed(stack, {"--out": out}, problems, scene)
+        solution = solve(of)
+        if not solution.converged or not np.isfinite(solution.stiffness).all():
+            note(solution.message() if not solution.converged else NO_TANGENT)
+            sys.exit(UNSOLVED)
+        text = {"json": json_text, "calculix": calculix_deck}[form](seats_of(solution, units, mirrored=mirrored), units)
+        write_files(writers, {"--out": text.encode})
+        if not writers:
+            print_text(text)
+
+
+NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"

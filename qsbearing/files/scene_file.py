@@ -21,6 +21,7 @@ from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import (
     Errors,
+    as_it_is,
     checked,
     made,
     si,
@@ -45,8 +46,11 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
+ORIGIN = "rexs"
+"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -173,8 +177,9 @@ def is_there(path: Path) -> bool:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    errors += lacking_of_origin(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance"):
+        if name in (*SECTIONS, "tolerance", ORIGIN):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -191,6 +196,18 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
                 document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
+
+
+def lacking_of_origin(document: dict[str, Any]) -> Errors:
+    """What is wrong with the table of an imported model's file; also what it leaves open and no other table shows, so
+    that nobody solves it without."""
+    errors: Errors = []
+    good, _ = checked(_ORIGIN, ORIGIN, document[ORIGIN], errors) if document.get(ORIGIN) is not None else ({}, set())
+    listed = good.get("missing") or ()
+    cause = f"Once it is given, take it out of missing in [{ORIGIN}]"
+    for each in listed if isinstance(listed, list) else [listed] if listed else ():
+        errors.append(FileErrorDetail(f"{ORIGIN}.missing", str(each), cause=cause))
+    return errors
 
 
 def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:

@@ -37,7 +37,8 @@ from qsbearing.model.scene.keys import (
 )
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.validation import ErrorDetail, SceneError
-from qsbearing.systems.sets.bearing_set import BearingSet, Row
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Row
 
 Tables = dict[str, Any]
 NEIGHBOURS = 8

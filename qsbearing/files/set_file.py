@@ -13,13 +13,21 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, transla
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
-from qsbearing.files.scene_file import document_of, heated, operation_of, preload_of
+from qsbearing.files.scene_file import (
+    ORIGIN,
+    document_of,
+    heated,
+    lacking_of_origin,
+    operation_of,
+    preload_of,
+)
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
-from qsbearing.systems.sets.bearing_set import BearingSet, Direction, Row, placement_errors
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
@@ -83,8 +91,9 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
+    errors += lacking_of_origin(document)
     for name, value in list(document.items()):
-        if name in TABLES or name == "tolerance":
+        if name in (*TABLES, "tolerance", ORIGIN):
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):

@@ -18,6 +18,7 @@ from qsbearing.files.table_checks import (
     as_it_is,
     as_number,
     checked,
+    list_of,
     made,
     material,
     si,
@@ -28,10 +29,12 @@ from qsbearing.model.scene.keys import (
     FLOATING,
     HEATED,
     HOUSING_STIFFNESS,
+    NUMBERED,
     PRELOAD,
     SECTION,
     SHAFT,
     SHAFT_LOAD,
+    SHAFT_MASS,
     SHAFT_SUPPORT,
     SPACER,
     Key,
@@ -43,14 +46,15 @@ from qsbearing.systems.sets.shaft import (
     HousingStiffness,
     Shaft,
     ShaftLoad,
+    ShaftMass,
     ShaftSection,
     ShaftSupport,
     Spacer,
 )
 
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
-_RIGID = ". A rigid shaft takes its loads in [operation], without "
-WITHIN_SHAFT = ("sections", "loads", "supports", "points")
+_LISTED = ("section", "load", "support", "mass")
+WITHIN_SHAFT = (*(NUMBERED[kind] for kind in _LISTED), "points", "gravity_m_s2")
 _MATERIAL = {"material": as_it_is}
 _SHAFT = table_model("shaft", SHAFT)
 _HOUSING = table_model("housing", HEATED, {**_MATERIAL, "outside_diameter_mm": as_number})
@@ -59,6 +63,7 @@ _LISTS: dict[str, tuple[Any, tuple[Key, ...], TableModel]] = {
     "section": (ShaftSection, SECTION, table_model("sections", SECTION, _MATERIAL)),
     "load": (ShaftLoad, SHAFT_LOAD, table_model("loads", SHAFT_LOAD)),
     "support": (ShaftSupport, SHAFT_SUPPORT, table_model("supports", SHAFT_SUPPORT)),
+    "mass": (ShaftMass, SHAFT_MASS, table_model("masses", SHAFT_MASS)),
     "spacer": (
         Spacer,
         SPACER,
@@ -124,12 +129,14 @@ def surroundings_tables(
         tables["shaft"] = numbers(SHAFT[:1], of)
     if of.shaft is not None:
         tables["shaft"] |= numbers(SHAFT[1:], of.shaft)
-        for name in ("section", "load", "support"):
-            keys = _LISTS[name][1]
-            listed = [numbers(keys, each) for each in getattr(of.shaft, f"{name}s")]
-            tables["shaft"] |= {f"{name}s": listed} if listed else {}
-        for table, section in zip(tables["shaft"]["sections"], of.shaft.sections, strict=True):
+        for kind in _LISTED:
+            name, keys = NUMBERED[kind], _LISTS[kind][1]
+            listed = [numbers(keys, each) for each in getattr(of.shaft, name)]
+            tables["shaft"] |= {name: listed} if listed else {}
+        for table, section in zip(tables["shaft"].get("sections", ()), of.shaft.sections, strict=True):
             table["material"] = named(section.material)
+        if of.shaft.gravity is not None:
+            tables["shaft"]["gravity_m_s2"] = list(of.shaft.gravity)
         if of.shaft.points:
             tables["shaft"]["points"] = {
                 f"{name}_mm": float(f"{at * 1e3:.12g}") for name, at in of.shaft.points.items()
@@ -160,8 +167,16 @@ def stiffness_table(of: HousingStiffness, numbers: Callable[..., Any]) -> dict[s
 def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Shaft | None:
     before = len(errors)
     parts: dict[str, Any] = {}
-    for kind in ("section", "load", "support"):
-        parts[f"{kind}s"] = tuple(_listed(table, f"{kind}s", kind, f"shaft.{kind}", errors))
+    for kind in _LISTED:
+        parts[NUMBERED[kind]] = tuple(_listed(table, NUMBERED[kind], kind, f"shaft.{kind}", errors))
+    if "gravity_m_s2" in table:
+        refused: list[Any] = []
+        gravity = list_of(as_number)(table["gravity_m_s2"], refused)
+        if refused or len(gravity) != 3:
+            cause = "Three numbers, along x, y and z: gravity_m_s2 = [0, -9.81, 0]"
+            errors.append(FileErrorDetail("shaft.gravity_m_s2", "is not an acceleration", cause=cause))
+        else:
+            parts["gravity"] = tuple(gravity)
     points = table.get("points", {})
     named = {}
     for name, value in points.items() if isinstance(points, dict) else ():
@@ -170,9 +185,8 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
             errors.append(FileErrorDetail(f"shaft.points.{name}", "is not a position", value, "mm", cause=cause))
         else:
             named[name.removesuffix("_mm")] = value * 1e-3
-    if not parts["sections"] and len(errors) == before:
-        given = " and ".join(f"[[shaft.{name}]]" for name in WITHIN_SHAFT[1:3] if name in table)
-        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=f"{_ELASTIC}{given and _RIGID + given}"))
+    if not parts["sections"] and numbers and len(errors) == before:
+        errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
     return made(partial(Shaft, **parts, points=named, **numbers), errors) if len(errors) == before else None
 
 
@@ -200,7 +214,7 @@ def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: E
     make, keys, model = _LISTS[kind]
     tables = document.get(name, [])
     if not isinstance(tables, list):
-        errors.append(FileErrorDetail(f"[[{path}s]]" if "." in path else f"[[{name}]]", "is not a list of tables"))
+        errors.append(FileErrorDetail(f"[[{'shaft.' * ('.' in path)}{name}]]", "is not a list of tables"))
         return []
     found = []
     for number, table in enumerate(tables, 1):

@@ -85,7 +85,7 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
-    if table in ("sections", "loads", "supports"):
+    if table in ("sections", "loads", "supports", "masses"):
         return f"[[shaft.{table}]]"
     if table == "housing_stiffness":
         return "[rows.housing_stiffness]"

@@ -12,6 +12,7 @@ from qsbearing.model.solution.case_index import Place
 from qsbearing.model.units import mm, um
 from qsbearing.pictures.style import GREY, round_length
 from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.weight import mass_loads
 
 SHOWN = 0.3
 """Of the shaft's largest diameter: what the picture makes of the largest deflection."""
@@ -44,14 +45,14 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
     ends = shaft.ends
     x = np.concatenate([np.linspace(a, b, FINE) for a, b in pairwise(ends)])
     moved = solution.deflection(x)[place]
-    widest = max(each.outer_diameter for each in shaft.sections)
+    widest = max(max(each.outer_diameters) for each in shaft.sections)
     largest = float(np.abs(moved[:, channel]).max())
     factor = round_length(SHOWN * widest / largest) if largest > 0.0 else 1.0
     for number, section in enumerate(shaft.sections):
         some = slice(number * FINE, (number + 1) * FINE)
-        for diameter, line in ((section.outer_diameter, "-"), (section.inner_diameter, "--")):
-            radius = 0.5 * diameter
-            if radius > 0.0:
+        for diameters, line in ((section.outer_diameters, "-"), (section.inner_diameters, "--")):
+            radius = 0.5 * np.linspace(*diameters, FINE)
+            if radius.any():
                 _outline(axes, x[some], np.zeros(FINE), np.zeros(FINE), radius, color="0.8", lw=0.8, ls=line)
                 bent = factor * moved[some, channel], factor * sign * moved[some, slope]
                 _outline(axes, x[some], *bent, radius, color="0.25", lw=1.1, ls=line)
@@ -62,7 +63,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
     for number, row in enumerate(of.rows, 1):
         _bearing(axes, solution, place, number, factor, channel)
         top = max(top, 0.5 * float(np.ravel(row.bearing.pitch_diameter)[0]))
-    for load in shaft.loads:
+    for load in (*shaft.loads, *mass_loads(shaft)):
         value = np.broadcast_to(np.asarray(load.values[channel], float), solution.shape)[place]
         if value != 0.0:
             at = float(load.position) / mm
@@ -90,15 +91,13 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: i
     axes.tick_params(labelsize=8)
 
 
-def _outline(axes: Any, x: NDArray, y: NDArray, slope: NDArray, radius: float, **line: Any) -> None:
+def _outline(axes: Any, x: NDArray, y: NDArray, slope: NDArray, radius: NDArray, **line: Any) -> None:
     """A section's outline, its cross sections square to what the centre line has turned to."""
     for side in (radius, -radius):
         axes.plot((x - np.clip(slope, -0.5, 0.5) * side) / mm, (y + side) / mm, **line)
     for end in (0, -1):
-        turn = np.clip(slope[end], -0.5, 0.5) * radius
-        axes.plot(
-            np.array([x[end] - turn, x[end] + turn]) / mm, np.array([y[end] + radius, y[end] - radius]) / mm, **line
-        )
+        turn, across = np.clip(slope[end], -0.5, 0.5) * radius[end], np.array([radius[end], -radius[end]])
+        axes.plot(np.array([x[end] - turn, x[end] + turn]) / mm, (y[end] + across) / mm, **line)
 
 
 def _bearing(axes: Any, solution: SetSolution, place: Place, number: int, factor: float, channel: int) -> None:

@@ -90,7 +90,7 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
     Raises:
         ValueError: the set has no shaft of its own.
     """
-    if solution.set.shaft is None:
+    if solution.set.shaft is None or not solution.set.shaft.sections:
         raise ValueError("this set's shaft is rigid: qs.BearingSet(..., shaft=qs.Shaft(...))")
     place = place_of(index, solution.shape)
     planes = planes_of(solution, place)
@@ -158,7 +158,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     if drawings == [ANGLES] and lines > 1:
         panels = [(ANGLES.small[0], FLAT)]
     heights = [height for _, height in panels] * lines
-    planes = planes_of(solution, place) if solution.set.shaft is not None and len(drawings) > 1 else []
+    shaft = solution.set.shaft
+    planes = planes_of(solution, place) if shaft is not None and shaft.sections and len(drawings) > 1 else []
     heights += [SHAFT_HEIGHT] * len(planes)
     figure = figure_of_size(max(columns * panels[0][0], 6.0), sum(heights) + 0.7)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)

@@ -61,7 +61,7 @@ def _load(solution: Solution) -> list[Block]:
     if varied is None:
         return [Remark("No curve over the load: the scene prescribes displacements only.")]
     swept = solve(varied)
-    figure = _figure(swept, parts, 1.0, "loads over those of the scene")
+    figure = _figure(swept, parts, 1.0, "load factor (1 = this case)")
     return shown(swept, figure, "all loads in proportion", CURVES)
 
 

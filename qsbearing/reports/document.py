@@ -8,13 +8,16 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
+from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
-from qsbearing.reports.front import head
+from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results
+from qsbearing.reports.margins import margins
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark, message
+from qsbearing.studies.chooser.explain import explain
 
 
 def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:
@@ -29,21 +32,30 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     scene = solution.scene
     name = scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
-    found = taken(solution)
+    found, checks = taken(solution), evidence.statements([solution])
+    _, rows = explain(scene, tolerance)
+    point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
         name,
         "Design report",
         [
-            inputs.section(scene, source, asked.thermal),
-            effects.section(solution, asked, tolerance),
             _results(solution),
             *heat.sections(solution.thermal),
             *([Section("Readings", readings_tables(found, scene))] if found else []),
             curves.section(solution),
-            evidence.section([solution]),
+            effects.section(solution, asked, rows, tolerance),
+            inputs.section(scene, source, asked.thermal),
+            evidence.section(checks, "scene"),
+            made_with(message(solution), command),
         ],
-        "Loads, angles, contacts and stiffness of one operating point by the quasi-static model of Jones and Harris.",
-        head(message(solution), key_results(solution, found), every_remark(solution, found), command),
+        f"{capital(report.geometry_text(solution))}. {point}.",
+        head(
+            margins(solution, found),
+            every_remark(solution, found),
+            [key_results(solution, found)],
+            [*effects.is_right(rows, tolerance), evidence.in_short(checks)],
+            solution,
+        ),
     )
 
 

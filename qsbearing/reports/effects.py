@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
-from qsbearing.model.effects import QUANTITIES
+from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.scene.scene import Scene
@@ -14,8 +14,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.bearing import chosen
 from qsbearing.remarks.wording import capital
 from qsbearing.reports.evidence import of_rows
-from qsbearing.studies.chooser.explain import Row, explain
-from qsbearing.studies.chooser.explain_set import explain_set
+from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, Row
 from qsbearing.systems.sets.set_solution import SetSolution
 
 DEFAULT_TOLERANCE = 0.01
@@ -30,8 +29,7 @@ OF_SETS = (
 )
 OF_SHAFTS = (
     "The shaft bends, shears and stretches as a Timoshenko beam of the sections in the input; housings are "
-    "linear springs where the input has their stiffness. Rings are as wide as their balls' plane: no seat stiffens the "
-    "shaft."
+    "linear springs where the input has their stiffness. Bearing rings do not stiffen the shaft."
 )
 RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
@@ -54,7 +52,8 @@ BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient o
 def _of_shaft(solution: SetSolution) -> str:
     """What the set assumes of shaft and housing."""
     of = solution.set
-    is_elastic = of.shaft is not None or any(row.housing_stiffness is not None for row in of.rows)
+    bends = of.shaft is not None and of.shaft.sections
+    is_elastic = bends or any(row.housing_stiffness is not None for row in of.rows)
     return OF_SHAFTS if is_elastic else OF_SETS
 
 
@@ -72,22 +71,21 @@ def assumptions(scene: Scene) -> list[str]:
     return said
 
 
-def section(solution: Solution, asked: Scene, tolerance: float) -> Section:
+def section(solution: Solution, asked: Scene, rows: Sequence[Row], tolerance: float) -> Section:
     """Assumptions, and a row for each effect and choice.
 
     Args:
         solution: of the scene with its effects.
         asked: the scene as it was given, which may leave the choice of effects to a tolerance.
+        rows: of `explain`.
         tolerance: above which a change counts.
     """
-    _, rows = explain(solution.scene, tolerance)
     said = [] if solution.choice is None else chosen(solution, asked)
     return _section(assumptions(solution.scene), said, rows, tolerance)
 
 
-def section_of_set(solution: SetSolution) -> Section:
+def section_of_set(solution: SetSolution, rows: Sequence[Row]) -> Section:
     """Likewise of a set."""
-    _, rows = explain_set(solution.set, DEFAULT_TOLERANCE)
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
     return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
@@ -97,13 +95,42 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], t
     blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it; with "
-        f"≈ under usual parameters where its own are not known. Above {100 * tolerance:g} % it is needed."
+        "≈ under usual parameters where its own are not known. It is needed if leaving it out changes a result by more "
+        f"than {100 * tolerance:g} %."
     )
     headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
     blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l", stack=True), Bullets(why)]
     return Section("Assumptions and effects", blocks, "effects")
+
+
+def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
+    """In short: what the model has or lacks that changes a result by more than the tolerance, and what to do."""
+    title = "Is the model right for this case?"
+    what = {entry.name: entry for entry in EFFECTS}
+    lines: list[list[Cell]] = []
+    has: list[str] = []
+    for row in rows:
+        most = max(QUANTITIES, key=lambda name: _largest(row, name))
+        change = f"{row.change(most)} % of the {WORDS[most]}".replace("\n", " ")
+        if row.in_scene and row.verdict == NEEDED:
+            has.append(f"{row.what}: {change}")
+        elif row.verdict in (NEEDED, DATA_MISSING):
+            give = f"give {what[row.effect].needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
+            lines.append([row.what, Badge("no", "fail" if row.verdict == NEEDED else "finding"), change, give])
+    limit = f"changes a result by more than {100 * tolerance:g} %"
+    said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."
+    if not lines:
+        return [Paragraph(Md(f"**{title}** Nothing that it lacks {limit}. {said}"))]
+    headings = ("effect or choice", "in the model", "would change", "what to do")
+    return [Table(headings, lines, "llll", title, stack=True), Paragraph(said)]
+
+
+def _largest(row: Row, quantity: str) -> float:
+    """Change of it in solves with and without, under any assumption."""
+    found = [row.actual] if row.actual is not None else [each["actual"] for each in row.assumed]
+    return max((each[quantity] or 0.0 for each in found if each is not None), default=0.0)
 
 
 def _line(row: Row) -> list[Cell]:

@@ -18,17 +18,17 @@ COVERED, SIMILAR, NOT_COVERED = Badge("covered", "pass"), Badge("similar", "find
 MEANING = (
     "*Covered*: effects, choices and numbers of this {what} lie within what was checked.",
     "*Similar*: the same effects and choices, but another bearing, or numbers beyond those that were checked.",
-    "*Not covered*: the {what} has an effect or choice that the check did not have. That does not make it wrong.",
+    "*Not covered*: the {what} has an effect or choice that the check did not have: untested, not wrong.",
 )
+UNMEASURED = "Contact angles, loads and stiffness at speed have not been compared with measurements."
 WORDS = (
-    "Nothing here is a measurement unless it says so: contact angles, loads and stiffness at speed have not been "
-    "compared with measurements. The validation report, `fem-check report`, has all numbers. Commands that begin with "
-    "`python` or `pytest` run in a checkout of the repository."
+    f"Nothing here is a measurement unless it says so. {UNMEASURED} The validation report, `fem-check report`, has "
+    "all numbers. Commands that begin with `python` or `pytest` run in a checkout of the repository."
 )
 
 
-def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Section:
-    """The statements that apply, with whether this scene or set lies within what was checked.
+def statements(solutions: Sequence[Solution], of: BearingSet | None = None) -> list[list[Cell]]:
+    """Those that apply: what was checked, its result, whether this scene or set lies within it, and why not.
 
     Args:
         solutions: of the scene, or of each row of the set.
@@ -49,7 +49,23 @@ def section(solutions: Sequence[Solution], of: BearingSet | None = None) -> Sect
         if of is not None and of_set.applies(of):
             said = Md(f"{of_set.says} `{of_set.command}`")
             rows.append([said, of_set.found([of]), *judged(of_set.differences(of))])
-    what = "scene" if of is None else "set"
+    return rows
+
+
+def in_short(rows: Sequence[Sequence[Cell]]) -> Paragraph:
+    """How many of the statements that apply cover the case."""
+    words = [badge.word for _, _, badge, _ in rows if isinstance(badge, Badge)]
+    counts = ", ".join(f"{words.count(each.word)} {each.word}" for each in (COVERED, SIMILAR, NOT_COVERED))
+    said = f"of {len(words)} checks that apply to this case: {counts}; [each with its reason](#evidence)."
+    return Paragraph(Md(f"**Evidence**, {said} {UNMEASURED}"))
+
+
+def section(rows: Sequence[Sequence[Cell]], what: str) -> Section:
+    """All of them.
+
+    Args:
+        what: scene or set.
+    """
     blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
     headings = ("check and its command", "result", f"this {what}", "why")
     return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")

@@ -1,27 +1,55 @@
-"""What a report opens with: how the case ended, its key results, all warnings, and what made it."""
+"""What a report opens with: the answer, margins, key results, warnings, whether the model is right, evidence."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qsbearing.documents.model import Block, Cell, Facts, Md, Table
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Section
 from qsbearing.documents.model import Remark as Shown
+from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
+from qsbearing.pictures.margins import margins as draw_margins
 from qsbearing.remarks.remark import Remark
+from qsbearing.reports.margins import Margin, answer
 from qsbearing.results import provenance
 from qsbearing.results.remarks import blocks
 
 
-def head(message: str, key_results: Table, said: Sequence[Remark], command: str) -> list[Block]:
-    """Before the contents.
+def head(
+    found: Sequence[Margin],
+    said: Sequence[Remark],
+    results: Sequence[Block],
+    rest: Sequence[Block],
+    solution: Solution | None = None,
+) -> list[Block]:
+    """Page 1.
 
     Args:
-        message: how the case ended; it is solved.
-        said: all remarks, where nobody misses them.
+        found: how close the case is to each limit.
+        said: all remarks.
+        results: the key results.
+        rest: whether the model is right, and by what evidence.
+        solution: of a single bearing, whose ball loads stand beside the margins.
+    """
+    bars = [(each.what, each.used, each.text) for each in found]
+    drawn = picture(
+        draw_margins(bars, solution),
+        "; ".join(f"{each.what} {each.text}" for each in found),
+        "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in found),
+    )
+    shown = blocks(said) or [Shown("No warnings.")]
+    return [answer(found, said), drawn, *results, *shown, *rest]
+
+
+def made_with(message: str, command: str) -> Section:
+    """How the case ended, and what made the report.
+
+    Args:
+        message: how the case ended.
         command: that makes the report.
     """
-    shown = blocks(said) or [Shown("No warnings.")]
-    return [Shown(message, "pass"), key_results, *shown, Facts(_facts(command))]
+    return Section("Made with", [Paragraph(message), Facts(_facts(command))])
 
 
 def _facts(command: str) -> list[tuple[str, Cell]]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Group, Table
+from qsbearing.documents.model import Table
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
@@ -22,6 +22,12 @@ from qsbearing.systems.sets.system_life import system_life
 
 Line = tuple[str, str]
 HEADINGS = ("key result", "value")
+OF_ROWS = (
+    ("largest pressure\nMPa", "max_pressure", MPa),
+    ("largest ball load\nN", "load", 1.0),
+    ("friction\ncoefficient", "required_friction", 1.0),
+)
+"""Of each row, its largest of each raceway."""
 NOISE = 1e-10
 """Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
 
@@ -39,33 +45,59 @@ def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
     return Table(HEADINGS, lines, "ll")
 
 
-def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
-    """Those of a single case of a set: of the shaft, then of each row.
+def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[Table]:
+    """Those of a single case of a set: of the shaft, and of each row.
 
     Args:
         readings: what each row was asked to be read off, by name.
     """
     lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
-    lines: list[Line | Group] = [
+    lines = [
+        *_point_lines(solution),
         *ring_lines(solution, "shaft", lever),
         *_heat_lines(solution),
         *_system_life_lines(readings),
     ]
+    return [Table(HEADINGS, lines, "ll"), _rows_table(solution, readings)]
+
+
+def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
+    """A line for each row; what no row has is left out."""
+    rows: list[dict[str, str]] = []
     for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
-        axial = f"{_number(float(solution.axial_loads[number]))} N"
-        if solution.preload_unmounted is not None and solution.preload_mounted is not None:
-            axial += f"; by the preload alone {_number(float(solution.preload_unmounted[number]))} N before fitting, "
-            axial += f"{_number(float(solution.preload_mounted[number]))} N mounted"
-        lines += [Group(capital(row_name(solution.set.rows[number], number))), ("axial load", axial)]
-        lines += [*contact_lines(row), *_life_lines(found)]
-    return Table(HEADINGS, lines, "ll")
+        cells = {"": capital(row_name(solution.set.rows[number], number))}
+        cells["axial load\nN"] = _number(float(solution.axial_loads[number]))
+        if solution.preload_mounted is not None:
+            cells["preload mounted\nN"] = _number(float(solution.preload_mounted[number]))
+        sides = row.inner, row.outer
+        for title, name, unit in OF_ROWS:
+            if getattr(row.inner, name) is not None:
+                cells[title] = " / ".join(_largest(side, name, unit) for side in sides)
+        cells["contact angles\ndeg"] = " / ".join(_angles(side) for side in sides)
+        if "life" in found and np.isfinite(found["life"].duration):
+            cells["life\nh"] = _number(float(found["life"].duration) / HOUR)
+        rows.append(cells)
+    titles = list(dict.fromkeys(title for cells in rows for title in cells))
+    lines = [[cells.get(title, "-") for title in titles] for cells in rows]
+    return Table(titles, lines, caption="Rows: inner / outer raceway")
+
+
+def _point_lines(solution: SetSolution) -> list[Line]:
+    """Deflection and stiffness of the shaft's named points: of a spindle, of its tool."""
+    lines = []
+    for name, point in solution.points.items():
+        moved = _channels(point.displacement, np.ones(len(CHANNELS)), (um, "µm"), (mrad, "mrad"), {0, 1, 2})
+        units = (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad")
+        stiff = _channels(point.effective_stiffness, np.ones(len(CHANNELS)), *units, {0, 1, 2})
+        lines += [(f"{name}: deflection", moved), (f"{name}: stiffness", stiff)]
+    return lines
 
 
 def contact_lines(solution: Solution) -> list[Line]:
     """Maximum pressure, range of the contact angles, maximum load and required friction, of each raceway."""
     lines = [
         ("maximum contact pressure", _of_sides(solution, lambda side: f"{_largest(side, 'max_pressure', MPa)} MPa")),
-        ("contact angles", _of_sides(solution, _angles)),
+        ("contact angles", _of_sides(solution, lambda side: _angles(side, " deg"))),
         ("maximum contact load", _of_sides(solution, lambda side: f"{_largest(side, 'load', 1.0)} N")),
     ]
     if solution.inner.required_friction is not None:
@@ -87,12 +119,12 @@ def _largest(side: RacewayContacts, name: str, size: float, digits: int = 4) -> 
     return _number(float(np.nanmax(np.where(side.load > 0.0, getattr(side, name), 0.0))) / size, digits)
 
 
-def _angles(side: RacewayContacts) -> str:
+def _angles(side: RacewayContacts, unit: str = "") -> str:
     loaded = side.angle[side.load > 0.0] / deg
     if not loaded.size:
         return "none"
-    low, high = (f"{each:.1f}" for each in (loaded.min(), loaded.max()))
-    return f"{low} deg" if low == high else f"{low} to {high} deg"
+    low, high = (f"{each + 0.0:.1f}" for each in np.round([loaded.min(), loaded.max()], 1))
+    return f"{low}{unit}" if low == high else f"{low} to {high}{unit}"
 
 
 def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[Line]:

@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section
+from qsbearing.model.units import mm, rpm
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name
-from qsbearing.remarks.wording import capital
+from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, set_curves, set_inputs
-from qsbearing.reports.front import head
+from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results_of_set
+from qsbearing.reports.margins import margins_of_set
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
+from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -30,27 +35,59 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     """
     of = solution.set
     found = [taken(row) for row in solution.rows]
-    changes = limits(of)
+    changes, checks = limits(of), evidence.statements(solution.rows, of)
+    _, effect_rows = explain_set(of, effects.DEFAULT_TOLERANCE)
     return Document(
         f"{of.name or 'Bearing set'}, {of.arrangement}",
         "Design report of a set",
         [
-            set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
-            effects.section_of_set(solution),
             _results(solution, found, changes),
             *heat.sections(solution.thermal),
             *(_row(solution, number, of_row) for number, of_row in enumerate(found)),
             set_curves.section(of, changes),
-            evidence.section(solution.rows, of),
+            effects.section_of_set(solution, effect_rows),
+            set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
+            evidence.section(checks, "set"),
+            made_with(solution.message(), command),
         ],
-        "Loads, angles, contacts and stiffness of rows of balls on one shaft, at one operating point, "
-        "by the quasi-static model of Jones and Harris.",
-        head(solution.message(), key_results_of_set(solution, found), every_remark(solution, found), command),
+        _summary(solution),
+        head(
+            margins_of_set(solution, found),
+            every_remark(solution, found),
+            [*key_results_of_set(solution, found), *_shaft(solution)],
+            [*effects.is_right(effect_rows, effects.DEFAULT_TOLERANCE), evidence.in_short(checks)],
+        ),
     )
+
+
+def _summary(solution: SetSolution) -> str:
+    """Its rows, speed and loads."""
+    of = solution.set
+    bearings = listed(dict.fromkeys(row.bearing.name or "bearing" for row in of.rows))
+    count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
+    said = [f"{count} of {bearings}", f"Shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm"]
+    said.append(capital(report.loads_text(solution)))
+    for load in () if of.shaft is None else of.shaft.loads:
+        values = report.named_loads(float(np.asarray(value)) for value in load.values)
+        said.append(f"At x = {load.position / mm:.6g} mm: {values}")
+    return ". ".join(filter(None, said)) + "."
 
 
 def _name(solution: SetSolution, number: int) -> str:
     return capital(row_name(solution.set.rows[number], number))
+
+
+def _shaft(solution: SetSolution) -> list[Block]:
+    """The shaft as it bends; none without one."""
+    if solution.set.shaft is None or not solution.set.shaft.sections:
+        return []
+    return [
+        picture(
+            deformed_shaft(solution),
+            "The shaft's outline as drawn and as it bends, with bearings, loads and named points.",
+            "The shaft as drawn (grey) and as it bends (black), the deflection enlarged by the factor in its title",
+        )
+    ]
 
 
 def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) -> Section:
@@ -66,17 +103,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
         ),
     ]
-    shaft: list[Block] = []
-    if solution.set.shaft is not None:
-        said = "The shaft's outline as drawn and as it bends, with bearings, loads and named points."
-        shaft.append(
-            picture(
-                deformed_shaft(solution),
-                said,
-                "The shaft as drawn (grey) and as it bends (black), the deflection enlarged by the factor in its title",
-            )
-        )
-    tables = set_report.tables(solution, found, shaft)
+    tables = set_report.tables(solution, found)
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),

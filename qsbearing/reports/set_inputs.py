@@ -15,9 +15,11 @@ from qsbearing.model.scene.keys import (
     HOUSING_STIFFNESS,
     OPERATION,
     PRELOAD,
+    ROW,
     SECTION,
     SHAFT,
     SHAFT_LOAD,
+    SHAFT_MASS,
     SHAFT_SUPPORT,
     SPACER,
     Key,
@@ -107,15 +109,21 @@ def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
         ("Shaft section", () if shaft is None else shaft.sections, SECTION),
         ("Load on the shaft", () if shaft is None else shaft.loads, SHAFT_LOAD),
         ("Support of the shaft", () if shaft is None else shaft.supports, SHAFT_SUPPORT),
+        ("Mass on the shaft", () if shaft is None else shaft.masses, SHAFT_MASS),
         ("Spacer", of.spacers, SPACER),
         ("Floating group", of.floating, FLOATING),
     ]
     found = [(f"{title} {n}", _of_part(each, keys)) for title, all_, keys in parts for n, each in enumerate(all_, 1)]
     housings = [(f"Housing of row {n}", row.housing_stiffness) for n, row in enumerate(of.rows, 1)]
     found += [(title, _housing(own)) for title, own in housings if own is not None]
+    found += [(f"Alignment of row {n}'s housing", numbers(ROW[2:], row)) for n, row in enumerate(of.rows, 1)]
     if shaft is not None:
         points = [(f"{name}_mm", f"{at / mm:.9g}", "mm", "") for name, at in shaft.points.items()]
         found.append(("Points of the shaft", points))
+        if shaft.gravity is not None:
+            found.append(
+                ("Gravity", [("gravity_m_s2", ", ".join(f"{each:.9g}" for each in shaft.gravity), "m/s2", "")])
+            )
     return [*found, ("Housing", _of_part(of.housing, HEATED))]
 
 

@@ -53,19 +53,16 @@ def document(
     )
     part = f"{100.0 * damage[worst]:.3g} % of the damage" + (" of a row" if len(found) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
-    count = "both" if damage.size == 2 else f"all {damage.size}"
-    first = Remark(f"Balls and rings are in equilibrium at {count} operating points.", "pass")
     said = [
         each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
     ]
-    rest: list[Block] = [
-        each for each in whole.head if not isinstance(each, Remark)
-    ]  # warnings: with their points above
+    # Warnings stand with their points above.
+    rest: list[Block] = [each for each in whole.head[1:] if not isinstance(each, Remark)]
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[first, *said, Paragraph(which), *rest],
+        head=[*said, Paragraph(which), whole.head[0], *rest],
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -115,21 +115,48 @@ def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
 
 
 def _heading(solution: Solution, found: dict[str, Any]) -> list[Block]:
-    numbers = {name: float(values) for name, values in case_arrays(solution.scene).items() if values is not None}
-    bearing = solution.scene.bearing
-    name = bearing.name or "Bearing"
-    what = (
-        f"{name}  {str(bearing.kind).replace('_', ' ')}, {numbers['ball_count']:.0f} balls of "
-        f"{numbers['ball_diameter'] / mm:.6g} mm on {numbers['pitch_diameter'] / mm:.6g} mm, free contact angle "
-        f"{numbers['free_contact_angle'] / deg:.5g} deg"
-    )
-    outer = f", outer ring {numbers['outer_speed'] / rpm:.6g} rpm" if "outer_speed" in numbers else ""
-    turning = f"Inner ring {numbers['speed'] / rpm:.6g} rpm{outer}. {asked_for(found)}"
-    parts: list[Block] = [Paragraph(what, name), Paragraph(turning)]
+    name = solution.scene.bearing.name or "Bearing"
+    parts: list[Block] = [
+        Paragraph(f"{name}  {geometry_text(solution)}", name),
+        Paragraph(f"{speeds_text(solution)}. {asked_for(found)}"),
+    ]
     preload = found["preload"]
     if preload is not None and found["status"] == "converged":
         parts.append(Paragraph(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}"))
     return [*parts, *ending(found)]
+
+
+def geometry_text(solution: Solution) -> str:
+    """The bearing of a single case: kind, balls, free contact angle."""
+    numbers = case_arrays(solution.scene)
+    count, ball, pitch, angle = (
+        float(numbers[name]) for name in ("ball_count", "ball_diameter", "pitch_diameter", "free_contact_angle")
+    )
+    kind = str(solution.scene.bearing.kind).replace("_", " ")
+    balls = f"{count:.0f} balls of {ball / mm:.6g} mm on {pitch / mm:.6g} mm"
+    return f"{kind}, {balls}, free contact angle {angle / deg:.5g} deg"
+
+
+def speeds_text(solution: Solution) -> str:
+    """The speeds of both rings of a single case."""
+    numbers = case_arrays(solution.scene)
+    outer = numbers.get("outer_speed")
+    turning = "" if outer is None else f", outer ring {float(outer) / rpm:.6g} rpm"
+    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{turning}"
+
+
+def loads_text(solution: Solution | SetSolution) -> str:
+    """What loads the free channels of ring or shaft, in a single case; empty where nothing does."""
+    return named_loads([float(solution.load[i]) if i in solution.free_channels else 0.0 for i in range(len(CHANNELS))])
+
+
+def named_loads(loads: Iterable[float]) -> str:
+    """Those of a load [N, N m] that are not zero, in the order of the channels."""
+    return ", ".join(
+        f"{channel.label} {load:.5g} {_UNITS[channel.is_rotation][1]}"
+        for channel, load in zip(CHANNELS, loads, strict=True)
+        if load != 0.0
+    )
 
 
 def preload_text(preload: dict[str, Any]) -> str:
@@ -257,7 +284,7 @@ def freedom(free: Collection[int]) -> str:
 
 def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
-    heading = ("", "locked: other\ndisplacements constant", "effective: at\nconstant other loads", "")
+    heading = ("", "locked (other\ndisplacements held)", "effective\n(other loads held)", "")
     rows = []
     for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
         values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))

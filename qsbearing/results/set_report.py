@@ -53,25 +53,18 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
     return [*parts, *blocks(every_remark(solution, readings), is_apart=True)]
 
 
-def tables(solution: SetSolution, readings: Sequence[Readings], drawn: Sequence[Block] = ()) -> list[Block]:
+def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
-    in hours.
-
-    Args:
-        drawn: what stands below the deflection of the shaft.
-    """
+    in hours."""
     found = set_record(solution, readings)
-    return [*_tables(solution, found, drawn), *_system_life(found)]
+    return [*_tables(solution, found), *_system_life(found)]
 
 
-def _tables(solution: SetSolution, found: dict[str, Any], drawn: Sequence[Block] = ()) -> list[Block]:
-    of_shaft = shaft_tables(found["shaft"])
+def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
     tables: list[Block] = [
         channels_table("Shaft", solution, found),
         *rows_tables(found),
-        *of_shaft[:1],
-        *drawn,
-        *of_shaft[1:],
+        *shaft_tables(found["shaft"]),
         stiffness_table(solution, found),
     ]
     return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]

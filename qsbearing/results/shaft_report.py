@@ -62,9 +62,11 @@ def _places(solution: SetSolution) -> dict[str, float]:
     of = solution.set
     shaft = of.shaft
     assert shaft is not None
-    found = {"begin": float(shaft.ends[0]), "end": float(shaft.ends[-1]), **shaft.points}
+    ends = {"begin": float(shaft.ends[0]), "end": float(shaft.ends[-1])} if shaft.sections else {}
+    found = {**ends, **shaft.points}
     found |= {f"row {i}": float(np.asarray(row.position)) for i, row in enumerate(of.rows, 1)}
     found |= {f"load {i}": float(load.position) for i, load in enumerate(shaft.loads, 1)}
+    found |= {f"mass {i}": float(mass.position) for i, mass in enumerate(shaft.masses, 1)}
     found |= {f"support {i}": float(support.position) for i, support in enumerate(shaft.supports, 1)}
     return dict(sorted(found.items(), key=lambda item: item[1]))
 

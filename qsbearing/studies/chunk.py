@@ -17,7 +17,7 @@ from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
 from qsbearing.studies.points import Points
 from qsbearing.studies.results import OVER_BALLS, Result, find, known_results, read, reading_of, suggestion
-from qsbearing.studies.scenes import scene_of_points
+from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -83,11 +83,11 @@ def solve_chunk(plan: Plan, number: int, threads: int = 1) -> Chunk:
 def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1) -> Chunk:
     """Likewise of points given by the values of their keys."""
     count = max((array.size for array in values.values() if array.ndim), default=1)
-    scene, possible, impossible, why = scene_of_points(plan.study, values, count)
+    parts, possible, impossible, why = scenes_of_points(plan.study, values, count)
     chunk = empty_chunk(plan, count, ("", *map(str, Reason), *why))
     chunk.reason[:] = np.where(possible, 0, impossible + len(Reason))
-    if scene is not None:
-        put(plan, chunk, np.flatnonzero(possible), _solved(scene, plan.chosen, threads))
+    for scene, numbers in parts:
+        put(plan, chunk, numbers, _solved(scene, plan.chosen, threads))
     return chunk
 
 
@@ -196,6 +196,7 @@ def _chosen_effects(study: Study, points: Points, possible: Scene) -> dict[str, 
         some = np.unique(np.linspace(0, count - 1, max(2, LOOKED_AT // numbers.size)).round().astype(int))
         parts.append({key: np.broadcast_to(array, count)[some] for key, array in values.items()})
     together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
-    scene = scene_of_points(study, together, next(iter(together.values())).size).scene
+    made = scenes_of_points(study, together, next(iter(together.values())).size).parts
+    scene = made[0].scene if made else None
     found = choose(scene if isinstance(scene, Scene) else possible).scene
     return {each.name: getattr(found, each.name) for each in fields(found) if each.name not in OWN_OF_A_POINT}

@@ -1,13 +1,14 @@
-"""The numeric keys that a study may vary: those of a scene file, groove radius coefficients, and the deviations of the
-balls' diameters."""
+"""The numbers that a study may vary: any number of a file by its path, those of a scene by their names alone too,
+groove radius coefficients, and the deviations of the balls' diameters."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from typing import Any
 
+from qsbearing.files import paths
 from qsbearing.files.file_keys import numbers, sections
-from qsbearing.files.thermal_keys import SECTIONS as THERMAL_SECTIONS
 from qsbearing.files.usual_words import usual
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
@@ -83,19 +84,31 @@ def _replaced(name: str) -> tuple[str, ...]:
 
 ALL = _all()
 """Every key by its name."""
-TABLES = {table for key in ALL.values() for table in key.path[:-1]}
-"""Names of the tables, and tables within, that hold them."""
+MOST_MEANT = 3
+"""Paths that are told, of those that may be meant."""
 
 
 def find(name: str) -> StudyKey | None:
-    """The key of a name: `speed_rpm`, `operation.speed_rpm`, `ball_material.density_kg_m3`; None: there is none."""
+    """The key of a name or path: `speed_rpm`, `operation.speed_rpm`, `ball_material.density_kg_m3`,
+    `shaft.loads.1.radial_y_N`; None: there is none."""
     if name in ALL:
         return ALL[name]
     one = _ONE_BALL.fullmatch(name)
     if one or name == EACH_BALL:
         ball = int(one.group(1)) if one else None
         return StudyKey(name, ("effects", BALL_DEVIATIONS.name), BALL_DEVIATIONS.unit, ball=ball)
-    return next((key for key in ALL.values() if "." in name and f".{'.'.join(key.path)}".endswith(f".{name}")), None)
+    path = tuple(name.split("."))
+    if len(path) == 1:
+        return None
+    if path[:-1] == ("effects", BALL_DEVIATIONS.name) and path[-1].isdigit() and int(path[-1]) > 0:
+        return find(f"{EACH_BALL}_{int(path[-1]) - 1}")
+    of_scene = next((key for key in ALL.values() if f".{'.'.join(key.path)}".endswith(f".{name}")), None)
+    key = None if of_scene else paths.key_at(path)
+    if key is None:
+        return of_scene
+    replaces = next((each.replaces for each in ALL.values() if each.path == path[-2:]), ())
+    own = (each.removeprefix(f"{path[-2]}.") for each in replaces if each.startswith(f"{path[-2]}."))
+    return StudyKey(name, path, key.unit, tuple(".".join((*path[:-1], each)) for each in own))
 
 
 def known(name: str) -> StudyKey:
@@ -105,10 +118,20 @@ def known(name: str) -> StudyKey:
     return key
 
 
-def suggestion(name: str) -> str:
+def problem(name: str, document: dict[str, Any]) -> tuple[str, ...]:
+    """What is wrong with a name as that of a number of this document, and what is likely meant; empty if nothing is."""
+    key = find(name)
+    if key is None:
+        return "is not a numeric key of a scene", suggestion(name, document)
+    lacks = paths.missing_table(document, key.path)
+    return tuple(filter(None, (f"is not in the file: {lacks}", _told(paths.meant(name, document))))) if lacks else ()
+
+
+def suggestion(name: str, document: dict[str, Any]) -> str:
     """What is likely meant by a name that no key has."""
-    if "thermal" in name.split(".") or any(name in names for names in THERMAL_SECTIONS.values()):
-        return "Numbers of [thermal] make one network for all points: write a file for each value"
+    own = paths.meant(name, document)
+    if own:
+        return _told(own)
     stems = {".".join(key.path[:-1]) + "." + key.path[-1]: key.name for key in ALL.values()}
     fields = {field.field: field.name for fields in numbers().values() for field in fields}
     word = name.rpartition(".")[2]
@@ -120,4 +143,12 @@ def suggestion(name: str) -> str:
         or fields.get(near(word, fields, 0.5), "")
         or stems.get(near(name, stems, 0.6), "")
     )
-    return f"Did you mean {meant}?" if meant else "Any numeric key of a scene file, such as speed_rpm or axial_load_N"
+    return f"Did you mean {meant}?" if meant else "Any number of the file, such as speed_rpm or rows.1.position_mm"
+
+
+def _told(meant: list[str]) -> str:
+    if not meant:
+        return ""
+    names = [key.name if (key := find(path)) else path for path in meant]
+    more = "" if len(names) <= MOST_MEANT else f", of {len(names)} such numbers of the file"
+    return f"Did you mean {' or '.join(names[:MOST_MEANT])}{more}?"

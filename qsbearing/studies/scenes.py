@@ -10,13 +10,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.files import catalogue
+from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.set_file import set_of
-from qsbearing.model.material import material_named
-from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIAL, MATERIALS
+from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.points import Points
@@ -32,11 +31,19 @@ distribution without limits goes where it means nothing)."""
 OWN_VALUE = "the file's own value, though the key varies"
 
 
-class PossibleScene(NamedTuple):
-    """The scene of those points of a chunk that describe a bearing."""
+class Part(NamedTuple):
+    """Points that are the cases of one scene or set."""
 
-    scene: Scene | BearingSet | None
-    """Over the possible points, one case axis; None where no point is possible."""
+    scene: Scene | BearingSet
+    """Over these points, one case axis."""
+    points: NDArray
+    """Their numbers."""
+
+
+class PossibleScenes(NamedTuple):
+    """The scenes of those points of a chunk that describe a bearing: one, unless numbers vary that make another set."""
+
+    parts: tuple[Part, ...]
     possible: NDArray
     """Which they are; shape (point,)."""
     reason: NDArray
@@ -45,36 +52,66 @@ class PossibleScene(NamedTuple):
     """`key: what is wrong with it`."""
 
 
-def scene_of_points(study: Study, values: dict[str, NDArray], count: int) -> PossibleScene:
-    """The scene of these points.
+def scenes_of_points(study: Study, values: dict[str, NDArray], count: int) -> PossibleScenes:
+    """The scenes of these points.
 
     Raises:
         SceneFileError: what is wrong with the study whatever the point.
     """
-    possible = np.ones(count, bool)
-    reason = np.zeros(count, np.int16)
-    reasons: list[str] = []
+    found = PossibleScenes((), np.ones(count, bool), np.zeros(count, np.int16), ())
+    apart = _apart(study)
+    varied = [values[key] for key in apart if values[key].ndim]
+    groups = [np.arange(count)]
+    if varied:
+        number = np.unique(np.stack(varied), axis=1, return_inverse=True)[1].ravel()
+        groups = np.split(np.argsort(number, kind="stable"), np.cumsum(np.bincount(number))[:-1])
+    for points in groups:
+        own = {key: array[points] if array.ndim else array for key, array in values.items()}
+        own |= {key: own[key].ravel()[0] for key in apart}
+        found = _with_scene(study, own, points, found, bool(apart))
+    return found
+
+
+def _apart(study: Study) -> list[str]:
+    """Keys that vary and of which no scene can have many values."""
+    named = (each.key for each in study.variables)
+    return [key for key in named if not paths.spans_cases(keys.known(key).path, study.document)]
+
+
+def _with_scene(
+    study: Study, values: dict[str, NDArray], points: NDArray, found: PossibleScenes, by_value: bool
+) -> PossibleScenes:
+    """With the scene of some points that one scene can hold, or why there is none.
+
+    Args:
+        by_value: whether what is wrong with all of these points may be right at others.
+    """
+    possible, reasons = np.ones(points.size, bool), list(found.reasons)
+    parts = found.parts
     while possible.any():
         kept = {key: array[possible] if array.ndim else array for key, array in values.items()}
         try:
             scene = _over_one_axis(_scene(study, kept), int(possible.sum()))
-            return PossibleScene(scene, possible, reason, tuple(reasons))
+            parts = (*parts, Part(scene, points[possible]))
+            break
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
             # What no varied array has a part in is wrong at the other points too.
             whatever_the_point = [each for each in wrong if each.where is None or np.ndim(each.where) == 0]
-            if whatever_the_point:
+            if whatever_the_point and not by_value:
                 raise SceneFileError(study.file, whatever_the_point) from None
             numbers = np.flatnonzero(possible)
-            for each in wrong:
-                concerned = numbers[np.broadcast_to(np.asarray(each.where), numbers.shape)]
+            for each in whatever_the_point or wrong:
+                is_of_all = each.where is None or np.ndim(each.where) == 0
+                concerned = numbers if is_of_all else numbers[np.broadcast_to(np.asarray(each.where), numbers.shape)]
                 text = f"{each.key}: {each.problem}"
                 if text not in reasons:
                     reasons.append(text)
                 fresh = concerned[possible[concerned]]
-                reason[fresh] = reasons.index(text) + 1
+                found.reason[points[fresh]] = reasons.index(text) + 1
                 possible[fresh] = False
-    return PossibleScene(None, possible, reason, tuple(reasons))
+    found.possible[points] = possible
+    return found._replace(parts=parts, reasons=tuple(reasons))
 
 
 def _over_one_axis(scene: Scene | BearingSet, count: int) -> Scene | BearingSet:
@@ -94,7 +131,7 @@ def possible_point(study: Study, random: dict[str, NDArray]) -> dict[str, NDArra
     points = Points(study.replaced(variables=axes + given, samples=0))
     for number in range(points.chunk_count):
         values = points.values(points.chunk(number))
-        possible = scene_of_points(study, values, points.size(number)).possible
+        possible = scenes_of_points(study, values, points.size(number)).possible
         if possible.any():
             first = np.flatnonzero(possible)[:1]
             return {key: array[first] if array.ndim else array for key, array in values.items()}
@@ -128,6 +165,7 @@ def check(study: Study) -> Scene | BearingSet | None:
         first = {each.key: np.asarray(each.values[0]) for each in study.variables if isinstance(each, Axis)}
         return _scene(study, first | middle)  # which says what is wrong with it
     if base is None:
+        _raise_common(study)
         return None
     errors: list[FileErrorDetail] = []
     of_balls: set[tuple[Any, ...]] = set()
@@ -148,7 +186,21 @@ def check(study: Study) -> Scene | BearingSet | None:
                 errors.append(FileErrorDetail(f"vary.{each.key}", problem, cause=_in_short(error)))
     if errors:
         raise SceneFileError(study.file, errors)
-    return scene_of_points(study, base, 1).scene
+    return scenes_of_points(study, base, 1).parts[0].scene
+
+
+def _raise_common(study: Study) -> None:
+    """See that where other values make other sets and none is possible, they have not all the same fault."""
+    axes = [each for each in study.variables if isinstance(each, Axis)]
+    common: dict[str, Any] = {}
+    for end in (0, -1) if _apart(study) else ():
+        try:
+            _scene(study, {each.key: np.asarray(each.values[end]) for each in axes})
+        except SceneFileError as error:
+            own = {str(each): each for each in error.errors}
+            common = own if end == 0 else {text: each for text, each in common.items() if text in own}
+    if common:
+        raise SceneFileError(study.file, common.values())
 
 
 def _in_short(error: SceneFileError) -> str:
@@ -169,7 +221,7 @@ def check_base(study: Study) -> None:
         return
     except SceneFileError as error:
         own = {each.key: each for each in error.errors if isinstance(each, FileErrorDetail)}
-    given = [each.key for each in study.variables if own and _is_given(study.document, keys.known(each.key).path)]
+    given = [each.key for each in study.variables if own and paths.stands_in(study.document, keys.known(each.key).path)]
     base = possible_point(study, {each.key: each.at(np.asarray(0.5)) for each in study.distributions}) if given else {}
     wrong = []
     for name in given:
@@ -183,15 +235,6 @@ def check_base(study: Study) -> None:
         raise SceneFileError(study.file, wrong)
 
 
-def _is_given(document: dict[str, Any], path: tuple[str, ...]) -> bool:
-    table: Any = document
-    for step in path:
-        if not isinstance(table, dict) or step not in table:
-            return False
-        table = table[step]
-    return True
-
-
 def label_of(scene: Scene | BearingSet | None) -> str:
     """What a study is of."""
     if isinstance(scene, BearingSet):
@@ -202,40 +245,25 @@ def label_of(scene: Scene | BearingSet | None) -> str:
 def _scene(study: Study, values: dict[str, NDArray]) -> Scene | BearingSet:
     document = copy.deepcopy(study.document)
     deviations: dict[int, NDArray] = {}
-    for name in sorted(values, key=lambda each: len(COEFFICIENTS.get(each, ())), reverse=True):  # of both grooves first
-        key = keys.known(name)
+    varied = sorted(map(keys.known, values), key=lambda each: len(COEFFICIENTS.get(each.path[-1], ())), reverse=True)
+    for key in varied:  # of both grooves first
         if key.ball is None:
-            _put(document, study, key, values[name])
+            _put(document, key, values[key.name])
         else:
-            deviations[key.ball] = values[name]
+            deviations[key.ball] = values[key.name]
     if deviations:
         _put_deviations(document, deviations)
     made = set_of if is_set(document) else scene_of
     return made(document, study.file, study.label)
 
 
-def _from_catalogue(study: Study, key: str) -> Any:
-    bearing = study.document.get("bearing", {})
-    name = bearing.get("name") if isinstance(bearing, dict) else None
-    entry = catalogue.find(name) if isinstance(name, str) else None
-    return entry.bearing.get(key) if entry else None
-
-
-def _put(document: dict[str, Any], study: Study, key: keys.StudyKey, value: NDArray) -> None:
-    table = document
-    for step in key.path[:-1]:
-        inner = table.get(step)
-        if step in MATERIALS and not isinstance(inner, dict):
-            inner = _material_table(study, step)
-        table[step] = table = inner if isinstance(inner, dict) else {}
-    table[key.path[-1]] = _plain(value)
-    for path in key.replaces:
-        name, _, replaced = path.partition(".")
-        if is_set(document) and name != key.path[0]:
+def _put(document: dict[str, Any], key: keys.StudyKey, value: NDArray) -> None:
+    paths.put(document, key.path, _plain(value))
+    for each in key.replaces:
+        other = tuple(each.split("."))
+        if is_set(document) and other[:-1] != key.path[:-1]:
             continue  # a set's preload leaves the shaft its axial channel
-        other = document.get(name)
-        if isinstance(other, dict) and other.pop(replaced, None) is not None and not other:
-            del document[name]
+        paths.take_out(document, other)
 
 
 def _put_deviations(document: dict[str, Any], deviations: dict[int, NDArray]) -> None:
@@ -252,13 +280,3 @@ def _put_deviations(document: dict[str, Any], deviations: dict[int, NDArray]) ->
 def _plain(value: ArrayLike) -> Any:
     array = np.asarray(value)
     return array if array.ndim else float(array)
-
-
-def _material_table(study: Study, side: str) -> dict[str, Any]:
-    """The numbers of a material that the file, or the catalogue, calls by name."""
-    name = study.document.get("bearing", {}).get(side, _from_catalogue(study, side))
-    material = material_named(name) if isinstance(name, str) else None
-    if material is None:
-        return {}
-    found = {key: getattr(material, key.field) for key in MATERIAL}
-    return {key.name: key.in_file(value) for key, value in found.items() if value is not None}

@@ -1,18 +1,22 @@
-"""The stiffness of a bearing at every point of a study, as rotor dynamics takes it."""
+"""The stiffness of a bearing or set at every point of a study, as rotor dynamics takes it."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.points import Points
-from qsbearing.studies.scenes import check, scene_of_points
+from qsbearing.studies.scenes import check, scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.rotor_dynamics import stiffness_columns
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.solve import solve_set
 
 IMPOSSIBLE = STATUSES[-1]
 
@@ -20,16 +24,14 @@ IMPOSSIBLE = STATUSES[-1]
 def stiffness_of(study: Study, *, mirrored: bool = False) -> dict[str, NDArray]:
     """The varied keys and the columns of `rotordynamics.stiffness_columns`, one row per point.
 
-    A point that describes no bearing has its row, with status "impossible" and why; one without equilibrium likewise.
+    Of a set the stiffness of its shaft about the reference position, then that of each row's contacts about the plane
+    of its balls' centres, each after `row_1_`, ..., in the same axes. A point that describes no bearing has its row,
+    with status "impossible" and why; one without equilibrium likewise.
 
     Raises:
         SceneError: the study is wrong whatever the point; every error, at once.
     """
-    if isinstance(check(study), BearingSet):
-        cause = "qs.solve_set(...).stiffness and qs.to_ross take sets"
-        raise SceneFileError(
-            study.file, [FileErrorDetail("[[rows]]", "makes a set; here a single bearing is read", cause=cause)]
-        )
+    check(study)
     points = Points(study)
     parts = [_of_chunk(study, points, number, mirrored) for number in range(points.chunk_count)]
     names = max(parts, key=len)
@@ -41,14 +43,22 @@ def stiffness_of(study: Study, *, mirrored: bool = False) -> dict[str, NDArray]:
 def _of_chunk(study: Study, points: Points, number: int, mirrored: bool) -> dict[str, NDArray]:
     values = points.values(points.chunk(number))
     count = points.size(number)
-    scene, possible, reason, reasons = scene_of_points(study, values, count)
+    parts, _, reason, reasons = scenes_of_points(study, values, count)
     out = {key: np.broadcast_to(value, count) for key, value in values.items()}
     why = np.array(["", *reasons])[reason]
-    if scene is None or isinstance(scene, BearingSet):
-        return out | {"status": np.full(count, IMPOSSIBLE), "reason": why}
-    for name, column in stiffness_columns(solve(scene), mirrored=mirrored).items():
-        others = {"status": np.full(count, IMPOSSIBLE, object), "reason": why.astype(object)}
-        whole = others.get(name, np.full(count, np.nan))
-        whole[possible] = column
-        out[name] = whole
-    return out
+    labels = {"status": np.full(count, IMPOSSIBLE, object), "reason": why.astype(object)}
+    for scene, numbers in parts:
+        for name, column in _columns(solve(scene) if isinstance(scene, Scene) else solve_set(scene), mirrored).items():
+            out.setdefault(name, labels.get(name, np.full(count, np.nan)))[numbers] = column
+    return out if parts else out | labels
+
+
+def _columns(solution: Solution | SetSolution, mirrored: bool) -> dict[str, NDArray]:
+    if isinstance(solution, Solution):
+        return stiffness_columns(solution, mirrored=mirrored)
+    of_shaft: Any = solution
+    columns = stiffness_columns(of_shaft, mirrored=mirrored)
+    for number, (row, found) in enumerate(zip(solution.set.rows, solution.rows, strict=True), 1):
+        own = stiffness_columns(found, mirrored=mirrored != (row.sign < 0.0))
+        columns |= {f"row_{number}_{name}": column for name, column in own.items() if name.startswith("k")}
+    return columns

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
@@ -24,9 +24,44 @@ from qsbearing.model.validation import near
 from qsbearing.model.version import __version__
 from qsbearing.studies import keys
 from qsbearing.studies.results import reading_of
-from qsbearing.studies.variables import Axis, Distribution, Variable, VariableError, error_of, variable_of
+from qsbearing.studies.variables import (
+    DISTRIBUTIONS,
+    RANGE_KEYS,
+    Axis,
+    Distribution,
+    Variable,
+    VariableError,
+    error_of,
+    variable_of,
+)
 
 MOST_SAMPLES = 1_000_000_000
+
+
+class Read(NamedTuple):
+    """The tables of a scene or study that is read already."""
+
+    document: dict[str, Any]
+    file: str
+    """What to call it in errors."""
+    label: str
+
+
+Source = str | os.PathLike[str] | dict[str, Any] | Read
+
+
+def read(source: Source) -> Read:
+    """A scene file, a study file, a catalogue bearing by its name, or the tables of such a file.
+
+    Raises:
+        SceneFileError: it cannot be read.
+    """
+    if isinstance(source, Read):
+        return source
+    if not isinstance(source, dict):
+        return Read(*document_of(source, True))
+    check_tables(source, Path("study"))
+    return Read(source, "study", "")
 
 
 class Sampling(StrEnum):
@@ -63,7 +98,7 @@ class Study(Plotted):
     @classmethod
     def of(
         cls,
-        source: str | os.PathLike[str] | dict[str, Any],
+        source: Source,
         vary: dict[str, Any] | None = None,
         *,
         samples: int | None = None,
@@ -83,9 +118,8 @@ class Study(Plotted):
         Raises:
             SceneFileError: everything that is wrong with the study, at once; what its points find is found by `sweep`.
         """
-        if isinstance(source, dict):
-            check_tables(source, Path("study"))
-        document, file, label = (dict(source), "study", "") if isinstance(source, dict) else document_of(source, True)
+        found = read(source)
+        document, file, label = dict(found.document), found.file, found.label
         errors: list[FileErrorDetail] = []
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
@@ -95,7 +129,7 @@ class Study(Plotted):
         options = _table(document, "study", errors)
         given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}
         options |= {name: value for name, value in given.items() if value is not None}
-        variables = _variables(varied, ball_count_of(document), errors)
+        variables = _variables(varied, document, errors)
         chosen = _options(options, errors)
         _ask_for_readings(document, chosen.get("quantities", ()))
         if not variables and not errors:
@@ -193,11 +227,12 @@ def _of_each_ball(variable: Variable, count: int) -> list[Variable]:
     return [replace(variable, key=f"{keys.EACH_BALL}_{ball}") for ball in range(count)]
 
 
-def _variables(varied: dict[str, Any], ball_count: int, errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
+def _variables(varied: dict[str, Any], document: dict[str, Any], errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
     found: dict[str, Variable] = {}
+    ball_count = ball_count_of(document)
     for name, given in _flattened(varied):
         try:
-            variable = variable_of(name, given)
+            variable = variable_of(name, given, document)
             each = _of_each_ball(variable, ball_count) if variable.key == keys.EACH_BALL else [variable]
             if any(one.key in found for one in each):
                 raise VariableError("is varied twice")
@@ -213,7 +248,8 @@ def _variables(varied: dict[str, Any], ball_count: int, errors: list[FileErrorDe
 def _flattened(table: dict[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
     """Names as paths: TOML reads `ball_material.density_kg_m3` as a table within."""
     for name, given in table.items():
-        if isinstance(given, dict) and name in keys.TABLES:
+        is_table = isinstance(given, dict) and given and not {*RANGE_KEYS, *DISTRIBUTIONS} & {*given}
+        if is_table and not keys.find(prefix + name):
             yield from _flattened(given, f"{prefix}{name}.")
         else:
             yield prefix + name, given

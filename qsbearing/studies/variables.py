@@ -19,6 +19,7 @@ MOST_VALUES = 1_000_000
 """Along one axis, whose values are all in memory: 60 MB of them, where samples are made as they are needed."""
 _COUNT = f"the count must be a whole number from 1 to {MOST_VALUES:,}. For more, vary several keys, or one at random"
 
+RANGE_KEYS = ("start", "stop", "count", "scale")
 DISTRIBUTIONS = {
     "normal": ("mean", "standard_deviation"),
     "uniform": ("low", "high"),
@@ -70,19 +71,20 @@ class VariableError(ValueError):
     """What is wrong with one variable."""
 
 
-def variable_of(name: str, given: Any) -> Variable:
+def variable_of(name: str, given: Any, document: dict[str, Any] | None = None) -> Variable:
     """The variable of a key and what a study file or the command line gives for it.
 
     Args:
-        name: the key; a path such as ball_material.density_kg_m3 where keys share a name.
+        name: the key, or its path in the file, such as ball_material.density_kg_m3 or rows.2.position_mm.
+        document: the tables of the file; None: those of a scene.
         given: text as `--vary` has it, a list, a number, or a table: {start, stop, count, scale}, {normal = [..]}.
 
     Raises:
         VariableError: a sentence.
     """
-    key = keys.find(name)
-    if key is None:
-        raise VariableError(f"is not a numeric key of a scene. {keys.suggestion(name)}")
+    if problem := keys.problem(name, document or {}):
+        raise VariableError(". ".join(problem))
+    key = keys.known(name)
     if isinstance(given, str):
         return _of_text(key.name, given)
     if isinstance(given, dict):
@@ -112,7 +114,7 @@ def _of_text(key: str, text: str) -> Variable:
 
 def _of_table(key: str, table: dict[str, Any]) -> Variable:
     if set(table) & {"start", "stop", "count"}:
-        unknown = set(table) - {"start", "stop", "count", "scale"}
+        unknown = set(table) - set(RANGE_KEYS)
         missing = [name for name in ("start", "stop", "count") if name not in table]
         if unknown or missing:
             problem = f"lacks {missing[0]}" if missing else f"has {sorted(unknown)[0]}, which no range has"

@@ -23,7 +23,7 @@ from qsbearing.documents.installation import pip_install
 from qsbearing.files import output_file
 from qsbearing.files.catalogue import find
 from qsbearing.files.csv_table import csv_bytes
-from qsbearing.systems.sets.bearing_set import Direction
+from qsbearing.systems.sets.row import Direction
 
 COMBINED = """
 [bearing]

@@ -28,10 +28,11 @@ from fem_check.report.rows import as_read
 from fem_check.running import records_store
 from qsbearing.model import bearing as scene_bearing
 from qsbearing.model.compiler.compiled import COMPILED
-from qsbearing.model.effects import ring_compliance
+from qsbearing.model.effects import ring_compliance, ring_expansion
 from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
 from qsbearing.studies.design import optimum
+from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.documents.page import Page
 
 pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
@@ -205,6 +206,26 @@ def softer_rings(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ring_compliance, "_michell", lambda body: 1.01 * right(body))
 
 
+def lost_offset(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first row of a set as if its faces were not ground."""
+    right = BearingSet.offset_in_operation
+
+    def lost(self: Any, row: Any, offset: Any) -> Any:
+        return right(self, row, 0.0 * offset if row is self.rows[0] else offset)
+
+    monkeypatch.setattr(BearingSet, "offset_in_operation", lost)
+
+
+def heavier_rings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Stresses by rotation 5 % too high."""
+    right = ring_expansion.stress_by_rotation
+
+    def heavier(*arguments: Any) -> Any:
+        return type(found := right(*arguments))(*(1.05 * each for each in found))
+
+    monkeypatch.setattr(ring_expansion, "stress_by_rotation", heavier)
+
+
 def lenient_limits(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search that takes limits for met within a thousandth of their spread: its design is better than possible."""
     monkeypatch.setattr(optimum, "MET", 1e-3)
@@ -229,6 +250,16 @@ PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("iso_16281_seven_balls", softer),
     ("hamrock_209_film", half_modulus),
     ("loaded_rings", softer_rings),
+    ("ntn_rigidities", softer),
+    ("tpi_7014c", groove_distance),
+    ("radial_over_axial", free_angle),
+    ("unloading_loads", free_angle),
+    ("multiple_sets", lost_offset),
+    ("triple_set_factor", lost_offset),
+    ("nsk_6208", equivalent_load),
+    ("axisforge_tilts", softer),
+    ("rings_with_fits", heavier_rings),
+    ("contacts_of_programs", softer),
 ]
 
 

@@ -6,11 +6,8 @@ import ast
 import pickle
 from pathlib import Path
 
-import pytest
-
 import qsbearing as qs
 from qsbearing.files.file_errors import translate
-from qsbearing.files.set_file import load_set
 from qsbearing.model.validation import ErrorDetail, Field, Sentence
 
 
@@ -42,23 +39,3 @@ def test_no_text_of_an_error_is_taken_apart() -> None:
                 words |= {node.id for node in given if isinstance(node, ast.Name)}
                 found += [f"{file.relative_to(root)}:{call.lineno}"] if words & texts else []
     assert found == []
-
-
-RIGID = """
-bearing.name = "7210C"
-operation.axial_load_N = 100
-rows = [{ position_mm = 0, carries = "+x" }, { position_mm = 50, carries = "-x" }]
-shaft.loads = [{ position_mm = 10, radial_y_N = 100 }]
-"""
-
-
-def test_loads_on_a_rigid_shaft_are_refused_in_the_words_of_the_file(tmp_path: Path) -> None:
-    file = tmp_path / "rigid.toml"
-    file.write_text(RIGID)
-    with pytest.raises(qs.SceneFileError) as caught:
-        load_set(file)
-    (error,) = caught.value.errors
-    assert str(error).startswith("[[shaft.sections]]: missing\n")
-    assert "outer_diameter_mm" in error.cause
-    assert "[operation], without [[shaft.loads]]" in error.cause
-    assert "qs." not in error.cause

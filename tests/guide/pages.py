@@ -1,6 +1,7 @@
 """What of a page can be run, in its order.
 
     ```toml     first line `# NAME.toml`: written to that file; `# NAME.toml, continued`: added to it; else my.toml
+    ```xml      first line `<!-- NAME -->`: written to that file
     ```sh       commands of qsbearing and fem-check, run in this process; `> FILE` keeps what they print
     ```python   one program from the page's top to its end; what a line `print(...)  # -> TEXT` prints must be TEXT
 
@@ -89,7 +90,7 @@ def run_command(words: list[str], folder: Path) -> None:
 
 def write_file(text: str, folder: Path) -> None:
     """Keep a file that the page shows."""
-    named = re.match(r"# ([\w.]+\.toml)(, continued)?\n", text)
+    named = re.match(r"(?:# |<!-- )([\w.]+\.(?:toml|rexs))(, continued)?(?: -->)?\n", text)
     name, continued = named.groups() if named else ("my.toml", None)
     with (folder / name).open("a" if continued else "w", encoding="utf-8") as file:
         file.write(text)
@@ -110,7 +111,7 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
     count = 0
     for block in blocks(page):
         count += block.is_heavy
-        if block.language == "toml":
+        if block.language in ("toml", "xml"):
             write_file(block.text, folder)
         elif block.is_heavy and not heavy:
             continue

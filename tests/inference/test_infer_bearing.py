@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from fem_check.book.published import gmn_rows
+from fem_check.book.published import columns_of, gmn_rows
 from qsbearing.inference.rigidity import pair_rigidity
-from tests.inference.data_sheets import Known, deep_groove, gmn, read, sheet
+from tests.inference.data_sheets import Known, deep_groove, gmn, sheet
 
 INCH = 25.4 * qs.mm
 
@@ -99,8 +99,9 @@ def test_light_balls_without_a_practice_cannot_be_known() -> None:
 
 def test_a_printed_rigidity_tells_the_groove() -> None:
     """NTN, whose ratings are ISO's: the rigidity at 15 degrees gives f, with which that at 25 degrees follows."""
-    for row in read("ntn_ultage_rigidities")[::9]:
-        numbers = {key: float(each) for key, each in row.items() if key != "name"}
+    sizes = columns_of("ntn_ultage_rigidities")
+    for i in range(0, len(sizes["name"]), 9):
+        numbers = {key: float(each[i]) for key, each in sizes.items() if key != "name"}
         printed = {angle: numbers[f"axial_{angle}_N_um"] * qs.N / qs.um for angle in (15, 25)}
         fields = sheet(
             numbers["bore_mm"], numbers["outside_mm"], 15, 1e3 * numbers["C"], 1e3 * numbers["C0"], maker="NTN"

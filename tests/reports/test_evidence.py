@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 import qsbearing as qs
-from qsbearing.documents.model import Badge, Table
+from qsbearing.documents.model import Badge
 from qsbearing.reports.conditions import facts_of
-from qsbearing.reports.evidence import section
+from qsbearing.reports.evidence import statements
 from tests.reports import evidence_numbers
 
 B218 = qs.load_scene("B218")
@@ -27,9 +27,7 @@ def judged(of: qs.Scene, command: str) -> tuple[str, str]:
     """What the row of a command says of a scene: the word, and why."""
     solution = qs.solve(of)
     assert solution.converged
-    table = section([solution]).blocks[-1]
-    assert isinstance(table, Table)
-    (row,) = [row for row in table.rows if f"{command}`" in row[0]]
+    (row,) = [row for row in statements([solution]) if f"{command}`" in row[0]]
     assert isinstance(row[2], Badge)
     return row[2].word, str(row[3])
 
@@ -112,7 +110,7 @@ def test_each_condition_is_asked(of: qs.Scene, command: str, word: str, why: str
 
 def test_rings_that_do_not_grow_have_no_evidence_of_growth() -> None:
     """A ring effect that is not expansion was taken for one."""
-    texts = [str(row[0]) for row in section([qs.solve(scene(ring_effects=(LARGE_BALL,)))]).blocks[-1].rows]
+    texts = [str(row[0]) for row in statements([qs.solve(scene(ring_effects=(LARGE_BALL,)))])]
     assert not any("Expansion of the rings" in text for text in texts)
     assert any("Unequal balls" in text for text in texts)
 
@@ -123,7 +121,7 @@ def test_the_numbers_are_those_of_the_records() -> None:
 
 
 def test_a_result_stands_in_every_row() -> None:
-    rows = section([qs.solve(scene(readings={"life": {}, "frequencies": {}}))]).blocks[-1].rows
+    rows = statements([qs.solve(scene(readings={"life": {}, "frequencies": {}}))])
     results = {str(row[0]): str(row[1]) for row in rows}
     assert all(results.values())
     (sector,) = [text for says, text in results.items() if "bearing_sector" in says]

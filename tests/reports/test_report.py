@@ -91,7 +91,9 @@ def page_of(folder: Path, name: str) -> Page:
 
 def input_of(folder: Path, name: str) -> dict[str, list[str]]:
     """The rows of the Input table by their keys: value, unit, source."""
-    return {row[0]: row[1:] for row in next(t for t in page_of(folder, name).tables if "from" in t[0])}
+    return {
+        row[0]: row[1:] for row in next(t for t in page_of(folder, name).tables if t[0][0] == "key of a scene file")
+    }
 
 
 def test_both_forms_are_written_and_sound(spindle: Path) -> None:
@@ -146,7 +148,7 @@ def test_each_number_of_a_material_has_its_own_source(b218: Path, tmp_path: Path
     assert "7.8 g/cm3" in rows["ring_material.density_kg_m3"][2]
     assert rows["ring_material.elastic_modulus_GPa"][2].startswith("assumed")
     assert rows["ball_material.density_kg_m3"][2] == "this program's silicon nitride"
-    assert "Rings and their seats are taken as rigid" in page_of(tmp_path, "maker").text.split("Input #")[0]
+    assert "Rings and their seats are taken as rigid" in page_of(tmp_path, "maker").text.split("Results #")[0]
 
 
 UNEQUAL = """
@@ -205,14 +207,16 @@ def test_assumptions_are_those_of_the_scene(unequal: Path, spindle: Path) -> Non
 
 def test_estimates_are_told_from_what_was_solved(unequal: Path, spindle: Path) -> None:
     """Expansion of the rings is solved with usual parameters where a scene has none: such numbers are marked alone."""
-    effects = next(t for t in page_of(spindle / "out", "spindle").tables if t[0][0] == "effect or choice")
+    effects = next(
+        t for t in page_of(spindle / "out", "spindle").tables if t[0][:2] == ["effect or choice", "in scene"]
+    )
     marked = {row[0] for row in effects if any("≈" in cell for cell in row)}
     assert "the expansion of the rings" in marked
     _, rows = explain(qs.load_scene(spindle / "Spindle.toml"), 0.01)
     assert marked == {
         row.what for row in rows if row.actual is None and any(each["actual"]["load"] for each in row.assumed)
     }
-    solved = next(t for t in page_of(unequal, "unequal").tables if t[0][0] == "effect or choice")
+    solved = next(t for t in page_of(unequal, "unequal").tables if t[0][:2] == ["effect or choice", "in scene"])
     assert not any("≈" in cell for row in solved if row[0] == "the expansion of the rings" for cell in row)
 
 
@@ -276,7 +280,7 @@ def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path,
 
 
 def test_warnings_stand_in_full_before_the_contents_end(spindle: Path) -> None:
-    first = page_of(spindle / "out", "spindle").text.split("Input #")[0]
+    first = page_of(spindle / "out", "spindle").text.split("Results #")[0]
     assert (
         "Check your data: The pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 %" in first
     )
@@ -286,8 +290,8 @@ def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, b218: Pa
     asked = page_of(spindle / "out", "spindle")
     titles = [text.removesuffix(" #") for _, text in asked.headings]
     assert titles == [
-        "7210C, modified", "Input", "Assumptions and effects", "Results", "Pictures", "Readings",
-        "Around the operating point", "Evidence that applies",
+        "7210C, modified", "Results", "Pictures", "Readings", "Around the operating point", "Assumptions and effects",
+        "Input", "Evidence that applies", "Made with",
     ]  # fmt: skip
     assert "basic reference rating life" in asked.text
     assert "Ball-pass frequencies" in asked.text

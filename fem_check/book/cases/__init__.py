@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from fem_check.book.case import Case
 from fem_check.book.cases import (
+    axisforge_tilts,
     b218_textbook,
     bearing_design,
     boresi_contacts,
     code_aster_spheres,
+    contacts_of_programs,
     endurance_1956,
     gmn_dynamic_ratings,
     gmn_hybrid_ratings,
@@ -20,7 +22,15 @@ from fem_check.book.cases import (
     loaded_rings,
     mfpt_rig,
     motor_bearings,
+    multiple_sets,
+    nsk_6208,
+    ntn_rigidities,
+    radial_over_axial,
+    rings_with_fits,
     skf_examples,
+    tpi_7014c,
+    triple_set_factor,
+    unloading_loads,
 )
 
 _ORDER = (
@@ -30,6 +40,12 @@ _ORDER = (
     gmn_rigidities,
     gmn_dynamic_ratings,
     gmn_hybrid_ratings,
+    ntn_rigidities,
+    tpi_7014c,
+    radial_over_axial,
+    unloading_loads,
+    multiple_sets,
+    triple_set_factor,
     iso_76_factors,
     iso_281_ratings,
     b218_textbook,
@@ -38,8 +54,12 @@ _ORDER = (
     loaded_rings,
     code_aster_spheres,
     skf_examples,
+    nsk_6208,
     hamrock_209_film,
     iso_16281_seven_balls,
+    axisforge_tilts,
+    rings_with_fits,
+    contacts_of_programs,
     bearing_design,
 )
 """Measurements, then catalogues, standards and textbooks, then other programs."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.matched_sets import pair_rigidities
 from fem_check.book.published import bearing, gmn_rows
 from qsbearing.readings import static_load_rating
 
@@ -30,8 +31,7 @@ def rigidity(rows: Rows, f: NDArray) -> NDArray:
     Z, D, dm, angle = (column(rows, key)[:, None] for key in ("Z", "Dw_mm", "dm_mm", "alpha_deg"))
     preload = columns(rows, "Fv")
     grooves = bearing(Z, D, dm, angle, f[:, None], f[:, None], **STEEL)
-    solution = qs.solve(qs.Scene(grooves, qs.Operation(axial_load=preload)))
-    return np.asarray(2e-6 * solution.stiffness[..., 0, 0])
+    return pair_rigidities(grooves, preload)[0]
 
 
 def fitted_groove(rows: Rows) -> NDArray:

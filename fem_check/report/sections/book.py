@@ -1,4 +1,4 @@
-"""The validation book: published cases, measured, catalogued, or computed by others; a card for each."""
+"""The validation book: published cases, measured, catalogued, or computed by others."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from fem_check.book.not_yet import NOT_YET
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
 from fem_check.report.questions import is_counter_example
-from fem_check.report.rows import as_read, reasons, table, worst
+from fem_check.report.rows import as_read, badge, reasons, table, used, worst
 from qsbearing.documents.drawing import width_of
-from qsbearing.documents.model import Block, Bullets, Facts, Md, Paragraph, Picture, Remark, Section, Table
+from qsbearing.documents.model import Block, Bullets, Cell, Facts, Md, Paragraph, Picture, Remark, Section, Table
 
 COMPUTED = (
     "Results that others have computed and published: standards with their worked examples, catalogues, programs. "
@@ -34,40 +34,49 @@ LONGEST = 12
 
 
 def sections(evidence: Evidence, whole: bool = False) -> list[Section]:
-    """What others computed, and what was measured.
+    """What others computed, in a table but for counter-examples, and what was measured, a card each.
 
     Args:
-        whole: with inputs, sources, every row, and the reasons of limits.
+        whole: a page of each case instead, with inputs, sources, every row, and the reasons of limits.
     """
     records = evidence.book.values()
     measured = [kept for kept in records if kept.data["kind"] == "M"]
     computed = [kept for kept in records if kept.data["kind"] != "M"]
-    none = [missing("The validation book", "fem-check book")]
-    first = [Paragraph(COMPUTED), *_cards(computed, whole), *_scipy(evidence.scipy)] if computed else none
-    found = [Section("Other programs, standards, catalogues", first, "published")]
-    if measured:
-        last = [Paragraph(MEASURED), *_cards(measured, whole), *([_not_yet()] if whole else [])]
-        found.append(Section("Measurements", last, "measurements"))
-    return found
-
-
-def _cards(records: Sequence[Kept], whole: bool) -> list[Block]:
     if whole:
-        return [_page(kept) for kept in records]
-    found = map(_card, records)
-    return sorted(found, key=_width)
+        first: list[Block] = list(map(_page, computed))
+        last: list[Block] = [*map(_page, measured), _not_yet()]
+    else:
+        first = [*_overview(computed), *(_card(kept) for kept in computed if is_counter_example(kept.data))]
+        last = list(map(_card, measured))
+    first = [Paragraph(COMPUTED), *first] if computed else [missing("The validation book", "fem-check book")]
+    found = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
+    return [*found, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else found
 
 
-def _width(card: Section) -> float:
-    """Of its picture: three cards with small ones stand on a page."""
-    return round(sum(block.width for block in card.blocks if isinstance(block, Picture)), 1)
+def _overview(records: Sequence[Kept]) -> list[Block]:
+    """A line for each case: its result, and the row nearest to its limit."""
+    expected = [kept for kept in records if not is_counter_example(kept.data)]
+    lines: list[list[Cell]] = []
+    for kept in expected:
+        row = max(kept.data["rows"], key=used)
+        near = table([(1, row)]).rows[0]
+        what, limit = (str(near[column]) for column in (2, 3))  # type: ignore[index]
+        name = f"{as_read(row['quantity'])}: {what} of {limit}" if limit else ""
+        lines.append([kept.data["title"], as_read(kept.data["summary"]), name, badge(kept.data["verdict"])])
+    good = sum(kept.data["verdict"] == "pass" for kept in expected)
+    words = Md(
+        f"**{good} of {len(expected)} published cases are met within their limits.** `fem-check book` writes a page "
+        "with each case whole: inputs, sources, picture, every row."
+    )
+    headings = ("case", "result", "nearest to its limit", "verdict")
+    shown = Table(headings, lines, "llll", "Calculations of others", stack=True)
+    return [Remark(words, "pass" if good == len(expected) else "fail"), shown]
 
 
 def _card(kept: Kept) -> Section:
     entry = kept.data
-    lists = _lists(entry) if entry["kind"] == "M" else []
-    blocks: list[Block] = [_answer(entry), *_picture(entry, 0.5 if lists else 0.62), table(worst(entry["rows"])), *lists, kept.trace]
-    return Section(entry["title"], blocks, _anchor(entry), is_whole=not lists)
+    shown = [_answer(entry), *_picture(entry, 0.5), table(worst(entry["rows"]))]
+    return Section(entry["title"], [*shown, *_lists(entry), kept.trace], _anchor(entry))
 
 
 def _anchor(entry: dict[str, Any]) -> str:

@@ -165,7 +165,12 @@ EFFECTS = (Key("friction_coefficient", "friction_coefficient"),)
 BALL_DEVIATIONS = Key("ball_diameter_deviations_um", "deviations", "um", um, LENGTH)
 """A list, of as many numbers as there are balls, which names its effect."""
 
-ROW = (Key("position_mm", "position", "mm", mm, LENGTH), Key("offset_um", "offset", "um", um, LENGTH))
+ROW = (
+    Key("position_mm", "position", "mm", mm, LENGTH),
+    Key("offset_um", "offset", "um", um, LENGTH),
+    *(Key(f"housing_{name}_um", f"housing_{name}", "um", um, LENGTH) for name in ("radial_y", "radial_z")),
+    *(Key(f"housing_{name}_mrad", f"housing_{name}", "mrad", mrad, ANGLE) for name in ("tilt_y", "tilt_z")),
+)
 HEATED = (celsius("temperature"), celsius("reference_temperature"))
 SHAFT = (
     Key("reference_position_mm", "reference_position", "mm", mm, LENGTH),
@@ -177,6 +182,12 @@ SECTION = (
     Key("length_mm", "length", "mm", mm, LENGTH),
     Key("outer_diameter_mm", "outer_diameter", "mm", mm, LENGTH),
     Key("inner_diameter_mm", "inner_diameter", "mm", mm, LENGTH),
+    *(Key(f"end_{side}_diameter_mm", f"end_{side}_diameter", "mm", mm, LENGTH) for side in ("outer", "inner")),
+)
+SHAFT_MASS = (
+    _POSITION,
+    Key("mass_kg", "mass", "kg"),
+    *(Key(f"{way}_inertia_kg_m2", f"{way}_inertia", "kg m2") for way in ("polar", "diametral")),
 )
 SHAFT_LOAD = (
     _POSITION,
@@ -206,12 +217,13 @@ FLOATING = (Key("spring_N", "spring", "N", N, FORCE),)
 SET_NUMBERS = {
     "rows": ROW,
     "shaft": SHAFT,
-    "housing": HEATED,
+    "housing": (*HEATED, DIAMETERS[1]),
     "spacers": SPACER,
     "floating": FLOATING,
     "sections": SECTION,
     "loads": SHAFT_LOAD,
     "supports": SHAFT_SUPPORT,
+    "masses": SHAFT_MASS,
     "housing_stiffness": HOUSING_STIFFNESS,
 }
 """The keys that hold numbers in what a file of a set has in addition to the tables of a scene."""
@@ -262,8 +274,8 @@ SET_SECTIONS: dict[str, tuple[str, ...]] = {
     "rows": (
         *(key.name for key in ROW), "carries", "sprung", "housing_stiffness", "bearing", *EFFECT_TABLES, "readings",
     ),
-    "shaft": (*(key.name for key in SHAFT), "sections", "loads", "supports", "points"),
-    "housing": (*(key.name for key in HEATED), "material", "outside_diameter_mm"),
+    "shaft": (*(key.name for key in SHAFT), "gravity_m_s2", "sections", "loads", "supports", "masses", "points"),
+    "housing": (*(key.name for key in (*HEATED, DIAMETERS[1])), "material"),
     "spacers": ("rows", *(key.name for key in SPACER), "inner_material", "outer_material"),
     "floating": ("rows", *(key.name for key in FLOATING), "preload"),
 }  # fmt: skip
@@ -272,12 +284,13 @@ SHAFT_SECTIONS: dict[str, tuple[str, ...]] = {
     "sections": (*(key.name for key in SECTION), "material"),
     "loads": tuple(key.name for key in SHAFT_LOAD),
     "supports": tuple(key.name for key in SHAFT_SUPPORT),
+    "masses": tuple(key.name for key in SHAFT_MASS),
     "housing_stiffness": (*(key.name for key in HOUSING_STIFFNESS), "matrix_SI"),
 }
 """Likewise, of the tables within [shaft] and [[rows]]."""
 NUMBERED = {
     "row": "rows", "spacer": "spacers", "floating": "floating",
-    "section": "sections", "load": "loads", "support": "supports",
+    "section": "sections", "load": "loads", "support": "supports", "mass": "masses",
 }  # fmt: skip
 """What one of several tables is called in errors, its number following; and its table."""
 

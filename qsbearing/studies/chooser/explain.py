@@ -154,7 +154,7 @@ def verdict(
         why = f"needs {entry.needs}; the numbers are those of {whats}"
         return (DATA_MISSING if error > tolerance else NOT_ASSESSED), why
     if error is None:
-        return NOT_ASSESSED, f"the {of} has another choice, or nothing that this one acts on"
+        return NOT_ASSESSED, "does not apply here"
     if error > tolerance and entry.hypothesis:
         return NOT_ASSESSED, entry.hypothesis
     return (NEEDED if error > tolerance else NOT_NEEDED), ""

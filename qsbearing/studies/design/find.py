@@ -24,8 +24,9 @@ from qsbearing.studies.design.wanted import Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.results import OVER_BALLS, Result, suggestion
 from qsbearing.studies.results import find as find_result
-from qsbearing.studies.scenes import base_scene, check, scene_of_points
-from qsbearing.studies.study import Study
+from qsbearing.studies.scenes import base_scene, check, scenes_of_points
+from qsbearing.studies.study import Read, Study
+from qsbearing.studies.study import read as read_source
 from qsbearing.studies.variables import Axis
 from qsbearing.systems.sets.bearing_set import BearingSet
 
@@ -135,8 +136,9 @@ def prepared(
     began = time.perf_counter()
     if isinstance(source, Scene | BearingSet):
         source = input_tables(source)
-    asked = wanted(vary, goals, limits, minimise, maximise, "find")
-    study = _study(source, asked)
+    read = read_source(source)
+    asked = wanted(vary, goals, limits, minimise, maximise, "find", read.document)
+    study = _study(read, asked)
     count = len(asked.variables)
     _check(study.replaced(variables=_axes(asked, LOOK[count])), asked)
     plan = plan_of(study, base_scene(study.replaced(variables=_axes(asked, LOOK[count]))), Points(study))
@@ -182,7 +184,7 @@ def _axes(asked: Wanted, count: int) -> tuple[Axis, ...]:
     return tuple(Axis(each.key, each.some(count)) for each in asked.variables)
 
 
-def _study(source: Any, asked: Wanted) -> Study:
+def _study(source: Read, asked: Wanted) -> Study:
     """A study over some values of each variable, which asks for the readings that are named."""
     vary = {axis.key: list(axis.values) for axis in _axes(asked, SOME)}
     cut = [each for name in asked.names for each in _spellings(name)]
@@ -198,7 +200,7 @@ def _check(study: Study, asked: Wanted) -> None:
         return
     first = {axis.key: np.asarray(axis.values) for axis in _axes(asked, 2)[:1]}
     first |= {axis.key: np.asarray(axis.values[0]) for axis in _axes(asked, 2)[1:]}
-    reasons = scene_of_points(study, first, 2).reasons
+    reasons = scenes_of_points(study, first, 2).reasons
     problem = f"no point describes a bearing: {reasons[0] if reasons else ''}"
     raise SceneFileError(study.file, [FileErrorDetail("vary", problem, cause="Move or widen the ranges")])
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
@@ -22,8 +21,8 @@ from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.results import Result
 from qsbearing.studies.results import find as find_result
-from qsbearing.studies.scenes import base_scene, check_base, scene_of_points
-from qsbearing.studies.study import Study
+from qsbearing.studies.scenes import base_scene, check_base, scenes_of_points
+from qsbearing.studies.study import Source, Study, read
 from qsbearing.studies.variables import Axis
 
 LABELS = ("name", "label", "point", "remark")
@@ -47,7 +46,7 @@ def read_table(path: str, decimal: str | None = None) -> Columns:
 
 
 def solve_table(
-    source: str | os.PathLike[str] | dict[str, Any],
+    source: Source,
     table: dict[str, list[Any]],
     file: str = "points",
     progress: Callable[[int, int], object] | None = None,
@@ -69,7 +68,8 @@ def solve_table(
     Raises:
         SceneFileError: a heading that is no key, or what is wrong with the scene whatever the row.
     """
-    named = _keys(table, file)
+    source = read(source)
+    named = _keys(table, file, source.document)
     count = len(next(iter(table.values())))
     values, reasons = _numbers(table, named, count)
     good = np.flatnonzero([not reason for reason in reasons])
@@ -109,7 +109,7 @@ def _written(cells: list[Any], numbers: NDArray) -> list[Any]:
     return [cell if value != value else int(value) if value == int(value) else value for cell, value in pairs]
 
 
-def _keys(table: dict[str, list[Any]], file: str) -> dict[str, str]:
+def _keys(table: dict[str, list[Any]], file: str, document: dict[str, Any]) -> dict[str, str]:
     """The study's key of each heading that is one."""
     errors: list[FileErrorDetail] = []
     named: dict[str, str] = {}
@@ -117,10 +117,10 @@ def _keys(table: dict[str, list[Any]], file: str) -> dict[str, str]:
         key = keys.find(heading)
         if heading.lower() in LABELS:
             continue
-        if key is None or key.name == keys.EACH_BALL:
-            meant = keys.suggestion(heading)
-            cause = f"{meant}{'' if meant.endswith('?') else '.'} Columns named {', '.join(LABELS)} are copied"
-            errors.append(FileErrorDetail(f"column {heading}", "is not a numeric key of a scene", cause=cause))
+        if key is None or key.name == keys.EACH_BALL or keys.problem(heading, document):
+            problem, *meant = keys.problem(heading, document) or ("is drawn at random",)
+            cause = ". ".join((f"Columns named {', '.join(LABELS)} are copied", *meant))
+            errors.append(FileErrorDetail(f"column {heading}", problem, cause=cause))
         elif key.name in named.values():
             errors.append(FileErrorDetail(f"column {heading}", f"{key.name} has a column already"))
         else:
@@ -157,7 +157,7 @@ def _some(column: NDArray) -> list[float]:
 
 
 def _plan(study: Study, values: dict[str, NDArray], count: int) -> Plan:
-    possible = scene_of_points(study, values, count).possible if count else np.zeros(0, bool)
+    possible = scenes_of_points(study, values, count).possible if count else np.zeros(0, bool)
     if not possible.any():
         return Plan(study, (), 1)
     first = int(np.argmax(possible))

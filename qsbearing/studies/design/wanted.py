@@ -85,6 +85,7 @@ def wanted(
     minimise: str | None,
     maximise: str | None,
     file: str,
+    document: dict[str, Any] | None = None,
 ) -> Wanted:
     """What was asked for in words.
 
@@ -92,6 +93,7 @@ def wanted(
         vary: for each key "LOW:HIGH", "LOW:HIGH:log" or (LOW, HIGH), or the values to choose from: "A,B,C" or a list.
         goals, limits: "NAME=VALUE", "NAME<=VALUE" or "NAME>=VALUE".
         file: what to call it in errors.
+        document: the tables of the scene that it is asked of.
 
     Raises:
         SceneFileError: everything that is wrong with it, at once.
@@ -100,7 +102,7 @@ def wanted(
     variables: dict[str, Variable] = {}
     for name, given in vary.items():
         try:
-            variable = _variable(name, given)
+            variable = _variable(name, given, document or {})
             if variable.key in variables:
                 raise ValueError("is varied twice")
             variables[variable.key] = variable
@@ -128,11 +130,11 @@ def wanted(
     return Wanted(tuple(variables.values()), tuple(filter(None, conditions)), objective.strip(), bool(maximise))
 
 
-def _variable(name: str, given: Any) -> Variable:
+def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
     """Raises ValueError with what is wrong."""
-    key = keys.find(name)
-    if key is None:
-        raise ValueError(f"is not a numeric key of a scene. {keys.suggestion(name)}")
+    if problem := keys.problem(name, document):
+        raise ValueError(". ".join(problem))
+    key = keys.known(name)
     if key.name == keys.EACH_BALL:
         raise ValueError(f"is drawn at random; of one ball it is {keys.EACH_BALL}_0")
     is_log = False

@@ -173,9 +173,8 @@ class ThermalState:
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
-                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.in_words}){self.thermal.bound}: one more "
-                f"watt of heat makes the friction grow by {self.feedback[place]:.2g} W; at 1 W the preload would run "
-                "away."
+                f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.in_words}){self.thermal.bound}. "
+                f"Thermal feedback {self.feedback[place]:.2g} (runaway at 1)."
             )
         limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
         if verdict is Verdict.UNDECIDED:

@@ -23,8 +23,9 @@ class RotorSection(NamedTuple):
 
     begin: float
     end: float
-    outer_diameter: float
-    inner_diameter: float
+    outer_diameters: tuple[float, float]
+    """Where it begins and ends."""
+    inner_diameters: tuple[float, float]
     material: Material
 
 
@@ -76,11 +77,15 @@ def rotor(
         inside = [x for x in named if section.begin < x < section.end]
         steps = np.unique(np.round([section.begin, *inside, section.end], 9))
         for begin, end in pairwise(steps):
-            count = int(np.ceil((end - begin) / (longest * section.outer_diameter)))
+            count = int(np.ceil((end - begin) / (longest * min(section.outer_diameters))))
             material = _material(ross, section.material, materials)
-            size = {"idl": section.inner_diameter, "odl": section.outer_diameter, "material": material}
-            elements += [ross.ShaftElement(L=(end - begin) / count, **size) for _ in range(count)]
-            nodes += list(np.linspace(begin, end, count + 1)[1:])
+            cuts = np.linspace(begin, end, count + 1)
+            ends = [section.begin, section.end]
+            inner, outer = (np.interp(cuts, ends, each) for each in (section.inner_diameters, section.outer_diameters))
+            for idl, idr, odl, odr in zip(inner[:-1], inner[1:], outer[:-1], outer[1:], strict=True):
+                size = {"idl": idl, "idr": idr, "odl": odl, "odr": odr, "material": material}
+                elements.append(ross.ShaftElement(L=(end - begin) / count, **size))
+            nodes += list(cuts[1:])
 
     def node(position: float) -> int:
         return int(np.abs(np.array(nodes) - position).argmin())

@@ -21,13 +21,14 @@ _ROTATIONS = NAMES[3:]
 
 
 def stiffness_columns(solution: Solution, *, mirrored: bool = False) -> dict[str, NDArray]:
-    """Speed, loads and stiffness of every case; arrays of shape (case,), units in their names.
+    """Speed, loads and stiffness of every case, of a set its shaft's; arrays of shape (case,), units in their names.
 
     Speed of the inner ring [rad/s]; kxx, kxy, ... of the 5 × 5 matrix, row by row [N/m, N/rad, N m/m, N m/rad]; the
     load centres [mm]. Of a case that is not solved, NaN.
     """
     stiffness = in_rotor_axes(solution.stiffness.reshape(-1, 5, 5), mirrored=mirrored)
-    speed = np.broadcast_to(np.asarray(solution.scene.operation.speed, float), solution.shape)
+    of = getattr(solution, "set", None) or solution.scene
+    speed = np.broadcast_to(np.asarray(of.operation.speed, float), solution.shape)
     out: dict[str, NDArray] = {
         "speed_rad_s": np.ravel(speed),
         "status": np.ravel(np.asarray(solution.status, str)),

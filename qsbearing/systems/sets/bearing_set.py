@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -24,57 +23,18 @@ from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, choose, raise_if_any, within
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
-from qsbearing.systems.sets.shaft import FloatingGroup, Housing, HousingStiffness, Shaft, Spacer, outside
+from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
+from qsbearing.systems.sets.shaft import FloatingGroup, Housing, Shaft, Spacer, outside
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
 
-FARTHEST = 10.0
-"""Metres along the shaft; it catches mistakes of unit."""
-
-WIDEST_OFFSET = 0.01
-"""Metres; likewise."""
 SAME_PLACE = 0.01
 """Of the ball diameter: rows that are nearer have the same balls (chosen: more than any clearance parts them)."""
 IDEAL_DISTANCE = 1e-6
 """Metres: below it, but not zero, a set stands for one whose rows have no distance, each with balls of its own."""
-
-
-class Direction(StrEnum):
-    """Which axial load on the shaft a row carries; it presses the row's balls."""
-
-    PLUS = "+x"
-    MINUS = "-x"
-
-
-@dataclass(frozen=True)
-class Row:
-    """One row of balls: its bearing and its place in the set. SI units; numbers may be arrays that span cases."""
-
-    bearing: BallBearing
-    position: ArrayLike = 0.0
-    """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
-    reference temperature [m]."""
-    carries: Direction = Direction.PLUS
-    """As a member or as its word."""
-    offset: ArrayLike = 0.0
-    """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
-    faces are ground off, or a spacer is longer. Below zero it is a gap."""
-    sprung: bool = False
-    """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
-    housing_stiffness: HousingStiffness | None = None
-    """Of what its outer ring sits in; None: rigid."""
-    ring_effects: tuple[RingEffect, ...] | None = None
-    """Its own; None: those of the set."""
-    readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
-    """Its own; None: those of the set."""
-
-    @property
-    def sign(self) -> float:
-        """1 for a row that carries load in +x, -1 for one that carries it in -x."""
-        return 1.0 if self.carries == Direction.PLUS else -1.0
 
 
 @dataclass(frozen=True)
@@ -137,7 +97,7 @@ class BearingSet(InNotebooks):
         numbers = _number_errors(self)
         # Whether a preload has rows to press against is known only once groups name rows that there are.
         preload = [] if numbers else _preload_errors(self)
-        raise_if_any([*_row_errors(self.rows), *numbers, *_place_errors(self), *preload])
+        raise_if_any([*row_errors(self.rows), *numbers, *_place_errors(self), *preload])
         rows = (
             row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
             for row in self.rows
@@ -165,9 +125,9 @@ class BearingSet(InNotebooks):
     def _seated(self, rings: RingExpansion, row: Row) -> RingExpansion:
         """Rings on this shaft and in this housing: what they leave out of their seats is the shaft's and housing's."""
         seats: dict[str, Any] = {}
-        if self.shaft is not None and rings.shaft_interference is not None:
+        if self.shaft is not None and self.shaft.sections and rings.shaft_interference is not None:
             section = self.shaft.sections[self.shaft.section_number(row.position)]
-            seats |= {"shaft_bore_diameter": section.inner_diameter, "shaft_material": section.material}
+            seats |= {"shaft_bore_diameter": self.shaft.bore_at(row.position), "shaft_material": section.material}
             seats["shaft_temperature"] = self.shaft.temperature
         if self.housing is not None and rings.housing_interference is not None:
             seats |= {"housing_material": self.housing.material, "housing_temperature": self.housing.temperature}
@@ -201,14 +161,14 @@ class BearingSet(InNotebooks):
     @cached_property
     def alike(self) -> tuple[int, ...]:
         """Of each row, from 0, the first that as a bearing is the very same: solved alike, checked once."""
-        known: dict[tuple[int, ...], int] = {}
+        known: dict[tuple[Any, ...], int] = {}
         found = []
         for number, row in enumerate(self.rows):
             effects = self.ring_effects if row.ring_effects is None else row.ring_effects
             effects = effects if isinstance(effects, tuple) else (effects,)
-            seat = 0
-            if self.shaft is not None and any(isinstance(each, RingExpansion) for each in effects):
-                seat = self.shaft.section_number(row.position)
+            seat: tuple[float, ...] = ()
+            if self.shaft is not None and self.shaft.sections and any(isinstance(e, RingExpansion) for e in effects):
+                seat = self.shaft.section_number(row.position), self.shaft.bore_at(row.position)
             own = row.bearing, row.readings, *effects
             found.append(known.setdefault((seat, *map(id, own)), number))
         return tuple(found)
@@ -253,6 +213,8 @@ class BearingSet(InNotebooks):
         found = [each.temperature for each in (self.shaft, self.housing) if each is not None]
         if self.shaft is not None:
             found += [value for load in self.shaft.loads for value in load.values]
+            found += [each.mass for each in self.shaft.masses]
+        found += [getattr(row, name) for row in self.rows for name, *_ in OUT_OF_LINE]
         for each in self.spacers:
             found += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
         return found + [group.spring for group in self.floating]
@@ -297,17 +259,6 @@ class BearingSet(InNotebooks):
         return " ".join(pair)
 
 
-def _row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
-    errors = []
-    for number, row in enumerate(rows, 1):
-        path = f"row {number}"
-        if not isinstance(row.bearing, BallBearing):
-            errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
-        errors += choose(f"{path}.carries", row.carries, Direction)[1]
-        errors += placement_errors(path, row.position, row.offset)
-    return errors
-
-
 def _number_errors(of: BearingSet) -> list[ErrorDetail]:
     """Errors of spacers and floating groups that name rows."""
     errors: list[ErrorDetail] = []
@@ -324,12 +275,6 @@ def _number_errors(of: BearingSet) -> list[ErrorDetail]:
                 errors.append(ErrorDetail(path, "name a row that is sprung, or in another group", list(rows)))
             taken |= set(rows) if kind == "floating" else set()
     return errors
-
-
-def placement_errors(path: str, position: ArrayLike, offset: ArrayLike) -> list[ErrorDetail]:
-    """Errors of where a row stands, whatever the bearing."""
-    errors = within(f"{path}.position", position, LENGTH, -FARTHEST, FARTHEST)
-    return errors + within(f"{path}.offset", offset, LENGTH, -WIDEST_OFFSET, WIDEST_OFFSET)
 
 
 def _place_errors(of: BearingSet) -> list[ErrorDetail]:

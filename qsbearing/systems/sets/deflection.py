@@ -63,28 +63,35 @@ class Deflection:
         moved = np.einsum("skij,kj->ski", structure.supports, q)
         self.supports = -np.einsum("sij,skj->ksi", self._springs, moved)
         """Forces of supports; shape (case, support, 5)."""
-        at = (self.places.masters, self.places.loaded, np.zeros((1, 1)))
-        cases = max(each.shape[0] for each in at)
-        self._at = np.concatenate([np.broadcast_to(each, (cases, each.shape[1])) for each in at], axis=1)
-        every = (self.rows, self.supports, self.places.shaft_loads(), reference_load[:, None])
-        self._forces = np.concatenate(every, axis=1)
+        self._reference_load = reference_load
 
     @property
     def _springs(self) -> NDArray:
         return np.array([each.stiffness for each in self.places.supports]).reshape(-1, 5, 5)
 
+    def _acting(self, positions: list) -> tuple[NDArray, NDArray]:
+        """(where, what) acts on the shaft, as these positions see it; shape (case or 1, force), (case, force, 5)."""
+        loads = self.places.loads_seen_from(positions)
+        at = (self.places.masters, self.places.arms([each.position for each in loads]), np.zeros((1, 1)))
+        cases = max(each.shape[0] for each in at)
+        every = (self.rows, self.supports, self.places.forces_of(loads), self._reference_load[:, None])
+        where = [np.broadcast_to(each, (cases, each.shape[1])) for each in at]
+        return np.concatenate(where, axis=1), np.concatenate(every, axis=1)
+
     def along(self, positions: ArrayLike) -> NDArray:
         """Displacement at these positions [m]; shape (case, position, 5)."""
-        arms = self.places.arms(list(np.atleast_1d(np.asarray(positions, float))))
-        bent = np.einsum("kpaij,kaj->kpi", self._cases(self.places.flexibility(arms, self._at)), self._forces)
+        asked = list(np.atleast_1d(np.asarray(positions, float)))
+        arms, (at, forces) = self.places.arms(asked), self._acting(asked)
+        bent = np.einsum("kpaij,kaj->kpi", self._cases(self.places.flexibility(arms, at)), forces)
         return np.asarray(bent + np.einsum("kpij,kj->kpi", self._cases(rigid_motion(arms)), self.q[:, :5]))
 
     def inner_forces(self, positions: ArrayLike) -> NDArray:
         """What the shaft beyond a position, in +x, does to what is before it; shape (case, position, 5) [N, N m]."""
-        arms = self.places.arms(list(np.atleast_1d(np.asarray(positions, float))))
-        lever = self._at[:, None, :] - arms[..., None]
+        asked = list(np.atleast_1d(np.asarray(positions, float)))
+        arms, (at, forces) = self.places.arms(asked), self._acting(asked)
+        lever = at[:, None, :] - arms[..., None]
         carried = rigid_motion(lever).swapaxes(-1, -2) * (lever > 0.0)[..., None, None]
-        return np.asarray(np.einsum("kpaij,kaj->kpi", self._cases(carried), self._forces))
+        return np.asarray(np.einsum("kpaij,kaj->kpi", self._cases(carried), forces))
 
     def _cases(self, array: NDArray) -> NDArray:
         return np.broadcast_to(array, (self.places.count, *array.shape[1:]))
@@ -121,7 +128,7 @@ class Deflection:
         bent = places.flexibility(places.masters, places.masters)
         energy = np.einsum("akic,kabij,bkjc->kc", forces, self._cases(bent), forces)
         energy = energy + 2.0 * np.einsum("kii->ki", (back @ forces).sum(axis=0)) + np.einsum("kii->ki", own)
-        parts = {} if places.shaft is None else {"shaft": energy}
+        parts = {} if places.beam is None else {"shaft": energy}
         for number, row in enumerate(places.of.rows):
             parts[f"row {number + 1}"] = (pressed[number] * loads[number]).sum(axis=1)
             if row.housing_stiffness is not None:

@@ -1,17 +1,19 @@
 """The elastic shaft and elastic housings: what rows and supports move in addition to the rigid motion of the reference.
 
 The shaft is clamped at the reference position and moves with it by q. Forces f of rows and supports, and loads f0 of
-the shaft, move their places by
+the shaft, its weight among them, move their places by
 
-    u = R q + C f + C0 f0,
+    u = R q + C f + C0 f0 - h,
 
-C from the beam, and for a row from its housing too. C = A A^T makes C f = A n of unknowns n that obey n = A^T f,
+C from the beam, and for a row from its housing too; h is how far a row's housing is out of line. C = A A^T makes
+C f = A n of unknowns n that obey n = A^T f,
 at the minimum of the energy of rows, supports and n. In the units of lengths these equations stay well conditioned
 however stiff the shaft is, and without elasticity none of them is there.
 
-    rows:      sum of G^T F(G q + offset) + S q = load,      G = T [R, slide, A, C0 f0]
+    rows:      sum of G^T F(G q + offset) + S q = load,      G = T [R, slide, A, C0 f0 - h]
 
-with T from a place on the shaft to the row's own frame, S of n and of the supports, and 1 in q for the loads.
+with T from a place on the shaft to the row's own frame, S of n and of the supports, and 1 in q for the
+loads and what is out of line. A rigid shaft has no C.
 """
 
 from __future__ import annotations
@@ -21,10 +23,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.systems.sets.beam import Beam, beam_of, flexibility, rigid_motion
+from qsbearing.systems.sets.beam import Beam, flexibility, rigid_motion
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.rigid_shaft import UNKNOWNS, arms_along, own_lever, row_matrices
-from qsbearing.systems.sets.shaft import Shaft
+from qsbearing.systems.sets.shaft import Shaft, ShaftLoad
+from qsbearing.systems.sets.weight import weight
 
 PLANES = ((0,), (1, 4), (2, 3))
 """Channels that a round shaft in housings without couplings keeps apart: along, in xy, in xz."""
@@ -50,7 +53,7 @@ class Structure:
     rigid: int
     """Up to this unknown they are those of rigid bodies: the shaft, rings and sleeves that slide."""
     given: int
-    """From this unknown on they are held at 1: the columns of the shaft's loads."""
+    """From this unknown on they are held at 1: the column of the shaft's loads and of what is out of line."""
     supports: NDArray = field(default_factory=lambda: np.zeros((0, 1, 5, UNKNOWNS)))
     """What displaces each support; shape (support, case, 5, unknown)."""
 
@@ -80,7 +83,7 @@ def structure_of(of: BearingSet, shape: tuple[int, ...], length: NDArray) -> Str
     springs = np.zeros((rigid.shape[1], rigid.shape[-1]))
     for number, group in enumerate(of.floating, UNKNOWNS):
         springs[:, number] = np.broadcast_to(np.asarray(group.spring, float), shape).reshape(-1)
-    if of.shaft is None and all(row.housing_stiffness is None for row in of.rows):
+    if of.shaft is None and all(row.housing_stiffness is None and not row.is_out_of_line for row in of.rows):
         none = np.zeros((0, rigid.shape[-1], rigid.shape[-1]))
         return Structure(rigid, none, springs, (), rigid.shape[-1], rigid.shape[-1])
     structure = _elastic(of, shape, rigid, length)
@@ -95,10 +98,15 @@ class Places:
         self.of, self.shaft = of, of.shaft
         self.shape, self.count = shape, int(np.prod(shape))
         self.supports = () if self.shaft is None else self.shaft.supports
-        self.loads = () if self.shaft is None else self.shaft.loads
-        self.masters = self.arms([row.position for row in of.rows] + [each.position for each in self.supports])
+        masters = [row.position for row in of.rows] + [each.position for each in self.supports]
+        self.masters, self._cuts = self.arms(masters), [*masters, of.reference]
+        self.loads = self.loads_seen_from([])
         self.loaded = self.arms([each.position for each in self.loads])
-        self.beam = None if self.shaft is None else _warm_beam(of, self.shaft, self)
+        self.beam = _warm_beam(of, self.shaft, self) if self.shaft is not None and self.shaft.sections else None
+
+    def loads_seen_from(self, positions: list) -> tuple[ShaftLoad, ...]:
+        """Of the shaft and its weight, as rows, supports and these positions see them exactly."""
+        return () if self.shaft is None else (*self.shaft.loads, *weight(self.shaft, [*self._cuts, *positions]))
 
     def arms(self, positions: list) -> NDArray:
         """From the reference, warm; shape (case or 1, position)."""
@@ -120,10 +128,18 @@ class Places:
                 out[:, number, number] += row.housing_stiffness.compliance
         return out
 
-    def shaft_loads(self) -> NDArray:
+    def forces_of(self, loads: tuple[ShaftLoad, ...]) -> NDArray:
         """Shape (case, load, 5)."""
-        flat = [[np.broadcast_to(v, self.shape).reshape(-1) for v in load.values] for load in self.loads]
-        return np.array(flat, float).reshape(len(self.loads), 5, self.count).transpose(2, 0, 1)
+        flat = [[np.broadcast_to(v, self.shape).reshape(-1) for v in load.values] for load in loads]
+        return np.array(flat, float).reshape(len(loads), 5, self.count).transpose(2, 0, 1)
+
+    def out_of_line(self) -> NDArray:
+        """How far housings of rows are; shape (case, place, 5)."""
+        out = np.zeros((self.count, self.masters.shape[1], 5))
+        for number, row in enumerate(self.of.rows):
+            for channel, value in enumerate(row.out_of_line, 1):
+                out[:, number, channel] = np.broadcast_to(value, self.shape).reshape(-1)
+        return out
 
 
 def _warm_beam(of: BearingSet, shaft: Shaft, places: Places) -> Beam:
@@ -135,12 +151,16 @@ def _warm_beam(of: BearingSet, shaft: Shaft, places: Places) -> Beam:
     grown = 1.0 + np.atleast_2d(strains)
     grown, begin, end = np.broadcast_arrays(grown, ends[:, :-1], ends[:, 1:])
     sections = shaft.sections
-    outer, inner = (np.array([getattr(each, f"{side}_diameter") for each in sections]) for side in ("outer", "inner"))
+    outer, inner = (
+        np.array([(first, last - first) for first, last in ends]).T
+        for ends in ([each.outer_diameters for each in sections], [each.inner_diameters for each in sections])
+    )
     modulus, ratio = (
         np.array([float(np.asarray(getattr(each.material, name))) for each in sections])
         for name in ("elastic_modulus", "poisson_ratio")
     )
-    return beam_of(begin, end, outer * grown, inner * grown, modulus, ratio)
+    outer, inner = (np.stack([each * grown for each in side]) for side in (outer, inner))
+    return Beam(begin, end, outer, inner, modulus, ratio)
 
 
 def to_row(of: BearingSet, number: int, cases: int) -> NDArray:
@@ -163,10 +183,10 @@ def _elastic(of: BearingSet, shape: tuple[int, ...], rigid: NDArray, length: NDA
         first += resists.shape[-1]
         columns.append(some)
         stiffness.append(resists)
-    if places.loads:
-        forces = places.shaft_loads()
+    forces = places.forces_of(places.loads)
+    if places.loads or any(row.is_out_of_line for row in of.rows):
         moved = np.einsum("kmlij,klj->kmi", places.flexibility(places.masters, places.loaded), forces)
-        columns.append(moved[..., None])
+        columns.append((moved - places.out_of_line())[..., None])
         stiffness.append(np.zeros((1, 1)))
     cases = np.broadcast_shapes(*(each.shape[:1] for each in columns))[0]
     elastic = np.concatenate([np.broadcast_to(each, (cases, *each.shape[1:])) for each in columns], axis=-1)
@@ -226,7 +246,8 @@ def _modes(own: NDArray, channels: tuple[int, ...], length: NDArray) -> tuple[ND
 def axial_give(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
     """How far shaft and housings let each row draw back in the direction that it carries, under rows' axial loads in
     theirs [m]; of a set at rest and cold, its shaft unloaded."""
-    shape = np.broadcast_shapes(np.shape(of.reference), *map(np.shape, loads), *(np.shape(r.position) for r in of.rows))
+    given = (of.reference, *(row.position for row in of.rows), *of.numbers_around, *loads)
+    shape = np.broadcast_shapes(*(np.shape(each) for each in given if each is not None))
     places, signs = Places(of, shape), np.array([row.sign for row in of.rows])
     rows = len(of.rows)
     axial = places.own_flexibility()[:, :rows, :rows, 0, 0] * signs[:, None] * signs

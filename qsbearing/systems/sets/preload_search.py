@@ -112,16 +112,16 @@ def sentence(of: BearingSet, found: Sequence[Change], at: Callable[[Any], str], 
     change, rows = found[0], sorted(each.row + 1 for each in found)
     name = "The set" if change.row < 0 else capital(row_name(of.rows[change.row], change.row))
     name = name if len(rows) == 1 else capital(numbered("row", rows))
-    times = f"{EXCESSIVE:g} times the given preload"
+    times = f"{EXCESSIVE:g} times its given value"
     if change.after == PreloadState.LOST and change.value == 0.0:
         return f"{name} has lost its preload {already}."
     if change.after == PreloadState.EXCESSIVE and change.value == 0.0:
-        return f"{name}: the preload is excessive, more than {times}, {already}."
+        return f"{name}: the preload exceeds {times} {already}."
     where = at(Span(each.value for each in found))
     said = {
         str(PreloadState.MAINTAINED): f"{name} regains its preload {where}.",
         str(PreloadState.LOST): f"{name} loses its preload {where}.",
-        str(PreloadState.EXCESSIVE): f"{name}: the preload is excessive, {times}, {where}.",
+        str(PreloadState.EXCESSIVE): f"{name}: the preload exceeds {times} {where}.",
         "no_equilibrium": f"{name}: no equilibrium {where}.",
     }
     return said.get(change.after, f"{name}: no solution {where}.")

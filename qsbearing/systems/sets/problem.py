@@ -18,10 +18,11 @@ from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
-from qsbearing.systems.sets.bearing_set import BearingSet, Row
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.rigid_shaft import SLIDE
+from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.row_cases import Found, RowCases, empty
 
 

@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.systems.sets.axial_growth import SHAFT, expansion
-from qsbearing.systems.sets.bearing_set import BearingSet, Row
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Row
 
 UNKNOWNS = 6
 """Of a case: five channels of the shaft, and the slide of the sprung rings towards their balls."""

@@ -26,10 +26,10 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
         SceneError: there is no shaft.
     """
     shaft = of.shaft
-    if shaft is None:
+    if shaft is None or not shaft.sections:
         raise SceneError([ErrorDetail("shaft", "missing", detail="the rotor is made of its sections")])
     sections = [
-        RotorSection(begin, end, each.outer_diameter, each.inner_diameter, each.material)
+        RotorSection(begin, end, each.outer_diameters, each.inner_diameters, each.material)
         for (begin, end), each in zip(pairwise(map(float, shaft.ends)), shaft.sections, strict=True)
     ]
     rows = enumerate(zip(of.rows, held, strict=True), 1)
@@ -38,7 +38,12 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     holders += [Holder(each.position, each.stiffness, f"support {number}") for number, each in supports]
     places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
     speed = np.broadcast_to(np.asarray(of.operation.speed, float), held.shape[1:-2])
-    return ross_rotor.rotor(sections, holders, speed, places, disks, longest)
+    inertia = {"m": "mass", "Ip": "polar_inertia", "Id": "diametral_inertia"}
+    masses = [
+        {"position": each.position, **{name: float(np.asarray(getattr(each, of))) for name, of in inertia.items()}}
+        for each in shaft.masses
+    ]
+    return ross_rotor.rotor(sections, holders, speed, places, [*masses, *disks], longest)
 
 
 def held_by(of: BearingSet, own: NDArray, turned: NDArray) -> NDArray:

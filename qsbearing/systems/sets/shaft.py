@@ -27,6 +27,7 @@ from qsbearing.model.validation import (
 )
 
 STIFFNESS, TILT_STIFFNESS = Quantity("N/m"), Quantity("N m/rad")
+MASS, INERTIA, ACCELERATION = Quantity("kg"), Quantity("kg m^2"), Quantity("m/s^2")
 LOADS = (("axial", FORCE), ("radial_y", FORCE), ("radial_z", FORCE), ("moment_y", MOMENT), ("moment_z", MOMENT))
 SPRINGS = (
     *((name, STIFFNESS) for name in ("axial", "radial_y", "radial_z")),
@@ -40,12 +41,35 @@ STIFFEST = 1e18
 
 @dataclass(frozen=True)
 class ShaftSection:
-    """A length of shaft between two steps; SI units, plain numbers."""
+    """A length of shaft between two steps, a cylinder or a cone; SI units, plain numbers."""
 
     length: float
     outer_diameter: float
+    """Of a cone, where it begins."""
     inner_diameter: float = 0.0
+    """Likewise."""
     material: Material = STEEL
+    end_outer_diameter: float | None = None
+    """Where it ends; None: a cylinder."""
+    end_inner_diameter: float | None = None
+    """Likewise, of the bore."""
+
+    @property
+    def is_conical(self) -> bool:
+        """Whether a diameter changes along it."""
+        return bool(np.ptp(self.outer_diameters) or np.ptp(self.inner_diameters))
+
+    @property
+    def outer_diameters(self) -> tuple[float, float]:
+        """Where it begins and ends."""
+        end = self.end_outer_diameter
+        return self.outer_diameter, self.outer_diameter if end is None else end
+
+    @property
+    def inner_diameters(self) -> tuple[float, float]:
+        """Likewise."""
+        end = self.end_inner_diameter
+        return self.inner_diameter, self.inner_diameter if end is None else end
 
 
 @dataclass(frozen=True)
@@ -63,6 +87,19 @@ class ShaftLoad:
     def values(self) -> tuple[ArrayLike, ...]:
         """In the order of the channels."""
         return tuple(getattr(self, name) for name, _ in LOADS)
+
+
+@dataclass(frozen=True)
+class ShaftMass:
+    """A body fixed to the shaft, as a point at a position [m]; SI units. Its inertia is that about its own centre."""
+
+    position: float
+    mass: ArrayLike
+    """[kg]; may be an array that spans cases."""
+    polar_inertia: float = 0.0
+    """About the shaft [kg m^2]; for rotors only."""
+    diametral_inertia: float = 0.0
+    """About an axis across the shaft; likewise."""
 
 
 @dataclass(frozen=True)
@@ -223,16 +260,17 @@ class FloatingGroup:
 
 @dataclass(frozen=True)
 class Shaft:
-    """A shaft of round sections, end to end from `start` in +x; SI units.
+    """A shaft of round sections, end to end from `start` in +x; without sections it is rigid, and as long as it takes.
+    SI units.
 
     The set's positions are along it. Loads of the set's operation act at its reference position, those here where they
-    say.
+    say. With `gravity`, sections and masses have weight; rings and balls do not.
 
     Raises:
         SceneError: every error, at once.
     """
 
-    sections: tuple[ShaftSection, ...]
+    sections: tuple[ShaftSection, ...] = ()
     start: float = 0.0
     """Where the first section begins [m]."""
     loads: tuple[ShaftLoad, ...] = ()
@@ -243,6 +281,9 @@ class Shaft:
     """[K]; None: the reference temperature."""
     reference_temperature: float = REFERENCE_TEMPERATURE
     """At which all lengths and diameters hold [K]."""
+    masses: tuple[ShaftMass, ...] = ()
+    gravity: tuple[float, float, float] | None = None
+    """Its acceleration along x, y, z [m/s^2]; None: nothing has weight."""
 
     def __post_init__(self) -> None:
         raise_if_any(list(_shaft_errors(self)))
@@ -265,23 +306,39 @@ class Shaft:
         number = int(np.searchsorted(self.ends, float(np.ravel(position)[0]), side="right")) - 1
         return min(max(number, 0), len(self.sections) - 1)
 
+    def bore_at(self, position: ArrayLike) -> float:
+        """Diameter of the bore [m]."""
+        number = self.section_number(position)
+        begin, end = self.sections[number].inner_diameters
+        part = (float(np.ravel(position)[0]) - self.ends[number]) / self.sections[number].length
+        return begin + part * (end - begin)
+
 
 def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
-    if not isinstance(of.sections, tuple) or not of.sections:
+    if not isinstance(of.sections, tuple):
         yield ErrorDetail("shaft.sections", "is not a tuple of sections", cause="Write (qs.ShaftSection(...), ...)")
         return
     broken = False
     for number, section in enumerate(of.sections, 1):
         path = f"shaft.section {number}"
+        diameters = (("outer", 1e-4), ("inner", 0.0))
+        given = [(f"{end}{side}_diameter", low) for end in ("", "end_") for side, low in diameters]
         errors = [
             *within(f"{path}.length", section.length, LENGTH, 1e-5, FARTHEST),
-            *within(f"{path}.outer_diameter", section.outer_diameter, LENGTH, 1e-4, FARTHEST),
-            *within(f"{path}.inner_diameter", section.inner_diameter, LENGTH, 0.0, FARTHEST),
+            *(
+                error
+                for name, low in given
+                if getattr(section, name) is not None
+                for error in within(f"{path}.{name}", getattr(section, name), LENGTH, low, FARTHEST)
+            ),
             *material_errors(f"{path}.material", section.material),
         ]
-        if not errors and section.inner_diameter >= section.outer_diameter:
-            problem = "is not within the outer diameter"
-            errors.append(ErrorDetail(f"{path}.inner_diameter", problem, section.inner_diameter, LENGTH))
+        sides = zip(("", "end_"), section.inner_diameters, section.outer_diameters, strict=True)
+        for end, inner, outer in () if errors else sides:
+            if inner >= outer:
+                where = end if section.end_inner_diameter is not None else ""
+                problem = "is not within the outer diameter"
+                errors = [ErrorDetail(f"{path}.{where}inner_diameter", problem, inner, LENGTH)]
         if of.temperature is not None and not errors and section.material.thermal_expansion is None:
             detail = "the shaft has a temperature"
             errors.append(ErrorDetail(f"{path}.material.thermal_expansion", "missing", detail=detail))
@@ -289,6 +346,7 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
         yield from errors
     yield from within("shaft.start", of.start, LENGTH, -FARTHEST, FARTHEST)
     yield from _temperatures("shaft", of)
+    yield from _mass_errors(of)
     numbers: tuple[tuple[str, Any, Any], ...] = (("load", of.loads, LOADS), ("support", of.supports, SPRINGS))
     for kind, each, channels in numbers:
         for number, one in enumerate(each, 1):
@@ -297,13 +355,33 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
                 yield from within(f"shaft.{kind} {number}.{name}", getattr(one, name), quantity, low, high)
     if not broken:
         yield from outside(of, [(f"shaft.load {n}", one.position) for n, one in enumerate(of.loads, 1)])
+        yield from outside(of, [(f"shaft.mass {n}", one.position) for n, one in enumerate(of.masses, 1)])
         yield from outside(of, [(f"shaft.support {n}", one.position) for n, one in enumerate(of.supports, 1)])
         yield from outside(of, [(f"shaft.point {name}", position) for name, position in of.points.items()])
 
 
+def _mass_errors(of: Shaft) -> Iterator[ErrorDetail]:
+    """Of masses and weight; and of what a shaft without sections cannot have."""
+    for number, one in enumerate(of.masses, 1):
+        yield from within(f"shaft.mass {number}.mass", one.mass, MASS, 0.0, 1e6)
+        for name in ("polar_inertia", "diametral_inertia"):
+            yield from within(f"shaft.mass {number}.{name}", getattr(one, name), INERTIA, 0.0, 1e6)
+    if of.gravity is not None:
+        if np.shape(of.gravity) != (3,):
+            cause = "Write three numbers, along x, y and z: (0.0, -9.81, 0.0)"
+            yield ErrorDetail("shaft.gravity", "is not an acceleration", of.gravity, cause=cause)
+        else:
+            for value in of.gravity:
+                yield from within("shaft.gravity", value, ACCELERATION, -1e4, 1e4)
+        if not of.sections and not of.masses:
+            yield ErrorDetail("shaft.gravity", "acts on nothing", cause="Give the shaft sections or masses")
+    if of.temperature is not None and not of.sections:
+        yield ErrorDetail("shaft.temperature", "is given, but the shaft has no sections", cause="They say its material")
+
+
 def outside(of: Shaft, positions: list[tuple[str, Any]]) -> list[ErrorDetail]:
     """Errors of what does not stand on the shaft."""
-    low, high = float(of.ends[0]), float(of.ends[-1])
+    low, high = (float(of.ends[0]), float(of.ends[-1])) if of.sections else (-FARTHEST, FARTHEST)
     slack = 1e-9 * (high - low)
     problem = "is beyond the sections of the shaft, whose lengths add up from its start"
     return [

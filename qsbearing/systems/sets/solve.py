@@ -20,6 +20,7 @@ from qsbearing.model.solution.solver import TOLERANCE
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
 from qsbearing.systems.sets.problem import Problem
+from qsbearing.systems.sets.row import OUT_OF_LINE
 from qsbearing.systems.sets.set_solution import AtRest, SetSolution
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
         for row, offset in zip(of.rows, offsets, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
-    shaft = None if of.shaft is None else replace(of.shaft, loads=())
+    shaft = None if of.shaft is None else replace(of.shaft, loads=(), gravity=None)
     around: dict[str, Any] = {"shaft": shaft, "floating": tuple(replace(each, preload=None) for each in of.floating)}
     if effects_at_rest is None:
         return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={}, **around)
@@ -128,6 +129,7 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
                 sides[numbers] = known[alike]
                 continue
             bare: dict[str, Any] = {"offset": 0.0, "housing_stiffness": None, "readings": None}
+            bare |= {name: None for name, *_ in OUT_OF_LINE}
             rows = tuple(
                 replace(row, ring_effects=effects_at_rest(of.effects_of(row)), **bare)
                 for row in (of.rows[number] for number in numbers)

@@ -21,7 +21,6 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.results.json_record import record
 from qsbearing.results.set_record import set_record
 from qsbearing.results.thermal_report import along_curve, speeds_record, thermal_tables
-from qsbearing.studies.variables import VariableError, variable_of
 from qsbearing.systems.heat.state import Part, ThermalState
 from tests.systems.heat.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
 
@@ -310,8 +309,6 @@ def test_a_number_for_each_case_is_refused() -> None:
     thermal = scene().thermal
     with pytest.raises(qs.SceneError, match=r"thermal\.fixed\.ambient: is an array\. All cases share one network"):
         replace(thermal, fixed={"ambient": np.array([300.0, 310.0])})
-    with pytest.raises(VariableError, match="make one network for all points"):
-        variable_of("flow_cm3_min", "10:20:3")
 
 
 def test_what_no_steady_state_could_change_is_said_as_it_is() -> None:

@@ -46,6 +46,24 @@ def test_a_shaft_on_linear_springs_bends_as_in_ross() -> None:
     assert np.abs((moved - own) / sizes).max() < 1e-6
 
 
+def test_a_cone_and_a_mass_are_those_of_ross() -> None:
+    springs = {"axial": 1e8, "radial_y": 1e8, "radial_z": 6e7}
+    supports = (qs.ShaftSupport(0.0, **springs), qs.ShaftSupport(0.15, **springs))
+    first, *others = SHAFT.sections
+    tool, mass = qs.ShaftLoad(-0.07, axial=-2.0, radial_y=4.0), qs.ShaftMass(0.1, 2.0, 0.002, 0.001)
+    sections = (replace(first, outer_diameter=0.03, end_outer_diameter=0.06, end_inner_diameter=0.03), *others)
+    found = bare(replace(SHAFT, sections=sections, supports=supports, loads=(tool,), masses=(mass,)))
+    away = []
+    for longest in (0.4, 0.2):
+        rotor = found.to_ross_rotor(longest=longest)
+        moved = static(rotor, {node(rotor, -0.07): np.array(tool.values, float)})[0, :2]
+        away.append(np.abs(moved / found.deflection(SHAFT.start)[0, :2] - 1.0).max())
+    assert away[1] < 1e-3 and away[1] < 0.5 * away[0]
+    without = bare(replace(SHAFT, sections=sections, supports=supports)).to_ross_rotor()
+    assert rotor.m - without.m == pytest.approx(2.0, rel=1e-3)  # ROSS's mass of a cone depends on its elements
+    assert [(disk.m, disk.Ip, disk.Id) for disk in rotor.disk_elements] == [(2.0, 0.002, 0.001)]
+
+
 def test_the_compliance_at_the_tool_is_that_of_the_rotor() -> None:
     """Rows on their tangents, in elastic housings, at speed."""
     housing = qs.HousingStiffness(axial=4e8, radial=6e8, tilt=5e5)

@@ -10,7 +10,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.systems.sets import elastic_shaft
-from qsbearing.systems.sets.beam import beam_of
+from qsbearing.systems.sets.beam import Beam
 from tests.qsbearing import similarity
 from tests.qsbearing.scenes import B218, BOTH, OUTER
 from tests.systems.sets import timoshenko
@@ -153,7 +153,7 @@ def test_an_ever_stiffer_shaft_ends_as_the_rigid_one(monkeypatch: pytest.MonkeyP
     rigid = qs.solve_set(spindle(None, speed=12_000 * qs.rpm, operation=at_reference))
     away = []
     for factor in (1e3, 1e6, 1e14):
-        monkeypatch.setattr(elastic_shaft, "beam_of", lambda *a, by=factor: beam_of(*a[:4], a[4] * by, a[5]))
+        monkeypatch.setattr(elastic_shaft, "Beam", lambda *a, by=factor: Beam(*a[:4], a[4] * by, a[5]))
         found = qs.solve_set(spindle(SHAFT, speed=12_000 * qs.rpm))
         away.append(np.abs(found.displacement - rigid.displacement).max() / np.abs(rigid.displacement).max())
         assert found.points["tool"].effective_stiffness is not None

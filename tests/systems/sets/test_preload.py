@@ -176,7 +176,7 @@ def test_speeds_at_which_a_preload_runs_away() -> None:
     at = np.array([0.999, 1.001]) * found[0].speed
     below, above = solved(with_load(of, speed=at)).axial_loads[:, 0]
     assert below < 3.0 * 240.0 < above
-    assert found[0].sentence.startswith("Row 1 (S 6210 C, carries +x): the preload is excessive, 3 times")
+    assert found[0].sentence.startswith("Row 1 (S 6210 C, carries +x): the preload exceeds 3 times its given value")
     first, second = rows("DB")
     sprung = replace(of, rows=(first, replace(second, sprung=True)), preload=qs.Preload(spring=240.0))
     assert qs.preload_speeds(sprung, 30_000 * qs.rpm) == []
@@ -289,7 +289,7 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
         each.startswith("Fitting changes the preload of the rows from 300 N to") for each in preload_summary(found)
     )
     (excessive, _) = qs.preload_speeds(found.set, 1_000 * qs.rpm)
-    assert excessive.sentence.endswith("more than 3 times the given preload, already at rest, under these loads.")
+    assert excessive.sentence.endswith("exceeds 3 times its given value already at rest, under these loads.")
 
 
 def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:

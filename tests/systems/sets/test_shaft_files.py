@@ -16,6 +16,8 @@ from qsbearing import pictures
 from qsbearing.cli import cli
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
+from qsbearing.reports import set_inputs
+from qsbearing.results import shaft_report
 
 SPINDLE = """\
 [bearing]
@@ -155,8 +157,63 @@ def test_a_shaft_without_sections_is_rigid_or_refused() -> None:
     assert read(pair + "[shaft]\nreference_position_mm = 3\n").shaft is None
     with pytest.raises(qs.SceneFileError, match="sections"):
         read(pair + "[shaft]\nstart_mm = 3\n")
-    with pytest.raises(qs.SceneFileError, match="sections"):
-        read(pair + "[[shaft.loads]]\nposition_mm = 3\n")
+    loaded = read(pair + "[[shaft.loads]]\nposition_mm = 3\nradial_y_N = 4\n").shaft
+    assert loaded == qs.Shaft(loads=(qs.ShaftLoad(3 * qs.mm, radial_y=4.0),))
+
+
+MACHINE = """\
+gravity_m_s2 = [0, -9.81, 0]
+[[shaft.masses]]
+position_mm = -60
+mass_kg = 4
+polar_inertia_kg_m2 = 0.01
+[[shaft.sections]]
+length_mm = 30
+outer_diameter_mm = 50
+inner_diameter_mm = 20
+end_outer_diameter_mm = 40
+end_inner_diameter_mm = 15
+"""
+"""What a shaft may have besides."""
+HEAVY = (
+    SPINDLE.replace("[shaft]", "[shaft]\n" + MACHINE.partition("\n")[0])
+    .replace("[shaft.points]", MACHINE.partition("\n")[2] + "[shaft.points]")
+    .replace("position_mm = 150", "position_mm = 150\nhousing_tilt_z_mrad = 0.2\nhousing_radial_y_um = 5")
+)
+
+
+def test_weight_cones_and_alignment_are_read_written_and_shown() -> None:
+    of = read(HEAVY)
+    assert of.shaft is not None
+    assert of.shaft.gravity == (0.0, -9.81, 0.0)
+    assert of.shaft.masses == (qs.ShaftMass(-60 * qs.mm, 4.0, polar_inertia=0.01),)
+    assert of.shaft.sections[-1].outer_diameters == (50 * qs.mm, 40 * qs.mm)
+    assert (of.rows[2].housing_tilt_z, of.rows[2].housing_radial_y) == (0.2 * qs.mrad, 5 * qs.um)
+    assert of.rows[2].housing_tilt_y is None and not of.rows[0].is_out_of_line
+    assert set_of(input_tables(of), "again", of.name) == of
+    page = str(set_inputs.section(of, ""))
+    for shown in ("gravity_m_s2", "mass_kg", "housing_tilt_z_mrad", "end_outer_diameter_mm"):
+        assert shown in page
+    line = shaft_report.shaft_record(qs.solve_set(of))
+    assert line is not None
+    assert "mass 1" in [each["at"] for each in line["line"]]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("[0, -9.81, 0]", "-9.81", "shaft.gravity_m_s2: is not an acceleration"),
+        ("mass_kg = 4", "mass_kg = -4", "shaft.mass 1.mass_kg = -4 kg: is negative"),
+        ("mass_kg = 4", "", "shaft.mass 1.mass_kg: missing"),
+        ("tilt_z_mrad = 0.2", "tilt_z_deg = 2", "Did you mean housing_tilt_z_mrad = 34.90658504"),
+        ("end_outer_diameter_mm = 40", "end_outer_diameter_mm = 4", "section 3.end_inner_diameter_mm = 15 mm"),
+    ],
+)
+def test_what_is_wrong_with_them_is_said_by_their_keys(old: str, new: str, said: str) -> None:
+    assert old in HEAVY
+    with pytest.raises(qs.SceneFileError) as caught:
+        read(HEAVY.replace(old, new, 1))
+    assert said in str(caught.value)
 
 
 def test_run_shows_the_shaft(tmp_path: Path) -> None:

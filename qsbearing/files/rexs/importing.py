@@ -1,0 +1,297 @@
+"""A REXS model becomes scene files: one for each bearing, one for each shaft that bearings carry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.rexs import shaft_mapping
+from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
+from qsbearing.files.rexs.model import Component, LoadCase, Model
+from qsbearing.files.rexs.names import NEWEST
+from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.scene_text import Table, text_of
+from qsbearing.files.rexs.source import model_in, opened
+from qsbearing.files.scene_file import ORIGIN
+from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.spectrum_table import WHOLE
+from qsbearing.files.table_checks import Errors
+from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
+
+MOST_FILES = 5000
+"""Bearings times load cases."""
+_OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
+_LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
+_ALONE = {
+    *("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing", "bevel_gear", "cylindrical_gear"),
+    *("ring_gear", "worm_gear", "worm_wheel", "general_gear", "coupling", "fixed_coupling", "switchable_coupling"),
+    *ROLLING,
+}
+"""Components that bear on shafts, each of which is named where it is not ours."""
+
+
+@dataclass
+class SceneText:
+    """A file that was made of a part of a model."""
+
+    name: str
+    title: str
+    text: str
+    lacks: list[str]
+    """What must be given before it can be solved, one sentence each."""
+    document: Table
+
+
+@dataclass
+class Imported:
+    """What became of a model."""
+
+    files: list[SceneText]
+    not_ours: list[str]
+    remarks: list[str]
+
+
+def import_model(path: Path, shaft: str | None = None) -> Imported:
+    """The scene files of a model.
+
+    Args:
+        shaft: name or id of the one shaft that is meant; None: all.
+
+    Raises:
+        SceneFileError: everything that is wrong with the model, at once.
+    """
+    model = model_in(opened(path))
+    errors: Errors = []
+    cases: list[LoadCase | None] = [*model.load_cases] or [None]
+    files: list[SceneText] = []
+    plain = Reader(model, None, errors)
+    ours = [each for each in model.components.values() if is_ours(plain, each)]
+    if len(cases) * len(ours) > MOST_FILES:
+        cause = "Take the load cases out that do not matter, or name one shaft"
+        raise refused(path, f"would make more than {MOST_FILES:,} files", cause)
+    for case in cases:
+        reader = Reader(model, case, errors)
+        chosen = _chosen(reader, shaft)
+        for each in ours:
+            if shaft is None or shaft_mapping.sides(reader, each).get("inner_part") in chosen:
+                files.append(_of_bearing(reader, path, each))
+        files += [_of_shaft(reader, path, each) for each in chosen if shaft_mapping.bearings_on(reader, each)]
+    files += list(_with_spectra(model, path, files, errors))
+    if errors:
+        raise SceneFileError(str(path), errors)
+    others = [each for each in model.components.values() if each.kind in _ALONE and not is_ours(plain, each)]
+    named = [str(each) + f": {plain.word(each, 'bearing_type')}" * (each.kind in ROLLING) for each in others]
+    return Imported(files, named, _remarks(model))
+
+
+def _chosen(reader: Reader, shaft: str | None) -> list[Component]:
+    known = shaft_mapping.shafts(reader)
+    found = [each for each in known if shaft in (None, each.name, str(each.number))]
+    if shaft is not None and not found:
+        cause = f"Shafts of this model: {', '.join(f'{each.number} ({each.name})' for each in known) or 'none'}"
+        raise SceneFileError(
+            "--shaft", [FileErrorDetail("--shaft", "no shaft has this name or id", shaft, cause=cause)]
+        )
+    return found
+
+
+def _remarks(model: Model) -> list[str]:
+    own = sum(name.startswith("custom") for each in model.components.values() for name in each.attributes)
+    found = [f"{own} attributes of the other program's own are not read"] if own else []
+    if model.version > NEWEST:
+        found.append(f"version {model.version_text} is newer than 2.0.0, as which it is read")
+    return found
+
+
+def _suffix(case: LoadCase | None, model: Model) -> str:
+    return f"_case_{case.number}" if case is not None and len(model.load_cases) > 1 else ""
+
+
+def _share(reader: Reader) -> float | None:
+    """The load case's part of the time."""
+    units = (each for each in reader.model.components.values() if each.kind == "gear_unit")
+    return next(
+        (share for each in units if (share := reader.number(each, "operating_time_fraction")) is not None), None
+    )
+
+
+def _origin(reader: Reader, bearings: list[int], **others: object) -> Table:
+    table = Table(bearings=bearings, **others)
+    if reader.case is not None:
+        share = _share(reader)
+        table.set("load_case", reader.case.number, "" if share is None else f"share of the time: {share:g}")
+    table.note("", "where `qsbearing run FILE --into MODEL` writes the results")
+    return table
+
+
+def _speeds(reader: Reader, bearing: Component, table: Table) -> bool:
+    """Put the speeds into [operation]; whether anything turns."""
+    parts = shaft_mapping.sides(reader, bearing)
+    for side, field in (("inner", "speed"), ("outer", "outer_speed")):
+        part = parts.get(f"{side}_part")
+        value = reader.number(bearing, f"speed_{side}_ring")
+        if value is None and part is not None and part.kind == "shaft":
+            value = reader.number(part, "rotational_speed")
+        if field == "speed" or value:
+            table.put(_OPERATION[field], value or 0.0, "" if value is not None else ASSUMED)
+    return any(table.get(_OPERATION[field].name) for field in ("speed", "outer_speed"))
+
+
+def _effects(turns: bool, own: Table) -> Table:
+    table = Table()
+    if turns:
+        table.set("ball", ["centrifugal_force", "gyroscopic_moment"])
+        table.set("raceway_control", "outer", "assumed: no attribute of REXS tells it")
+    table.update(own)
+    table.notes |= own.notes
+    return table
+
+
+def _of_bearing(reader: Reader, path: Path, bearing: Component) -> SceneText:
+    parts = shaft_mapping.sides(reader, bearing)
+    rows = rows_of(reader, bearing, parts.get("inner_part"))
+    row, is_single = rows[0], len(rows) == 1
+    sign = row.direction or 1.0 if is_single else 1.0
+    row.table.note("", str(bearing))
+    document = Table(bearing=row.table) if is_single else Table(rows=[_row(each) for each in rows])
+    operation = document["operation"] = Table()
+    turns = _speeds(reader, bearing, operation)
+    _load(reader, bearing, row, sign, document)
+    if row.first_azimuth:
+        operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
+    if effects := _effects(turns, row.effects if is_single else Table()):
+        document["effects"] = effects
+    document["readings"] = readings(reader, bearing, parts.get("outer_part"))
+    origin = document[ORIGIN] = _origin(reader, [bearing.number] * len(rows))
+    if is_single:
+        said = f"{ASSUMED} which way it carries axial load" if row.direction is None else ""
+        origin.set("x_along", "+u" if sign > 0.0 else "-u", said)
+    name = f"bearing_{bearing.number}{_suffix(reader.case, reader.model)}.toml"
+    return _finished(document, name, str(bearing), path)
+
+
+def _with_spectra(model: Model, path: Path, files: list[SceneText], errors: Errors) -> Iterator[SceneText]:
+    """Of each bearing with a load in all load cases, whose shares make up the time: one file of all of them."""
+    shares = [_share(Reader(model, case, errors)) for case in model.load_cases]
+    if len(shares) < 2 or None in shares or abs(sum(each or 0.0 for each in shares) - 1.0) > WHOLE:
+        return
+    cases: dict[str, list[SceneText]] = {}
+    for file in files:
+        cases.setdefault(file.title, []).append(file)
+    for title, own in cases.items():
+        if "bearing" not in own[0].document or any(each.lacks for each in own):
+            continue
+        points = [Table(share=share, **each.document["operation"]) for share, each in zip(shares, own, strict=True)]
+        document = Table(own[0].document | {"spectrum": points})
+        del document["operation"]
+        document[ORIGIN] = Table({key: each for key, each in document[ORIGIN].items() if key != "load_case"})
+        yield _finished(document, f"{own[0].name.partition('_case_')[0]}_spectrum.toml", title, path)
+
+
+def _preload(document: Table, forces: list[float]) -> None:
+    """[preload] of the forces that bearings state, if any does."""
+    if forces:
+        table = document["preload"] = Table()
+        table.put(PRELOAD[1], max(forces), "assumed: held rigidly, before fitting; programs differ")
+        if len(set(forces)) > 1:
+            table.note("", "the bearings have different preload forces: the largest is written")
+
+
+def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> None:
+    """Loads of a shaft that this bearing alone carries, else by the results in the model, else preload."""
+    shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
+    found, note = None, "the sum of the loads on the shaft"
+    tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
+    if shaft is not None and shaft.kind == "shaft" and row.position is not None:
+        carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
+        given = shaft_mapping.loads(reader, shaft)
+        if len(carried) == 1 and given and not shaft_mapping.lacking(reader, shaft):
+            found = shaft_mapping.about(given, row.position)
+    if found is None and (found := _results(reader, bearing, row.turn)) is not None:
+        note = "by the results that stand in the model"
+        angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
+        if None not in angles:
+            tilts, of_tilts = row.turn[3:, 3:].T @ np.array(angles, float) * sign, note
+    if found is None:
+        _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
+        return
+    for field, value in zip(_LOADS[:3], found[:3] * (sign, 1.0, 1.0), strict=True):
+        operation.put(_OPERATION[field], float(value) + 0.0, note)
+    for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
+        operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
+
+
+def _results(reader: Reader, bearing: Component, turn: NDArray) -> NDArray | None:
+    """The load on the inner ring in the shaft's axes: minus what the bearing does to it."""
+    forces = [reader.number(bearing, f"force_acting_on_inner_component_{axis}") for axis in "uvw"]
+    return None if None in forces else -turn[:3, :3].T @ np.array(forces, float)
+
+
+def _row(row: Row) -> Table:
+    table = Table()
+    table.note("", str(row.bearing))
+    table.put(ROW[0], row.position, "the middle of the bearing: assumed that its balls are there")
+    if row.direction is not None:
+        said = "assumed: the direction of the shaft's force that it carries" * (row.table["kind"] != "deep_groove")
+        table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
+    table["bearing"] = row.table
+    table.update(row.effects)
+    table.notes |= row.effects.notes
+    return table
+
+
+def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
+    document = Table()
+    bearings = shaft_mapping.bearings_on(reader, shaft)
+    rows = [row for each in bearings for row in rows_of(reader, each, shaft)]
+    document["rows"] = [_row(each) for each in rows]
+    given = shaft_mapping.loads(reader, shaft)
+    table = document["shaft"] = shaft_mapping.shaft_table(reader, shaft, given)
+    reference = rows[0].position or 0.0
+    table.put(SHAFT[0], reference)
+    operation = document["operation"] = Table()
+    turns = _speeds(reader, bearings[0], operation)
+    for field in _LOADS:
+        operation.put(_OPERATION[field], 0.0)
+    if len({each for row in rows if (each := row.first_azimuth) is not None}) == 1:
+        operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
+    _preload(document, [force for each in bearings if (force := reader.positive(each, "preload_force")) is not None])
+    floating = [number for number, row in enumerate(rows, 1) if row.floats]
+    document |= {"floating": [Table(rows=[number]) for number in floating]} if floating else {}
+    document["effects"] = _effects(turns, Table())
+    casing = shaft_mapping.sides(reader, bearings[0]).get("outer_part")
+    document["readings"] = readings(reader, bearings[0], casing)
+    lacks = shaft_mapping.lacking(reader, shaft)
+    if note := table.notes.get("sections"):
+        lacks.append(f"sections that follow one another: {note}")
+    document[ORIGIN] = _origin(reader, [row.bearing.number for row in rows], shaft=shaft.number)
+    table.note("", f"{shaft}; its housing is assumed to be rigid")
+    name = f"shaft_{shaft.number}{_suffix(reader.case, reader.model)}.toml"
+    if lacks:
+        document[ORIGIN]["missing"] = lacks
+    return _finished(document, name, str(shaft), path)
+
+
+def _finished(document: Table, name: str, title: str, path: Path) -> SceneText:
+    """The text of the tables, and what reading them finds missing."""
+    found: list[str] = []
+    try:
+        scene_or_set_of(_plain(document), name, may_infer=True)
+    except SceneFileError as error:
+        listed: Any = error.errors
+        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in listed]
+    heading = f"# {title}\n# of {path.name}. Run it with: qsbearing run {name}\n\n"
+    return SceneText(name, title, heading + text_of(document), found, document)
+
+
+def _plain(value: Any) -> Any:
+    """The tables without their notes."""
+    if isinstance(value, dict):
+        return {key: _plain(each) for key, each in value.items()}
+    return [_plain(each) for each in value] if isinstance(value, list) else value

@@ -1,0 +1,157 @@
+"""A shaft of a REXS model: its sections and loads as tables of a set, and what carries or loads it that is not ours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.files.rexs.bearing_mapping import ASSUMED, is_ours, material
+from qsbearing.files.rexs.model import Component
+from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.scene_text import Table
+from qsbearing.model.scene import keys
+from qsbearing.model.scene.keys import SHAFT, SHAFT_LOAD
+from qsbearing.model.units import mm
+
+SECTION = {key.name: key for key in keys.SECTION}
+SAME = 1e-6
+"""Metres within which one section ends where the next begins (chosen: files round to a micrometre)."""
+HARMLESS = {
+    *("shaft_section", "external_load", "shaft_shoulder", "shaft_shoulder_with_undercut", "round_groove"),
+    *("rectangular_groove", "v_notch", "transverse_bore", "notch_effect_shaft_hub_connection", "notch_effect_generic"),
+}
+"""Parts of a shaft that neither load nor carry it, and those that are read."""
+_QUIET = ("assembly", "ordered_assembly", "reference", "flank", "stage_gear_data", "manufacturing_step")
+"""Kinds of relations by which nothing holds or drives a shaft."""
+_FORCES = ("force_u_direction", "force_v_direction", "force_w_direction")
+_TORQUES = ("torque_around_v_axis", "torque_around_w_axis")
+_LOAD = dict(zip((*_FORCES, *_TORQUES), SHAFT_LOAD[1:], strict=True))
+
+
+class Load(NamedTuple):
+    """A load on a shaft."""
+
+    component: Component
+    position: float | None
+    """[m]"""
+    values: NDArray
+    """Forces x, y, z and moments about y, z; SI."""
+
+
+def shafts(reader: Reader) -> list[Component]:
+    """All shafts of the model."""
+    return [each for each in reader.model.components.values() if each.kind == "shaft"]
+
+
+def sides(reader: Reader, bearing: Component) -> dict[str, Component]:
+    """What a bearing's `inner_part` and `outer_part` sit on and in."""
+    found: dict[str, Component] = {}
+    for each in reader.model.related("side", "assembly", bearing.number):
+        found |= {role: reader.model.components[number] for role, number in each.parts if role != "assembly"}
+    return found
+
+
+def bearings_on(reader: Reader, shaft: Component) -> list[Component]:
+    """The bearings that are solved here and whose inner ring sits on the shaft, along it."""
+    found = [reader.model.components[each.of("assembly") or -1]
+             for each in reader.model.related("side", "inner_part", shaft.number) if each.of("assembly")]  # fmt: skip
+    ours = [each for each in found if is_ours(reader, each)]
+    return sorted(ours, key=lambda each: reader.number(each, "u_coordinate_on_shaft_inner_side") or 0.0)
+
+
+def lacking(reader: Reader, shaft: Component) -> list[str]:
+    """What carries or loads a shaft and is not solved here, one sentence each."""
+    model, found = reader.model, []
+    for number in {each.of("part"): each for each in model.related("assembly", "assembly", shaft.number)}:
+        part = model.components[number] if number is not None else None
+        if part is not None and part.kind not in HARMLESS:
+            found.append(f"the forces of {part}: write them as [[shaft.loads]]")
+    for each in model.relations_of(shaft.number):
+        if each.kind in _QUIET:
+            continue
+        other = model.components[next((n for role, n in each.parts if n != shaft.number), shaft.number)]
+        holder = model.components.get(each.of("assembly") or -1, other)
+        if not is_ours(reader, holder):
+            found.append(f"the stiffness of {holder}: write it as [[shaft.supports]], or its forces as [[shaft.loads]]")
+        elif each.of("inner_part") != shaft.number:
+            found.append(
+                f"{holder} has its inner ring on {other}: as [[shaft.supports]], if the other part stands still"
+            )
+        elif (part := sides(reader, holder).get("outer_part")) is not None and part.kind != "gear_casing":
+            found.append(f"{holder} stands in {part}, which may move: a rigid housing is written")
+    return found
+
+
+def loads(reader: Reader, shaft: Component) -> list[Load]:
+    """The external loads on a shaft."""
+    found = []
+    for each in reader.model.parts(shaft.number, "external_load"):
+        values = [reader.number(each, name) or 0.0 for name in _LOAD]
+        found.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), np.array(values)))
+    return found
+
+
+def about(given: Iterable[Load], position: float) -> NDArray:
+    """The sum of loads about a position [m]: forces x, y, z and moments about y, z."""
+    total = np.zeros(5)
+    for each in given:
+        arm = (each.position or 0.0) - position
+        total += each.values + np.array([0.0, 0.0, 0.0, -arm * each.values[2], arm * each.values[1]])
+    return total
+
+
+def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
+    """[shaft] with its sections and loads; without sections it is rigid."""
+    table = Table()
+    sections, start = _sections(reader, shaft, table)
+    if sections:
+        table.put(SHAFT[1], start)
+        table["sections"] = sections
+    else:
+        table.note("", "without sections: rigid")
+    listed = []
+    for load in given:
+        one = Table()
+        one.put(SHAFT_LOAD[0], load.position)
+        for key, value in zip(_LOAD.values(), load.values, strict=True):
+            one.put(key, value or None)
+        if reader.number(load.component, "torque_around_u_axis"):
+            one.note("", "its torque about the axis is no part of the model")
+        one.note("", str(load.component))
+        listed += [one] if load.values.any() else []
+    if listed:
+        table["loads"] = listed
+    return table
+
+
+def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Table], float]:
+    """The sections along the shaft, and where the first begins [m]; what is between them is noted."""
+    parts = reader.model.parts(shaft.number, "shaft_section")
+    placed = [(reader.number(each, "u_coordinate_on_shaft"), each) for each in parts]
+    if any(at is None for at, _ in placed):
+        table.note("", f"sections without u_coordinate_on_shaft: {ASSUMED}, they follow one another as in the file")
+        placed = [(None, each) for each in parts]
+    placed.sort(key=lambda each: each[0] or 0.0)
+    of, note = material(reader, reader.model.referenced(shaft.number, "material"), needs_expansion=False)
+    found: list[Table] = []
+    start = end = placed[0][0] or 0.0 if placed else 0.0
+    for at, part in placed:
+        if at is not None and abs(at - end) > SAME:
+            kind = "a gap" if at > end else "an overlap"
+            table.note("sections", f"{kind} of {abs(at - end) / mm:.6g} mm before {part}")
+        one = Table()
+        one.note("", str(part))
+        length = reader.positive(part, "length")
+        one.put(SECTION["length_mm"], length)
+        for side in ("outer", "inner"):
+            first, last = (reader.number(part, f"{side}_diameter_{place}") for place in ("begin", "end"))
+            one.put(SECTION[f"{side}_diameter_mm"], (last if first is None else first) or None)
+            if first is not None and last is not None and first != last:
+                one.put(SECTION[f"end_{side}_diameter_mm"], last)
+        one.set("material", of, note)
+        found.append(one)
+        end = (end if at is None else at) + (length or 0.0)
+    return found, start

@@ -1,0 +1,69 @@
+"""How much of each limit is used, as bars, beside the loads of the balls."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from qsbearing.model.solution.solution import Solution
+from qsbearing.pictures.style import GREY, RED, STYLE, balls, carry_alike, figure_of_size, plain, raceways
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Bar = tuple[str, float, str]
+"""A limit, the part of it that is used, and both numbers in words."""
+LIGHT = "0.91"
+FEWEST = 3
+"""Bars for which there is room: a single one is no thicker than one of several."""
+MOST = 1.25
+"""Part of a limit at which a bar ends: beyond it, the number tells."""
+
+
+def margins(bars: Sequence[Bar], solution: Solution | None = None) -> Figure:
+    """A bar for each limit; beside them the loads of all balls, where they differ.
+
+    Args:
+        solution: of a single case, where balls carry different loads.
+    """
+    is_beside = solution is not None and not carry_alike(solution, ())
+    figure = figure_of_size(9.0, max(2.3 if is_beside else 0.0, 0.5 + 0.36 * max(len(bars), FEWEST)))
+    if solution is None or not is_beside:
+        _draw_bars(figure.subplots(), bars)
+        return figure
+    left, right = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
+    _draw_bars(left, bars)
+    _draw_loads(right, solution)
+    return figure
+
+
+def _draw_bars(axes: Any, bars: Sequence[Bar]) -> None:
+    places = np.arange(len(bars))[::-1]
+    used = np.array([min(part, MOST) for _, part, _ in bars])
+    axes.barh(places, MOST, height=0.5, color=LIGHT)
+    axes.barh(places, used, height=0.5, color=[RED if part > 1.0 else STYLE["outer"]["color"] for part in used])
+    axes.axvline(1.0, color=GREY, linewidth=1.0)
+    axes.set_yticks(places, [name for name, *_ in bars], fontsize=9)
+    for place, (*_, words) in zip(places, bars, strict=True):
+        axes.text(MOST + 0.03, place, words, fontsize=9, va="center")
+    axes.set_xlim(0.0, MOST)
+    axes.set_ylim(len(bars) - max(len(bars), FEWEST) - 0.6, len(bars) - 0.4)
+    axes.set_xticks([0.0, 0.5, 1.0], ["0", "50 %", "limit"], fontsize=8)
+    axes.tick_params(length=0)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+
+
+def _draw_loads(axes: Any, solution: Solution) -> None:
+    azimuth, present = balls(solution, ())
+    at = np.degrees(azimuth) % 360.0
+    width = 0.4 * 360.0 / at.size
+    for number, (side, contacts) in enumerate(raceways(solution)):
+        shift = (number - 0.5) * width
+        axes.bar(at + shift, contacts.load[present], width=width, color=STYLE[side]["color"], label=f"{side} raceway")
+    axes.set_title("contact load of each ball, N", fontsize=10)
+    axes.set_xticks(range(0, 361, 90), ["0° (y)", "90° (z)", "180°", "270°", "360°"])
+    plain(axes)
+    axes.legend(fontsize=8, frameon=False)

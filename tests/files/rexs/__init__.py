@@ -1,0 +1,1 @@
+"""Models of REXS in, results back."""

@@ -1,0 +1,258 @@
+"""Results into a REXS model: what is added, and that nothing else changes."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.rexs.importing import import_model
+from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.source import model_in, opened
+from qsbearing.files.rexs.write_back import WriteBack
+from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.model.units import MPa, deg, mm
+from qsbearing.results.readings_record import taken
+from tests.files.rexs.models import b218, json_text, xml, zipped
+from tests.files.rexs.test_import import double_row, spindle
+
+Result = tuple[dict[str, Any], Any, Any]
+RADIAL = {"radial_load_y_N": 3000.0, "tilt_y_mrad": 0.1}
+FORMS: dict[str, Callable[[dict[str, Any]], bytes]] = {
+    "XML": xml,
+    "XML of Windows": lambda model: b"\xef\xbb\xbf" + xml(model, "\r\n"),
+    "JSON": json_text,
+    "JSON on one line": lambda model: json.dumps(json.loads(json_text(model))).encode(),
+    "ZIP": lambda model: zipped(xml(model)),
+}
+
+
+def solved(file: Path, name: str, **operation: float) -> Result:
+    """The tables of an imported file, its solution, and what is read off."""
+    (text,) = (each.text for each in import_model(file).files if each.name == name)
+    tables = tomllib.loads(text)
+    tables["operation"] |= operation
+    solution = qs.solve(scene) if isinstance(scene := scene_or_set_of(tables, ""), qs.Scene) else qs.solve_set(scene)
+    rows = solution.rows if hasattr(solution, "rows") else None
+    return tables, solution, taken(solution) if rows is None else [taken(row) for row in rows]
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory: pytest.TempPathFactory) -> Result:
+    """B218 under combined load."""
+    file = tmp_path_factory.mktemp("rexs") / "model.rexs"
+    file.write_bytes(xml(b218()))
+    return solved(file, "bearing_6.toml", **RADIAL)
+
+
+def written(file: Path, result: Result) -> WriteBack:
+    tables, solution, readings = result
+    model = WriteBack(file, tables)
+    file.write_bytes(model.put(solution, readings))
+    return model
+
+
+def text_in(data: bytes) -> bytes:
+    return zipfile.ZipFile(BytesIO(data)).read("model.rexs") if data.startswith(b"PK") else data
+
+
+@pytest.mark.parametrize("contacts", [True, False])
+@pytest.mark.parametrize("form", FORMS)
+def test_no_other_line_changes_and_writing_twice_is_writing_once(
+    tmp_path: Path, result: Result, form: str, contacts: bool
+) -> None:
+    file = tmp_path / "model.rexs"
+    before = FORMS[form](b218(contacts=contacts))
+    file.write_bytes(before)
+    scenes = [each.text for each in import_model(file).files]
+    assert written(file, result).count == 41 + 5 * 32
+    once = file.read_bytes()
+    after = iter(text_in(once).splitlines())
+    if "one line" not in form:
+        assert all(line in after for line in text_in(before).splitlines())  # each of them, in their order
+    assert text_in(once).count(b"\r\n") == (text_in(once).count(b"\n") if "Windows" in form else 0)
+    written(file, result)
+    assert file.read_bytes() == once
+    assert [each.text for each in import_model(file).files] == scenes
+    if form == "ZIP":
+        assert zipfile.ZipFile(BytesIO(once)).read("readme.txt") == b"not a model"
+    if "XML" in form:
+        assert len(ElementTree.fromstring(text_in(once)).findall(".//component")) == 24 + 32
+
+
+@pytest.mark.parametrize("version", ["1.4", "2.0.0"])
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_numbers_read_back_are_those_of_the_solution(
+    tmp_path: Path, result: Result, version: str, mirrored: bool
+) -> None:
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(b218(version, mirrored=mirrored)))
+    written(file, result)
+    _, solution, readings = result
+    model = model_in(opened(file))
+    reader = Reader(model, None, [])
+    bearing, sign = model.components[6], -1.0 if mirrored else 1.0
+
+    def read(*names: str) -> list[float | None]:
+        return [reader.number(bearing, name) for name in names]
+
+    forces = [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]
+    assert read(*forces) == [-17800.0 * sign, -3000.0 * sign, 0.0]  # turned by 180 degrees about w
+    assert read("maximum_hertzian_pressure") == pytest.approx([solution.inner.max_pressure.max()], rel=1e-15)
+    life = "nominal_reference_rating_life_time_iso_16281_2008"
+    assert read(life) == pytest.approx([float(readings["life"].basic_duration)], rel=1e-15)
+    lever = solution.scene.bearing.groove_centre_offsets[0]
+    axial, radial, tilt = solution.stiffness[0, 0], solution.stiffness[1, 1], solution.stiffness[4, 4]
+    coupled = solution.stiffness[1, 4] + solution.stiffness[4, 1]
+    names = ("f_u_d_u", "f_v_d_v", "m_w_rot_w", "f_u_d_v", "f_u_d_w")
+    wanted = [axial, radial, tilt + lever * coupled + lever**2 * radial,
+              solution.stiffness[0, 1], sign * solution.stiffness[0, 2]]  # fmt: skip
+    found = read(*(f"operating_point_stiffness_{name}" for name in names))
+    assert found == pytest.approx(wanted, rel=1e-12, abs=1e-6)  # sums of some terms each
+    moment = solution.load[4] + lever * solution.load[1]
+    assert read("torque_acting_on_inner_component_w") == pytest.approx([-moment], rel=1e-12)
+    for ball in (0, 5):
+        angles = reader.number(model.components[100 + ball], "angular_position_around_u")
+        assert angles == pytest.approx(
+            (np.pi - solution.azimuth[ball]) % (2 * np.pi) if mirrored else solution.azimuth[ball]
+        )
+        for side, at in (("inner", 200), ("outer", 300)):
+            contact, own = model.components[at + ball], getattr(solution, side)
+            assert reader.number(contact, "rolling_element_force") == pytest.approx(own.load[ball], rel=1e-15)
+            assert reader.number(contact, "operating_pressure_angle") == pytest.approx(own.angle[ball], rel=1e-15)
+    unit = "MPa" if version == "2.0.0" else "N / mm^2"
+    assert bearing.attributes["maximum_hertzian_pressure"].unit == unit
+    assert (life in bearing.attributes) == (version == "2.0.0")
+    assert ("nominal_reference_rating_life_time_din_26281" in bearing.attributes) == (version == "1.4")
+
+
+def test_what_is_there_is_replaced_in_its_own_unit_and_load_cases_take_their_own(
+    tmp_path: Path, result: Result
+) -> None:
+    model = b218()
+    changed = {3: {"rotational_speed": ("1 / min", 10000)}, 6: {"maximum_hertzian_pressure": ("GPa", 9.0)}}
+    model["load_cases"] = [{}, changed]
+    tables, solution, readings = result
+    tables = tables | {"rexs": {"bearings": [6], "load_case": 2}}
+    for form in ("XML", "JSON"):
+        file = tmp_path / "model.rexs"
+        file.write_bytes(FORMS[form](model))
+        assert written(file, (tables, solution, readings)).count == 201
+        once = file.read_bytes()
+        written(file, (tables, solution, readings))
+        assert file.read_bytes() == once
+        found = model_in(opened(file))
+        assert not found.load_cases[0].components
+        own = found.load_cases[1].components
+        assert (len(own[6].attributes), len(own[205].attributes), len(own)) == (41, 5, 2 + 32)
+        pressure = own[6].attributes["maximum_hertzian_pressure"]
+        assert pressure.unit == "GPa"
+        assert float(pressure.value) == pytest.approx(solution.inner.max_pressure.max() / (1e3 * MPa), rel=1e-14)
+        assert "force_acting_on_inner_component_u" not in found.components[6].attributes
+        new = b218(contacts=False)
+        file.write_bytes(FORMS[form](new | {"load_cases": model["load_cases"]}))
+        written(file, (tables, solution, readings))
+        found = model_in(opened(file))
+        contacts = [each for each in found.components.values() if each.kind == "rolling_element_contact"]
+        assert [len(each.attributes) for each in contacts] == [1] * 32  # their type; their results are the load case's
+        assert {len(found.load_cases[1].components[each.number].attributes) for each in contacts} == {5}
+
+
+def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Path) -> None:
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(spindle()))
+    result = solved(file, "shaft_2.toml")
+    _, solution, _ = result
+    model = written(file, result)
+    assert len(model.notes) == 0  # bearings without rows have no contacts to speak of
+    found = model_in(opened(file))
+    reader = Reader(found, None, [])
+    names = [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]
+    forces = np.array([[reader.number(found.components[at], name) for name in names] for at in (5, 6)], float)
+    assert forces.sum(axis=0) == pytest.approx(
+        [0.0, -500.0, 0.0], abs=1e-4
+    )  # of a residual of 1e-9 of some kilonewtons
+    assert forces[:, 0] == pytest.approx(np.array([-1.0, 1.0]) * solution.axial_loads, rel=1e-12)
+    nodes = np.array(reader.array(found.components[2], "u_coordinates_of_beam_nodes"))
+    assert nodes / mm == pytest.approx([0, 100, 300])
+    moved = reader.array(found.components[2], "displacement_v_of_nodes")
+    assert moved == pytest.approx(solution.deflection(nodes)[:, 1], rel=1e-12)
+    tilt = reader.number(found.components[6], "angular_deflection_in_w")
+    assert tilt == pytest.approx(solution.deflection([0.150])[0, 4], rel=1e-12)
+    assert abs(tilt or 0.0) < deg
+
+
+def test_the_rows_of_a_bearing_add_up_in_its_middle(tmp_path: Path) -> None:
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(double_row()))
+    result = solved(file, "bearing_6.toml")
+    solution = result[1]
+    model = written(file, result)
+    (note,) = model.notes
+    assert note.startswith("component 70 (rolling_bearing_row): its rolling elements are not the balls")
+    bearing = model_in(opened(file)).components[6]
+    reader = Reader(model_in(opened(file)), None, [])
+    assert solution.set.reference == pytest.approx(0.012)
+    sign = np.array([-1.0, -1.0, 1.0, -1.0, 1.0])  # the bearing's axes are turned about w
+    for (row, column), name in (
+        ((0, 0), "f_u_d_u"),
+        ((1, 4), "f_v_rot_w"),
+        ((4, 4), "m_w_rot_w"),
+        ((2, 3), "f_w_rot_v"),
+    ):
+        wanted = sign[row] * sign[column] * solution.stiffness[row, column]
+        assert reader.number(bearing, f"operating_point_stiffness_{name}") == pytest.approx(wanted, rel=1e-12), name
+    force = reader.number(bearing, "force_acting_on_inner_component_u")
+    assert force == pytest.approx(17800.0, rel=1e-9)  # as the solver balances the shaft
+
+
+@pytest.mark.parametrize(
+    ("origin", "wanted"),
+    [
+        (None, "qsbearing import model.rexs"),
+        ({"bearings": [66], "shaft": 4711, "load_case": 5}, "3 errors"),
+        ({"bearings": [5]}, "is no ball bearing that is solved here"),
+        ({"bearings": [6, 6]}, "names 2 bearings for 1 rows"),
+        ({"bearings": [6], "x_along": "up"}, "neither"),
+    ],
+)
+def test_another_model_is_refused_before_anything_is_solved(
+    tmp_path: Path, result: Result, origin: dict[str, Any] | None, wanted: str
+) -> None:
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(b218()))
+    tables = {key: each for key, each in result[0].items() if key != "rexs"}
+    with pytest.raises(SceneFileError, match=wanted):
+        WriteBack(file, tables if origin is None else tables | {"rexs": origin})
+
+
+def test_the_commands(tmp_path: Path) -> None:
+    def call(*arguments: object) -> Any:
+        return CliRunner().invoke(cli, list(map(str, arguments)))
+
+    model, out = tmp_path / "model.rexs", tmp_path / "out"
+    model.write_bytes(xml(b218()))
+    done = call("import", model, "--out", out)
+    assert (done.exit_code, "wrote" in done.stdout) == (0, True)
+    done = call("run", out / "bearing_6.toml", "--into", model)
+    assert (done.exit_code, "201 attributes written" in done.stderr) == (0, True)
+    assert b"rolling_element_force" in model.read_bytes()
+    assert call("run", "b218", "--into", model).exit_code == 2
+    assert call("import", out / "bearing_6.toml", "--out", out).exit_code == 2
+    model.write_bytes(xml(b218()).replace(b'unit="kN">17.8', b'unit="kN">-17.8'))
+    before = model.read_bytes()
+    call("import", model, "--out", out)
+    assert call("run", out / "bearing_6.toml", "--into", model).exit_code == 1  # no equilibrium: nothing is written
+    assert model.read_bytes() == before

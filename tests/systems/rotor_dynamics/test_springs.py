@@ -1,0 +1,124 @@
+"""A stiffness as combined springs: their sum, and CalculiX, which solves a cantilever on them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from numpy.typing import NDArray
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.files.stiffness_files import FIRST_NODE, calculix_deck, json_text, seats_of
+from qsbearing.systems.rotor_dynamics.springs import asymmetry, combined_springs, from_shaft
+
+
+@pytest.fixture(scope="module")
+def fast() -> qs.Solution:
+    """B218 at 18,000 rpm under combined load."""
+    scene = qs.load_scene("b218")
+    point = qs.Operation(speed=18_000 * qs.rpm, axial_load=5000.0, radial_load_y=1650.0, tilt_y=0.0, tilt_z=0.0)
+    return qs.solve(replace(scene, operation=point))
+
+
+def test_the_springs_add_up_to_the_symmetric_part(fast: qs.Solution) -> None:
+    (seat,) = seats_of(fast, "N-mm-t")
+    constants, combinations = combined_springs(seat.stiffness, seat.lever)
+    total = np.einsum("k,ki,kj->ij", constants, combinations, combinations)
+    half = 0.5 * (seat.stiffness + seat.stiffness.T)
+    scale = np.array([1.0, 1.0, 1.0, seat.lever, seat.lever])
+    assert np.abs((total - half) / (scale[:, None] * scale)).max() < 1e-11 * np.abs(half).max()
+    assert (constants > 0.0).all()
+    assert seat.asymmetry == pytest.approx(0.0386, abs=5e-5)
+    at_rest = qs.solve(replace(fast.scene, operation=replace(fast.scene.operation, speed=0.0)))
+    assert asymmetry(at_rest.stiffness, 0.06) < 1e-12
+
+
+def test_units_and_a_mirrored_bearing(fast: qs.Solution) -> None:
+    (si,), (mm,) = (seats_of(fast, units) for units in ("N-m-kg", "N-mm-t"))
+    assert mm.stiffness[0, 0] == pytest.approx(1e-3 * si.stiffness[0, 0], rel=1e-14)
+    assert mm.stiffness[1, 4] == pytest.approx(si.stiffness[1, 4], rel=1e-14)
+    assert mm.stiffness[4, 4] == pytest.approx(1e3 * si.stiffness[4, 4], rel=1e-14)
+    assert mm.load[4] == pytest.approx(1e3 * si.load[4], rel=1e-14)
+    (turned,) = seats_of(fast, "N-m-kg", mirrored=True)
+    sign = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])
+    assert turned.stiffness == pytest.approx(sign[:, None] * sign * si.stiffness, rel=1e-12)
+    shift = fast.scene.bearing.groove_centre_offsets[0]
+    assert si.load[4] == pytest.approx(fast.load[4] + shift * fast.load[1], rel=1e-12)
+    assert from_shaft(fast, 1.0)[1, 4] == shift
+
+
+def test_a_set_has_each_row_in_its_place() -> None:
+    scene = qs.load_scene("7210c")
+    rows = (qs.Row(scene.bearing, 0.0, "+x"), qs.Row(scene.bearing, 0.04, "-x"))  # type: ignore[arg-type]
+    found = json.loads(
+        json_text(seats_of(qs.solve_set(qs.BearingSet(rows, preload=qs.Preload(rigid=500.0))), "N-mm-t"), "N-mm-t")
+    )
+    assert [row["position_mm"] for row in found["rows"]] == [0.0, 40.0]
+    first, second = (np.array(row["stiffness"]) for row in found["rows"])
+    sign = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
+    assert second == pytest.approx(sign[:, None] * sign * first, rel=1e-6, abs=1e-3)
+    assert not first[3].any()
+    assert not first[:, 3].any()
+
+
+def test_the_command(tmp_path: Path) -> None:
+    out = tmp_path / "springs.inp"
+    done = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "calculix", "--out", str(out)])
+    assert (done.exit_code, out.read_text().count("*SPRING")) == (0, 5)
+    for wrong in (["--format", "json", "--vary", "speed_rpm=0,1"], ["--units", "N-m-kg"]):
+        assert CliRunner().invoke(cli, ["stiffness", "b218", *wrong]).exit_code == 2
+
+
+@pytest.mark.heavy
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
+def test_calculix_moves_a_cantilever_on_the_bearing_as_its_stiffness_says(fast: qs.Solution, tmp_path: Path) -> None:
+    """The tip on the bearing minus the tip of the same bar clamped: a rigid motion, known without the bar."""
+    (seat,) = seats_of(fast, "N-mm-t")
+    force = np.array([300.0, 500.0, -200.0])
+    tips = []
+    for is_clamped in (True, False):
+        folder = tmp_path / str(is_clamped)
+        folder.mkdir()
+        (folder / "springs.inp").write_text(calculix_deck([seat], "N-mm-t"))
+        (folder / "bar.inp").write_text(bar(force, is_clamped))
+        subprocess.run(["ccx", "bar"], cwd=folder, check=True, capture_output=True)
+        last = (folder / "bar.dat").read_text().strip().splitlines()[-1].split()
+        tips.append(np.array(last[1:], float))
+    arm = np.array([LENGTH, 0.0, 0.0])
+    moment = np.cross(arm, force)
+    symmetric = 0.5 * (seat.stiffness + seat.stiffness.T)
+    moved = np.linalg.solve(symmetric, np.array([*force, *moment[1:]]))
+    wanted = moved[:3] + np.cross([0.0, *moved[3:]], arm)
+    assert tips[1] - tips[0] == pytest.approx(wanted, abs=1e-6 * np.abs(tips[1]).max())  # seven digits are printed
+
+
+LENGTH = 300.0
+
+
+def bar(force: NDArray, is_clamped: bool) -> str:
+    """A steel bar of 300 mm along x, its end face rigid at the bearing, its tip loaded."""
+    along, across = 12, 2
+    x, y = np.linspace(0.0, LENGTH, along + 1), np.linspace(-30.0, 30.0, across + 1)
+    numbers = np.arange((along + 1) * (across + 1) ** 2).reshape(along + 1, across + 1, across + 1) + 1
+    lines = ["*NODE, NSET=ALL"]
+    lines += [f"{numbers[i, j, k]}, {x[i]}, {y[j]}, {y[k]}" for i, j, k in np.ndindex(numbers.shape)]
+    lines.append("*ELEMENT, TYPE=C3D8I, ELSET=BAR")
+    for count, (i, j, k) in enumerate(np.ndindex(along, across, across), 1):
+        corners = [numbers[i + a, j + b, k + c] for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        lines.append(", ".join(map(str, [count, *corners])))
+    seat, tip = numbers[0].ravel(), numbers[-1, across // 2, across // 2]
+    moved, turned = FIRST_NODE + 101, FIRST_NODE + 102
+    lines += ["*NSET, NSET=SEAT", *(f"{node}," for node in seat), "*NSET, NSET=TIP", f"{tip},"]
+    lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", "208000., 0.3", "*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL"]
+    lines += ["*INCLUDE, INPUT=springs.inp", f"*RIGID BODY, NSET=SEAT, REF NODE={moved}, ROT NODE={turned}"]
+    if is_clamped:
+        lines += ["*BOUNDARY", f"{moved}, 1, 3", f"{turned}, 1, 3"]
+    lines += ["*STEP", "*STATIC", "*CLOAD", *(f"{tip}, {dof}, {each}" for dof, each in enumerate(force, 1))]
+    return "\n".join([*lines, "*NODE PRINT, NSET=TIP", "U", "*END STEP", ""])
