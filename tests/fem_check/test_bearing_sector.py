@@ -15,7 +15,6 @@ from fem_check import meshing
 from fem_check.checks import bearing_sector
 from fem_check.product.scenes import SceneProblemError
 from fem_check.report import cutaway
-from fem_check.report.figures import sector as figures
 from fem_check.rows.agreement import Level, Row
 from fem_check.running import records_store
 from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics

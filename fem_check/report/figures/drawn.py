@@ -31,12 +31,12 @@ DRAWN = {
     ),
     "true_geometry": Drawing(
         series.true_geometry,
-        "True bodies: deviation from Hertz against the load",
+        "True bodies, their own compliance left out: deviation from Hertz against the load",
         "Deviation of approach, semi-axes and pressure from Hertz over the load, for the exact gap and true bodies.",
     ),
     "conformity": Drawing(
         series.conformity,
-        "Worst deviation from Hertz against the load, a line for each groove radius. Dotted lines: 1 and 5 %",
+        "Worst deviation of approach, a, b and p0 from Hertz, a line for each groove radius. Dotted lines: 1 and 5 %",
         "Worst deviation from Hertz over the load, one line for each groove radius: the smaller, the larger.",
     ),
     "convergence": Drawing(

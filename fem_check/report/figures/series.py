@@ -19,7 +19,7 @@ def load_series(entry: Entry) -> Figure:
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
         axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=quantity(name))
     axes.axhline(0.0, **HERTZ)
-    axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, loads over decades")
+    axes.set(xlabel="load, N", ylabel="deviation from Hertz, %")
     axes.legend(fontsize=8)
     return figure
 
@@ -52,7 +52,6 @@ def convergence(entry: Entry) -> Figure:
     axes.set(
         xlabel="element size over semi-axis",
         ylabel="error, %",
-        title="solid: mean over positions; dotted: worst single position",
     )
     axes.legend(fontsize=8)
     return figure
@@ -79,12 +78,11 @@ def true_geometry(entry: Entry) -> Figure:
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
         axes.set_xscale("log")
         axes.axhline(0.0, **HERTZ)
-        axes.set(title=quantity(name), ylabel="deviation from Hertz, %")
+        axes.set(title=quantity(name), ylabel="off Hertz by, %")
     for axes in grid[1]:
         load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=8)
-    figure.suptitle("On true bodies; their own compliance, which moves the approach alone, left out", fontsize=10)
     return figure
 
 
@@ -100,8 +98,7 @@ def conformity(entry: Entry) -> Figure:
         axes.axhline(limit, color="black", linewidth=0.8, linestyle=":")
     load_axis(axes, series["load_N"])
     axes.set(
-        ylabel="worst of approach, a, b, p0: off Hertz by, %",
-        title="B218 inner, groove radius varied",
+        ylabel="off Hertz by, %",
     )
     axes.legend(fontsize=8)
     return figure
