@@ -16,7 +16,7 @@ from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import SEQUENCES, MeshStudy
 from fem_check.mechanics.pictures import contact_pictures
 from fem_check.product.scenes import SceneProblemError, groove_contact, operating_loads
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.rows.row_text import span
 
 STEEL = ElasticConstants(elastic_modulus=208e9, poisson_ratio=0.3)
@@ -100,10 +100,13 @@ def circle_rows(of: Contact, found: MeshStudy, rows: list[Row]) -> list[Row]:
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Every shape."""
     rows: list[Row] = []
+    sound: list[Row] = []
     for of in contacts(level, scene):
         found = half_space_contact.mesh_study(of.problem, SEQUENCES[level], progress)
         more = half_space_contact.rows(of.case, found, level, references.HERTZ_SOURCE)
         rows += circle_rows(of, found, more) if of.is_circle else more
+        sound += half_space_contact.soundness_rows(of.case, [*found.sequence, *found.stretched])
+    rows += collapsed(sound, f"{len(sound) // 2} contacts, all meshes")
     pictures = contact_pictures(found.solution, found.bodies, "the heaviest load")
     return Findings(rows, half_space_contact.mesh_entry(found), found.bodies.race.solver, pictures)
 

@@ -375,21 +375,21 @@ def clearance_rows(drawing: Drawing) -> Iterator[Row]:
 
 def catalogue_rows() -> Iterator[Row]:
     """The catalogue's dimensions and materials against their sources, typed again."""
-    why = "printed to four digits and more; some dimensions here follow from others that the source prints"
+    why = "half a unit of the last digit printed; the same number typed twice: rounding"
     for name, printed in catalogue_sources.BEARINGS.items():
         bearing = qsbearing.load_scene(name).bearing
         for field, expected in printed.items():
             found = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
-            unit = catalogue_sources.UNITS[field.rpartition(".")[2]]
+            kind = field.rpartition(".")[2]
             yield Row(
                 name,
                 field,
-                unit,
+                catalogue_sources.UNITS[kind],
                 expected,
                 catalogue_sources.__doc__.splitlines()[0],
                 found,
                 None,
-                100.0 * catalogue_sources.PRINTED,
+                100.0 * catalogue_sources.PRINTED[kind],
                 why,
             )
     for material in (qsbearing.STEEL, qsbearing.SILICON_NITRIDE):
@@ -402,7 +402,7 @@ def catalogue_rows() -> Iterator[Row]:
             "handbooks; GMN catalogue 4000 0813 EN",
             float(np.asarray(material.thermal_expansion)),
             None,
-            100.0 * catalogue_sources.PRINTED,
+            100.0 * catalogue_sources.PRINTED["thermal_expansion"],
             why,
         )
 

@@ -1,4 +1,4 @@
-"""Is what `qsbearing` says beside contacts and equilibrium right: batches, motion, stresses, shafts, keys, catalogue?
+"""Is what `qsbearing` says beside contacts and equilibrium right: batches, motion, stresses, shafts, heat, keys...?
 
 Each row has its own small reference: single calls, vectors, an integral, a beam, numbers typed a second time.
 """
@@ -9,39 +9,29 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
 from math import sin
+from operator import attrgetter
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 import qsbearing as qs
 from fem_check.checks.elastic_ring import equilibrium
+from fem_check.checks.heat_parts import heat_rows
 from fem_check.checks.product_scenes import B218, BOTH
 from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
 from fem_check.independent.ring_growth import give_on_shaft
 from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from fem_check.rows.compared import compared
+from qsbearing.files import catalogue
 from qsbearing.model.compiler.compiled import can_compile
 from qsbearing.model.solution.solver import LEAST_BATCH
 from qsbearing.readings import kinematics, stress
 
-TOLERANCE = 1e-9
-"""Relative, of two evaluations at full precision."""
-WHY = "two evaluations at full precision"
 SPEED = 8000.0 * qs.rpm
 LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0)
 FEW = 64
-
-
-def compared(
-    case: str, quantity: str, unit: str, found: Any, expected: Any, source: str, tolerance: float = TOLERANCE
-) -> Row:
-    """An array in one row: the largest of the reference, and that off by the worst deviation."""
-    found, expected = np.asarray(found, float), np.asarray(expected, float)
-    size = float(np.abs(expected).max())
-    worst = float(np.abs(found - expected).max()) if found.shape == expected.shape else np.nan
-    return Row(case, quantity, unit, size, source, size + worst, None, 100.0 * tolerance, WHY)
 
 
 def batch_rows() -> Iterator[Row]:
@@ -245,12 +235,19 @@ def catalogue_rows() -> Iterator[Row]:
     for row in rows:
         for hybrid in ("", "_hybrid"):
             bearing = qs.load_scene(row.name + hybrid).bearing
-            for name, value in row.lengths.items():
+            entry = catalogue.find(row.name + hybrid)
+            assert entry is not None
+            told = {name: attrgetter(name)(bearing) for name in row.lengths}
+            for keys in row.others(bool(hybrid)):
+                told[keys[0]] = next((entry.dimensions[key] for key in keys if key in entry.dimensions), None)
+            printed = row.lengths | {keys[0]: value for keys, value in row.others(bool(hybrid)).items()}
+            for name, value in printed.items():
                 expected.setdefault(name, []).append(value)
-                found.setdefault(name, []).append(float(np.asarray(getattr(bearing, name))))
+                found.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
     for name, values in expected.items():
         off = np.asarray(found[name]) / np.asarray(values)
-        yield compared(case, f"{name} over the printed", "1", off, np.ones_like(off), source)
+        short = name.removeprefix("outline.").removesuffix("_mm").removesuffix("_N")
+        yield compared(case, f"{short} over the printed", "1", off, np.ones_like(off), source)
     odd = [row.name for row in rows if not row.has_standard_balls]
     yield Row(
         case, "balls of a standard size", "1", float(len(rows)), "ISO 3290-1: inches by 1/64, or millimetres by 1/2",
@@ -261,6 +258,11 @@ def catalogue_rows() -> Iterator[Row]:
         case, "pitch diameter over the mean of bore and outside diameter, farthest from 1", "1", 1.0, "drawing",
         float(over[np.argmax(np.abs(over - 1.0))]), None, 5.1, "rings of unequal height, as the lowest has",
         rows[int(np.argmax(np.abs(over - 1.0)))].name,
+    )  # fmt: skip
+    boundaries = catalogue_table.unlike_boundaries(rows)
+    yield Row(
+        case, "boundary dimensions unlike their designation's", "1", 0.0, "ISO 15: one designation, one d, D and B",
+        float(len(boundaries)), None, 0.0, "a count", ", ".join(boundaries[:3]) or None,
     )  # fmt: skip
     twins = catalogue_table.unlike_twins(rows)
     yield Row(
@@ -286,6 +288,7 @@ PARTS = {
     "stresses": stress_rows,
     "an elastic shaft": shaft_rows,
     "elastic rings": ring_rows,
+    "heat": heat_rows,
     "scene files": key_rows,
     "catalogue": catalogue_rows,
 }
@@ -303,10 +306,10 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 
 CHECK = Check(
     name="solution_parts",
-    question="Are batches, motion, stresses, elastic shafts, scene files and the catalogue right?",
+    question="Are batches, motion, stresses, elastic shafts, heat, scene files and the catalogue right?",
     kind=Kind.VERIFICATION,
-    reference="single calls, vectors, integrals, a beam, the printed table; no code of qsbearing",
-    tolerance="1e-9; standard sizes exactly; ratings against ISO's as far as makers differ",
+    reference="single calls, vectors, integrals, a beam, balances of heat, the printed table; no code of qsbearing",
+    tolerance="1e-9; friction 1e-4; standard sizes exactly; ratings against ISO's as far as makers differ",
     run=run,
     largest_dofs=lambda level: 0,
 )

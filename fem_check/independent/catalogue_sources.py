@@ -83,5 +83,12 @@ UNITS = {
     **dict.fromkeys(("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"), "m"),
 }  # fmt: skip
 
-PRINTED = 2e-4
-"""Relative: sources print four digits and more, and here a dimension may follow from others that they print."""
+TYPED = 1e-9
+"""Relative: the same number twice."""
+PRINTED = {
+    "ball_count": 0.0, "ball_diameter": 6.4e-5, "pitch_diameter": 4e-5, "inner_groove_radius": TYPED,
+    "outer_groove_radius": TYPED, "free_contact_angle": 1.5e-4, "elastic_modulus": 1e-6, "poisson_ratio": TYPED,
+    "density": 1e-6, "thermal_expansion": TYPED,
+}  # fmt: skip
+"""Relative, half a unit of the last digit printed: 7.938 mm for 5/16 inch, 125.26 mm for the mean of two others, six
+digits for what stands here in psi and pounds; an angle that follows from lengths of six digits by a difference."""

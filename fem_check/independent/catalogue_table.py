@@ -37,7 +37,39 @@ class Printed:
             "ball_diameter": 1e-3 * c["Dw_mm"],
             "pitch_diameter": 1e-3 * c["dm_mm"],
             "free_contact_angle": radians(c["alpha_deg"]),
+            "outline.bore_diameter": 1e-3 * c["d_mm"],
+            "outline.outside_diameter": 1e-3 * c["D_mm"],
+            "outline.width": 1e-3 * c["B_mm"],
         }
+
+    def others(self, is_hybrid: bool) -> dict[tuple[str, ...], float]:
+        """By keys that an entry's dimensions may have: a low shoulder is there a face of its ring."""
+        c = self.columns
+        return {
+            ("inner_shoulder_diameter_mm", "inner_face_diameter_mm"): c["d1_mm"],
+            ("outer_shoulder_diameter_mm", "outer_face_diameter_mm"): c["D1_mm"],
+            ("dynamic_load_rating_N",): c["C"],
+            ("static_load_rating_N",): c["C0_HY"] if is_hybrid else c["C0"],
+        }
+
+    @property
+    def boundary(self) -> tuple[float, ...]:
+        """d, D, B [mm]."""
+        return tuple(self.columns[key] for key in ("d_mm", "D_mm", "B_mm"))
+
+    @property
+    def size(self) -> str:
+        """The designation without series and angle, of which ISO 15 gives the boundary dimensions."""
+        return self.name.removeprefix(self.series)[1:-1]
+
+    @property
+    def bore_of_designation(self) -> float:
+        """By the last two digits [mm]; by what follows a dash, or the last of two digits, below 10 mm."""
+        _, dash, bore = self.size.rpartition("-")
+        if dash or len(self.size) == 2:
+            return float(bore if dash else self.size[1])
+        code = int(self.size[-2:])
+        return float({0: 10, 1: 12, 2: 15, 3: 17}.get(code, 5 * code))
 
     @property
     def has_standard_balls(self) -> bool:
@@ -79,6 +111,16 @@ def rows() -> list[Printed]:
         name = ("" if series == "S" else series) + "7" + number[1:].replace("/", "-") + letter
         found.append(Printed({key: float(value) for key, value in each.items()}, name, series))
     return found
+
+
+def unlike_boundaries(table: list[Printed]) -> list[str]:
+    """Designations whose bore is another than they say, or that have two sets of boundary dimensions."""
+    known: dict[str, tuple[float, ...]] = {}
+    return [
+        row.name
+        for row in table
+        if row.columns["d_mm"] != row.bore_of_designation or known.setdefault(row.size, row.boundary) != row.boundary
+    ]
 
 
 def unlike_twins(table: list[Printed]) -> list[str]:

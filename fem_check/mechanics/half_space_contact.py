@@ -231,7 +231,7 @@ def field(study: MeshStudy) -> fields.Field:
 
 
 def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
-    """The contact compared with Hertz, and its self-checks."""
+    """The contact compared with Hertz."""
     exact = hertz(found.problem)
     table = [
         Row(
@@ -247,7 +247,7 @@ def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tup
         )
         for quantity in quantities or tuple(QUANTITIES)
     ]
-    return [*table, covered(case, table), *soundness_rows(case, [*found.sequence, *found.stretched])]
+    return [*table, covered(case, table)]
 
 
 def soundness_rows(case: str, measured: list[Measured]) -> list[Row]:

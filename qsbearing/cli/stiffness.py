@@ -19,14 +19,14 @@ from qsbearing.cli.vary import study_of, vary_option
 @click.option(
     "--format",
     "form",
-    type=click.Choice(["csv", "json", "calculix"]),
+    type=click.Choice(["csv", "json", "mat", "calculix", "nastran"]),
     default="csv",
-    help="csv: a table over speed and load. Of one operating point: json, or springs as an input of CalculiX.",
+    help="csv: a table over speed and load. Of one operating point: json; mat (MATLAB); springs for CalculiX, Nastran.",
 )
 @click.option(
     "--units",
     type=click.Choice(["N-mm-t", "N-m-kg"]),
-    help="Of --format json and calculix; N-mm-t unless given.",
+    help="Of the other formats; N-mm-t unless given.",
 )
 @click.option("--out", metavar="FILE", help="Write to this file instead of printing.")
 def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str | None, out: str | None) -> None:
@@ -35,7 +35,7 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
     The shaft turns about z: x, y, z of the table are y, z, x of the scene. For instance: qsbearing stiffness 7210c
     --vary speed_rpm=0:24000:13 --vary axial_load_N=240,720,1440 --out 7210c.csv
 
-    With --format json or calculix, the stiffness of each row about its balls' centres for finite-element programs, x
+    With another --format, the stiffness of each row about its balls' centres for finite-element programs, x
     along the shaft.
 
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
@@ -44,7 +44,7 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
         _for_finite_elements(scene, vary, mirrored, form, units or "N-mm-t", out)
         return
     if units is not None:
-        refuse("--units: a table as CSV is in N, m and rad; --format json and calculix have other units")
+        refuse("--units: a table as CSV is in N, m and rad; other formats have other units")
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.model.validation import SceneError
     from qsbearing.studies.stiffness import stiffness_of
@@ -69,10 +69,12 @@ def _for_finite_elements(
     import numpy as np
 
     from qsbearing.cli.scene import load_one, solve
-    from qsbearing.files.stiffness_files import calculix_deck, json_text, seats_of
+    from qsbearing.files.stiffness_files import calculix_deck, json_text, mat_bytes, nastran_deck, seats_of
 
     of = load_one(scene)
     problems = [f"--vary: --format {form} is of one operating point"] if vary else []
+    if form == "mat" and out is None:
+        problems.append("--format mat: is no text; give --out FILE.mat")
     if mirrored and hasattr(of, "rows"):
         problems.append("--mirrored: the rows of a set say themselves in which direction they carry")
     with ExitStack() as stack:
@@ -81,10 +83,12 @@ def _for_finite_elements(
         if not solution.converged or not np.isfinite(solution.stiffness).all():
             note(solution.message() if not solution.converged else NO_TANGENT)
             sys.exit(UNSOLVED)
-        text = {"json": json_text, "calculix": calculix_deck}[form](seats_of(solution, units, mirrored=mirrored), units)
-        write_files(writers, {"--out": text.encode})
-        if not writers:
-            print_text(text)
+        seats = seats_of(solution, units, mirrored=mirrored)
+        texts = {"json": json_text, "calculix": calculix_deck, "nastran": nastran_deck}
+        made = texts[form](seats, units) if form in texts else mat_bytes(seats, units)
+        write_files(writers, {"--out": lambda: made.encode() if isinstance(made, str) else made})
+        if isinstance(made, str) and not writers:
+            print_text(made)
 
 
 NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"

@@ -19,7 +19,7 @@ ONE_EACH = (
     "rows.offset_um", "rows.bearing.", *(f"rows.{name}." for name in EFFECT_TABLES), "rows.readings.",
     "shaft.temperature_C", "shaft.loads.", "housing.temperature_C", "housing.outside_diameter_mm",
     *(f"spacers.{side}_{what}" for side in ("inner", "outer") for what in ("length_mm", "temperature_C")),
-    "floating.spring_N",
+    "floating.spring_N", "rows.housing_radial_", "rows.housing_tilt_", "shaft.masses.mass_kg",
 )  # fmt: skip
 """What may differ between the cases of one set; every other number that only a set or a heat balance has makes another
 one."""

@@ -13,6 +13,7 @@ from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.housing_table import with_housing
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
@@ -32,10 +33,10 @@ from qsbearing.files.toml import read_toml
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.keys import (
     EFFECT_SECTIONS,
+    MAKES_SET,
     OPERATION,
     PRELOAD,
     SECTIONS,
-    SET_SECTIONS,
 )
 from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
@@ -119,7 +120,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     """
     if "spectrum" in document:
         return over_spectrum(document, file, label, scene_of)
-    of_set = [name for name in SET_SECTIONS if name in document]
+    of_set = [name for name in MAKES_SET if name in document]
     if of_set:
         cause = "A set of rows on one shaft is read by `qs.load_set` and most commands, such as `qsbearing run`"
         raise SceneFileError(
@@ -127,7 +128,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         )
     errors: Errors = []
     document, thermal = heated(with_preload_class(document, errors), errors)
-    document = with_printed(document)
+    document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.model.scene.keys import SET_SECTIONS
+from qsbearing.model.scene.keys import MAKES_SET
 from qsbearing.model.scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -44,4 +44,4 @@ def scene_or_set_of(
 
 def is_set(document: dict[str, Any]) -> bool:
     """Whether these tables are those of a set."""
-    return bool(set(document) & set(SET_SECTIONS))
+    return bool(set(document) & set(MAKES_SET))

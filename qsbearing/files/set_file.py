@@ -10,6 +10,7 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.housing_table import with_housing
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -21,7 +22,7 @@ from qsbearing.files.scene_file import (
     operation_of,
     preload_of,
 )
-from qsbearing.files.shaft_tables import housing_stiffness, surroundings, with_housing_diameter
+from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
@@ -59,7 +60,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
     document, thermal = heated(with_preload_class(document, errors), errors)
-    document = with_housing_diameter(with_printed(document))
+    document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.housing_table import MODEL as HOUSING
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.table_checks import (
     Errors,
@@ -57,7 +58,6 @@ _LISTED = ("section", "load", "support", "mass")
 WITHIN_SHAFT = (*(NUMBERED[kind] for kind in _LISTED), "points", "gravity_m_s2")
 _MATERIAL = {"material": as_it_is}
 _SHAFT = table_model("shaft", SHAFT)
-_HOUSING = table_model("housing", HEATED, {**_MATERIAL, "outside_diameter_mm": as_number})
 _STIFFNESS = table_model("housing_stiffness", HOUSING_STIFFNESS, {"matrix_SI": as_it_is})
 _LISTS: dict[str, tuple[Any, tuple[Key, ...], TableModel]] = {
     "section": (ShaftSection, SECTION, table_model("sections", SECTION, _MATERIAL)),
@@ -94,25 +94,6 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     found["spacers"] = tuple(_listed(document, "spacers", "spacer", "spacer", errors))
     found["floating"] = tuple(_listed(document, "floating", "floating", "floating", errors))
     return found
-
-
-def with_housing_diameter(document: dict[str, Any]) -> dict[str, Any]:
-    """The tables of a file, with the housing's outside diameter in every ring expansion that has a fit in it and does
-    not state it itself."""
-    housing = document.get("housing")
-    diameter = housing.get("outside_diameter_mm") if isinstance(housing, dict) else None
-    if diameter is None:
-        return document
-
-    def filled(holder: Any) -> Any:
-        rings = holder.get("ring_expansion") if isinstance(holder, dict) else None
-        if not isinstance(rings, dict) or "housing_interference_um" not in rings:
-            return holder
-        return {**holder, "ring_expansion": {"housing_outside_diameter_mm": diameter, **rings}}
-
-    rows = document.get("rows")
-    found = {name: filled(document[name]) for name in ("effects",) if name in document}
-    return document | found | ({"rows": [filled(row) for row in rows]} if isinstance(rows, list) else {})
 
 
 def surroundings_tables(
@@ -191,7 +172,7 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
 
 
 def _housing(table: Any, errors: Errors) -> Housing | None:
-    good, _ = checked(_HOUSING, "housing", table, errors)
+    good, _ = checked(HOUSING, "housing", table, errors)
     given: dict[str, Any] = si(HEATED, good)
     if "material" in good:
         given["material"] = material("housing.material", good["material"], errors)

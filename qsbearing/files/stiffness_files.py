@@ -1,4 +1,5 @@
-"""The stiffness of a solved bearing or set for finite-element programs: as JSON, and as springs of CalculiX.
+"""The stiffness of a solved bearing or set for finite-element programs: as JSON, for MATLAB, as springs of CalculiX
+and Nastran.
 
 Each row by itself, about the plane of its balls' centres, in the axes of the shaft.
 """
@@ -6,6 +7,7 @@ Each row by itself, about the plane of its balls' centres, in the axes of the sh
 from __future__ import annotations
 
 import json
+from io import BytesIO
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +24,7 @@ AXES = "x along the shaft, y and z across it; rotations right-handed"
 POINT = "on the axis, in the plane of the balls' centres"
 FIRST_NODE = 900_000
 """Nodes of a deck begin there: 100 for each row."""
-_CHANNELS = ("x", "y", "z", "rotation x", "rotation y", "rotation z")
+HELD = "The shaft's rotation about its axis, which no bearing holds, is held here:"
 
 
 class Seat(NamedTuple):
@@ -71,71 +73,155 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
     return found
 
 
-def json_text(seats: list[Seat], units: str) -> str:
-    """All rows as JSON: 6 × 6, the rotation about the axis without stiffness."""
+def _facts(units: str) -> dict[str, str]:
     length = units.split("-")[1]
-    rows = []
-    for seat in seats:
-        whole = np.insert(np.insert(seat.stiffness, 3, 0.0, axis=0), 3, 0.0, axis=1)
-        rows.append(
-            {
-                "name": seat.name,
-                f"position_{length}": seat.position,
-                "speed_rpm": seat.speed,
-                "load": np.insert(seat.load, 3, 0.0).tolist(),
-                "stiffness": whole.tolist(),
-                "asymmetry": seat.asymmetry,
-            }
-        )
-    head = {
+    return {
         "version": __version__,
-        "what": "tangent stiffness of the bearings, force of the shaft on them over its displacement",
-        "units": {"force": "N", "length": length, "moment": f"N {length}", "rotation": "rad", "system": units},
+        "what": "tangent stiffness: forces and moments of the shaft on the bearing over its displacements",
+        "units": f"{units}: N/{length}, N/rad, N {length}/rad; positions in {length}, speeds in rpm",
         "axes": AXES,
         "point": POINT,
-        "channels": list(_CHANNELS),
+        "channels": "x, y, z, rotations about x (free), y, z",
     }
-    return json.dumps(head | {"rows": rows}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _of(seat: Seat) -> dict[str, Any]:
+    """The numbers of a row, 6 × 6, without stiffness about the axis."""
+    return {
+        "name": seat.name,
+        "position": seat.position,
+        "speed": seat.speed,
+        "load": np.insert(seat.load, 3, 0.0),
+        "stiffness": np.insert(np.insert(seat.stiffness, 3, 0.0, axis=0), 3, 0.0, axis=1),
+        "asymmetry": seat.asymmetry,
+    }
+
+
+def json_text(seats: list[Seat], units: str) -> str:
+    """All rows as JSON."""
+    rows = [{key: each.tolist() if isinstance(each, np.ndarray) else each for key, each in _of(seat).items()}
+            for seat in seats]  # fmt: skip
+    return json.dumps(_facts(units) | {"rows": rows}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def mat_bytes(seats: list[Seat], units: str) -> bytes:
+    """All rows as a file of MATLAB and Octave: the same, `rows` an array of structures."""
+    from scipy.io import savemat
+
+    data = BytesIO()
+    savemat(data, _facts(units) | {"rows": [_of(seat) for seat in seats]}, oned_as="column")
+    return data.getvalue()
 
 
 def calculix_deck(seats: list[Seat], units: str) -> str:
     """All rows as an input of CalculiX to be included: springs between the shaft and the ground.
 
-    The symmetric part of the stiffness, as `combined_springs`: an auxiliary node takes each combination of
-    displacements by *EQUATION, and a SPRING1 holds it.
+    An auxiliary node takes each combination of displacements by *EQUATION, and a SPRING1 holds it.
     """
-    length = units.split("-")[1]
-    lines = [
-        f"** Bearings as springs, by qsbearing {__version__}. Include it before the first *STEP.",
-        f"** Units {units}: N/{length}, N/rad, N {length}/rad. Axes: {AXES}.",
-        "** Tangent stiffness about a solved operating point: load the model with changes of its loads.",
-    ]
+    lines = _head("**", units, "Include it before the first *STEP.")
     for number, seat in enumerate(seats, 1):
-        first = FIRST_NODE + 100 * number
-        moved, turned = first + 1, first + 2
-        load = ", ".join(f"{each:.6g}" for each in seat.load)
-        constants, combinations = combined_springs(seat.stiffness, seat.lever)
+        moved, turned, springs = _springs(number, seat)
         lines += [
-            "**",
-            f"** {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
-            f"** Point: {POINT}, x = {seat.position:.6g} {length}. The springs are the symmetric part; the largest",
-            f"** difference of what is not symmetric is {100.0 * seat.asymmetry:.3g} % of the largest term.",
+            *_row("**", number, seat, units),
             f"** Node {moved} moves with the shaft at the bearing, and {turned} turns with it. Write into your model:",
             f"**   *RIGID BODY, NSET=your_seat, REF NODE={moved}, ROT NODE={turned}",
             "*NODE",
         ]
-        helpers = range(first + 11, first + 11 + len(constants))
-        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in (moved, turned, *helpers)]
-        for node, constant, combination in zip(helpers, constants, combinations, strict=True):
-            terms = [(node, 1, 1.0)]
-            terms += [(moved, dof, -part) for dof, part in zip((1, 2, 3), combination[:3], strict=True)]
-            terms += [(turned, dof, -part) for dof, part in zip((2, 3), combination[3:], strict=True)]
-            terms = [term for term in terms if term[2]]
+        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in (moved, turned, *(each.node for each in springs))]
+        for node, constant, moves, turns in springs:
+            terms = [(node, 1, 1.0), *((moved, dof, -part) for dof, part in moves)]
+            terms += [(turned, dof, -part) for dof, part in turns]
             lines += [f"*ELEMENT, TYPE=SPRING1, ELSET=QS_{node}", f"{node}, {node}"]
             lines += [f"*SPRING, ELSET=QS_{node}", "1", f"{constant:.12e}", "*EQUATION", f"{len(terms)}"]
             for at in range(0, len(terms), 4):
                 lines.append(", ".join(f"{each}, {dof}, {part:.12e}" for each, dof, part in terms[at : at + 4]))
             lines += ["*BOUNDARY", f"{node}, 2, 3"]
         if number == 1:
-            lines += ["** The shaft's rotation about its axis, which no bearing holds:", "*BOUNDARY", f"{turned}, 1, 1"]
+            lines += [f"** {HELD}", "*BOUNDARY", f"{turned}, 1, 1"]
     return "\n".join(lines) + "\n"
+
+
+def nastran_deck(seats: list[Seat], units: str) -> str:
+    """All rows as bulk data of Nastran to be included: springs between the shaft and the ground, in large fields.
+
+    A grid of its own takes each combination of displacements by an MPC, and a CELAS2 holds it.
+    """
+    lines = _head("$", units, f"Include it in the bulk data, and select MPC = {FIRST_NODE} in the case control.")
+    lines += [f"$ Grid {FIRST_NODE} is the ground.", *_large("GRID", FIRST_NODE, "", 0.0, 0.0, 0.0, "", "123456")]
+    for number, seat in enumerate(seats, 1):
+        moved, _, springs = _springs(number, seat)
+        lines += [
+            *_row("$", number, seat, units),
+            f"$ Grid {moved} moves and turns with the shaft at the bearing. Write into your model:",
+            f"$   RBE2, EID, {moved}, 123456, grids of your seat",
+            *([f"$ {HELD}"] if number == 1 else []),
+            *_large("GRID", moved, "", seat.position, 0.0, 0.0, "", "4" if number == 1 else ""),
+        ]
+        for node, constant, moves, turns in springs:
+            terms = [(node, 1, 1.0)]
+            terms += [(moved, dof, -part) for dof, part in moves] + [(moved, dof + 3, -part) for dof, part in turns]
+            fields: list[Any] = [FIRST_NODE]
+            for place, (each, dof, part) in enumerate(terms):
+                fields += [each, dof, part, *(["", ""] if place % 2 else [])]
+            lines += _large("GRID", node, "", seat.position, 0.0, 0.0, "", "23456")
+            lines += [*_large("MPC", *fields), *_large("CELAS2", node, constant, node, 1, FIRST_NODE, 1)]
+    return "\n".join(lines) + "\n"
+
+
+class _Spring(NamedTuple):
+    node: int
+    constant: float
+    moves: list[tuple[int, float]]
+    """By the number of the displacement, 1 to 3: its part in the combination."""
+    turns: list[tuple[int, float]]
+    """Likewise, of the rotation."""
+
+
+def _springs(number: int, seat: Seat) -> tuple[int, int, list[_Spring]]:
+    """The nodes that move and turn with a row, and its springs, each with a node of its own."""
+    first = FIRST_NODE + 100 * number
+    found = []
+    for count, (constant, parts) in enumerate(zip(*combined_springs(seat.stiffness, seat.lever), strict=True), 11):
+        named = [(dof, float(part)) for dof, part in zip((1, 2, 3, 2, 3), parts, strict=True)]
+        moves, turns = ([each for each in half if each[1]] for half in (named[:3], named[3:]))
+        found.append(_Spring(first + count, float(constant), moves, turns))
+    return first + 1, first + 2, found
+
+
+def _head(mark: str, units: str, use: str) -> list[str]:
+    length = units.split("-")[1]
+    return [
+        f"{mark} Bearings as springs, by qsbearing {__version__}. {use}",
+        f"{mark} Units {units}: N/{length}, N/rad, N {length}/rad. Axes: {AXES}.",
+        f"{mark} Tangent stiffness about a solved operating point: load the model with changes of its loads.",
+    ]
+
+
+def _row(mark: str, number: int, seat: Seat, units: str) -> list[str]:
+    length = units.split("-")[1]
+    load = ", ".join(f"{each:.6g}" for each in seat.load)
+    return [
+        mark,
+        f"{mark} {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
+        f"{mark} Point: {POINT}, x = {seat.position:.6g} {length}.",
+        f"{mark} The springs are the symmetric part of the stiffness. Of what is not symmetric the largest",
+        f"{mark} difference of two terms is {100.0 * seat.asymmetry:.3g} % of the largest term.",
+    ]
+
+
+def _large(name: str, *fields: Any) -> list[str]:
+    """A card of Nastran in fields of 16 letters, four in a line; of lines there are two, four, ..."""
+    texts = [f"{_real(each) if isinstance(each, float) else each!s:>16}" for each in fields]
+    texts += [""] * (-len(texts) % 8)
+    lines = ["".join(texts[at : at + 4]).rstrip() for at in range(0, len(texts), 4)]
+    return [f"{f'{name}*' if number == 0 else '*':<8}{line}" for number, line in enumerate(lines)]
+
+
+def _real(value: float) -> str:
+    """With the most digits that a field of 16 letters holds: the exponent without its E."""
+    for digits in (11, 10):
+        part, exponent = f"{value:.{digits}E}".split("E")
+        text = f"{part}{int(exponent):+d}"
+        if len(text) <= 16:
+            break
+    return text

@@ -1,10 +1,11 @@
 """Pictures of a solved case, one function each; matplotlib is imported where it draws.
 
-Each takes a solution of a bearing (all but `contact_ellipses` and `section` one of a set as well) and, where it has
-case axes, the index of one case; and returns a figure of matplotlib.
+Each takes a solution of a bearing (all but `contact_ellipses`, `section` and `ball_advance` one of a set as well) and,
+where it has case axes, the index of one case; and returns a figure of matplotlib.
 """
 
 from qsbearing.pictures.sheet import (
+    ball_advance,
     contact_angles,
     contact_ellipses,
     deformed_shaft,
@@ -15,6 +16,7 @@ from qsbearing.pictures.sheet import (
 )
 
 __all__ = [
+    "ball_advance",
     "contact_angles",
     "contact_ellipses",
     "deformed_shaft",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.model.solution.case_index import Index, Place, place_of
 from qsbearing.model.solution.solution import Solution
+from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
@@ -77,6 +78,11 @@ def section(solution: Solution, index: Index = None, ball: int | None = None) ->
         ball: its number, from zero; None: the one with the largest contact load.
     """
     return _alone(partial(draw_section, ball=ball), (6.4, 5.4), solution, index)
+
+
+def ball_advance(solution: Solution, index: Index = None) -> Figure:
+    """How far balls run ahead of and behind the cage over a turn; with its pockets' clearance where that is read."""
+    return _alone(draw_advance, (6.2, 3.6), solution, index)
 
 
 def ring_shape(solution: Solution, index: Index = None) -> Figure:

@@ -19,6 +19,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.readings import (
+    ball_advance,
     ball_motion,
     contact_friction,
     film_thickness,
@@ -47,6 +48,7 @@ _FILES = (
     load_spectrum,
     static_rating,
     ball_motion,
+    ball_advance,
     pass_frequencies,
     film_thickness,
     contact_friction,

@@ -288,6 +288,9 @@ _ALL = (
          "axis: load and angle hold, and the pressure rises at the edge", say=_cut),
     # Readings: motion, friction, film
     Kind("control_assumed", NOTE, CHOICES, "no raceway control is named: all spin is put on the inner raceway"),
+    Kind("balls_press_cage", CHECK, "cage_and_grease#balls-and-their-pockets",
+         "from lag to lead the balls need {excursion_mm:.3g} mm of freedom in the cage, whose pockets have "
+         "{clearance_mm:.3g} mm: the cage holds balls back and pulls others along, by forces that are not computed"),
     Kind("friction_given_exceeded", WRONG, HYPOTHESES,
          "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
          "slips, and the heat of this slip is not included"),

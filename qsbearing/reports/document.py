@@ -6,7 +6,7 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
@@ -89,6 +89,14 @@ def _results(solution: Solution) -> Section:
             "Contact ellipses of the balls, with their maximum pressures",
         )
     )
+    if "ball_advance" in solution.scene.readings and not are_alike:
+        drawn.append(
+            picture(
+                ball_advance(solution),
+                "How far a ball is ahead of its mean place in the cage, by its azimuth.",
+                "Advance of the balls in the cage over one turn; grey: the clearance of its pockets",
+            )
+        )
     if solution.scene.elastic_rings is not None:
         drawn.append(
             picture(

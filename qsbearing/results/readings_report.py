@@ -31,7 +31,8 @@ def readings_tables(readings: Mapping[str, Any], scene: Scene) -> list[Block]:
         title = name.replace("_", " ").capitalize()
         of_bearing, of_contacts = _of_bearing(title, name, reading, scene), _of_contacts(title, name, reading)
         if of_bearing and of_contacts:
-            of_contacts = replace(of_contacts, caption=f"{title}: contacts")
+            whose = "contacts" if READINGS[name].of_contact else "balls"
+            of_contacts = replace(of_contacts, caption=f"{title}: {whose}")
         parts += [table for table in (of_bearing, of_contacts) if table]
         parts += [Paragraph(READINGS[name].scope)] if READINGS[name].scope else []
         for model in getattr(reading, "models", ()):

@@ -58,6 +58,31 @@ def test_pressure_is_the_constrained_minimum():
     np.testing.assert_allclose(pressure.ravel(), other, atol=1e-8 * pressure.max())
 
 
+def test_inclined_rectangles_by_turning_forces_and_displacements():
+    # The half-space along the chord of two rectangles, without the expansion, whose error is of the fourth power of the
+    # slopes: 0.5 % of what slopes do is allowed, and 2 % of e is more than that.
+    x, size, poisson = np.arange(7) - 3.0, (0.7, 1.1), 0.3
+    gap = 0.02 * x[:, None] ** 2 + 0.04 * x**2
+    slope = 0.03 * x[:, None] + 0.0 * x
+    pressure, approach = boundary_element.solve(gap, 0.4, size, (slope, poisson))
+    at_x, at_y = size[0] * np.repeat(x, 7), size[1] * np.tile(x, 7)
+    angle = np.arctan(slope.ravel())
+    chord = np.arctan(0.5 * (slope.ravel()[:, None] + slope.ravel()))
+    stretch = 1.0 / np.cos(chord)
+    away = (at_x[:, None] - at_x) * stretch, at_y[:, None] - at_y, size[0] * stretch, size[1]
+    direct = boundary_element.normal_influence(*away) / stretch
+    along = boundary_element.lengthwise_influence(*away) / stretch
+    here, there = angle[:, None] - chord, angle - chord
+    tangential = direct + poisson / (1.0 - poisson) * along
+    turned = np.cos(here) * np.cos(there) * direct + np.sin(here) * np.sin(there) * tangential
+    matrix = turned / np.cos(angle[:, None]) / np.cos(angle)
+    root = np.linalg.cholesky(0.5 * (matrix + matrix.T))
+    other, _ = nnls(root.T, np.linalg.solve(root, approach - gap.ravel()))
+    flat, _ = boundary_element.solve(gap, 0.4, size)
+    change = np.abs(flat - pressure).max()
+    np.testing.assert_allclose(pressure.ravel(), other, atol=0.005 * change)
+
+
 def test_one_rectangle_far_away_is_a_point_load():
     # Johnson 1985, eq. 3.22: 1/(pi E* r); the rectangle's own size enters as (size/distance)^2/24 or less.
     far = boundary_element.normal_influence(np.array([30.0]), np.array([40.0]), 1.0, 2.0)

@@ -501,7 +501,7 @@ PLANTED |= {
     ),
 }
 PARTS = "solution_parts"
-# The last three are seen by a test of that alone: checks have no row for it, or none so narrow.
+# Those with a path of tests are seen by a test of that alone: checks have no row for it, or none so narrow.
 PLANTED |= {
     "attitude angle of the other sign": (
         "qsbearing/model/kernel/results.py",
@@ -557,6 +557,18 @@ PLANTED |= {
         "S 6206 C TA,30.0,62.0,16.0,46.0,9.252",
         PARTS,
     ),
+    "width of the catalogue, digits swapped": (
+        "qsbearing/files/catalogue/gmn_spindle_bearings.csv",
+        "S 6206 C TA,30.0,62.0,16.0,",
+        "S 6206 C TA,30.0,62.0,61.0,",
+        PARTS,
+    ),
+    "outside diameter for the bore": (
+        "qsbearing/files/catalogue/spindle_series.py",
+        '"outside_diameter_mm": "D_mm"',
+        '"outside_diameter_mm": "d_mm"',
+        PARTS,
+    ),
     "a tilt in milliradians read as degrees": (
         "qsbearing/model/scene/keys.py",
         'Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE)',
@@ -580,6 +592,54 @@ PLANTED |= {
         "fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR, 0] = True",
         "fixed[np.abs(x - (section.groove_centre[0] + 0.5 * section.width)) < NEAR] = True",
         RING,
+    ),
+    "a contact's heat to the other ring": (
+        "qsbearing/systems/heat/balance.py",
+        'parts = {"inner_ring": inner * to_rings, "outer_ring": (1.0 - inner) * to_rings,',
+        'parts = {"inner_ring": (1.0 - inner) * to_rings, "outer_ring": inner * to_rings,',
+        PARTS,
+    ),
+    "heat to the balls as to the rings": (
+        "qsbearing/systems/heat/balance.py",
+        '"balls": 1.0 - to_rings}',
+        '"balls": to_rings}',
+        PARTS,
+    ),
+    "oil's heat by twice its flow": (
+        "qsbearing/systems/heat/network.py",
+        "return self.flow * self.density * self.specific_heat",
+        "return 2.0 * self.flow * self.density * self.specific_heat",
+        PARTS,
+    ),
+    "friction of the contacts + 1 %": (
+        "qsbearing/readings/contact_friction.py",
+        "out[0, k, j] = force * mean",
+        "out[0, k, j] = 1.01 * force * mean",
+        PARTS,
+    ),
+    "balls that the heat balance leaves cold": (
+        "qsbearing/systems/heat/hot.py",
+        'if isinstance(effect, BallExpansion) and "balls" in own:',
+        'if isinstance(effect, BallExpansion) and "ball" in own:',
+        PARTS,
+    ),
+    "azimuths from y away from z": (
+        "qsbearing/model/kernel/ring.py",
+        "balls[j].azimuth_sine = sin(azimuth)",
+        "balls[j].azimuth_sine = -sin(azimuth)",
+        SOLUTION,
+    ),
+    "moments of mirrored axes": (
+        "qsbearing/model/solution/flatten.py",
+        "load / (force * diameter) if channel.is_rotation else load / force",
+        "-load / (force * diameter) if channel.is_rotation else load / force",
+        SOLUTION,
+    ),
+    "inclined boundary elements, e of the other sign": (
+        "fem_check/mechanics/boundary_element.py",
+        "square, shared = -0.25 * (0.5 + e) * along,",
+        "square, shared = -0.25 * (0.5 - e) * along,",
+        "tests/fem_check/test_boundary_element.py",
     ),
     "film, digits swapped": (
         "qsbearing/readings/film_thickness.py",

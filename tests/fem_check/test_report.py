@@ -174,7 +174,17 @@ def test_what_is_missing_is_said(records: Path) -> None:
 def test_a_tolerance_that_little_could_miss_is_counted() -> None:
     row = {"tolerance_percent": 1.0, "deviation_percent": 0.5, "uncertainty_percent": None}
     wide, finding = row | {"deviation_percent": -0.05}, row | {"tolerance_percent": None}
-    assert tolerances._line("patch_test", [row, wide, finding])[1:] == ["2", "11", "11", "2", "1"]
+    exact = row | {"tolerance_percent": 1e-7, "deviation_percent": 1e-12}
+    told = tolerances._line("patch_test", [row, wide, exact])[1:]
+    assert told == ["3", "1", "2", "11", "11", "2", "1"]
+    assert tolerances._judged([row, finding]) == [row]
+
+
+def test_rows_with_wide_tolerances_are_listed_with_their_reasons() -> None:
+    """All of them that compare no two evaluations at full precision, and no more."""
+    _, of_checks, wide = tolerances.section(evidence.read()).blocks
+    assert sum(int(line[1]) for line in wide.rows) == sum(int(line[-1]) for line in of_checks.rows) > 0
+    assert all(float(line[3]) >= tolerances.WIDE and line[4] for line in wide.rows)
 
 
 def test_a_failing_row_is_the_verdict(records: Path) -> None:

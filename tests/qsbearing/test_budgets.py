@@ -17,8 +17,8 @@ BUDGETS = {
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     "systems": 5700,
     # Wanted: 5,500. Of these, 2,050 are REXS: XML, JSON and ZIP of strangers read and edited, nine versions of names,
-    # units, the mapping of bearings and shafts with its assumptions, results put back; 130 are decks of springs.
-    "files": 7100,
+    # units, the mapping of bearings and shafts with its assumptions, results put back; 210 are decks of springs.
+    "files": 7200,
     # With its compiler; wanted: 5,200. Balls that lost the inner raceway, lanes, and records as plain objects.
     "model/kernel + model/compiler": 5800,
 }

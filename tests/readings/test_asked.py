@@ -42,6 +42,7 @@ ALL: dict[str, Any] = {
     "film": {"ball_roughness_um": 0.05, "raceway_roughness_um": 0.2},
     "friction": {"friction_coefficient": 0.05, "drag_coefficient": 0.5, "fluid_density_kg_m3": 20},
     "pivot_points": True,
+    "ball_advance": {"pocket_clearance_mm": 0.2},
     "friction_estimate": {
         "bore_diameter_mm": 90,
         "outside_diameter_mm": 160,

@@ -186,6 +186,9 @@ def of_readings() -> Iterator[Any]:
     oil = read.Lubricant.from_grade(68).at(343.15)
     yield read.film(fast, oil, ball_roughness=0.1e-6, raceway_roughness=0.3e-6)
     yield read.film(fast, read.OilState(oil.dynamic_viscosity, 2e-8, oil.kinematic_viscosity))
+    yield read.ball_advance(
+        qs.solve(turning(9e3, axial_load=14e3, radial_load_y=6e3, tilt_z=0.0)), pocket_clearance=1e-5
+    )
     size = {"bore_diameter": 50e-3, "outside_diameter": 90e-3, "kinematic_viscosity": 20e-6}
     yield from (read.skf_torque(fast, **size), read.skf_torque(fast, **size, speed_rating=1e3 * qs.rpm))
 

@@ -41,9 +41,11 @@ def _axes(reader: Reader, component: Component) -> NDArray:
     u, w = (None if each is None else np.asarray(each, float) for each in given)
     if u is None or u.shape != (3,) or not u.any():
         return np.eye(3)
-    if w is None or w.shape != (3,):
-        w = np.array([0.0, 0.0, 1.0]) if abs(u[2]) < 0.9 * np.linalg.norm(u) else np.array([0.0, 1.0, 0.0])
+    u = u / np.abs(u).max()  # first, for a number may be so large that its square is none
     u = u / np.linalg.norm(u)
+    if w is None or w.shape != (3,) or not w.any():
+        w = np.array([0.0, 0.0, 1.0]) if abs(u[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
+    w = w / np.abs(w).max()
     w = w - (w @ u) * u
     if not np.linalg.norm(w) > ALONG:
         return np.eye(3)

@@ -206,13 +206,13 @@ def _preload(document: Table, forces: list[float]) -> None:
 def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> None:
     """Loads of a shaft that this bearing alone carries, else by the results in the model, else preload."""
     shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
-    found, note = None, "the sum of the loads on the shaft"
+    found, note = None, "the sum of the forces on the shaft"
     tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
-    if shaft is not None and shaft.kind == "shaft" and row.position is not None:
+    if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
         if len(carried) == 1 and given and not shaft_mapping.lacking(reader, shaft):
-            found = shaft_mapping.about(given, row.position)
+            found = np.sum([load.values[:3] for load in given], axis=0)
     if found is None and (found := _results(reader, bearing, row.turn)) is not None:
         note = "by the results that stand in the model"
         angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
@@ -221,7 +221,7 @@ def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: T
     if found is None:
         _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
         return
-    for field, value in zip(_LOADS[:3], found[:3] * (sign, 1.0, 1.0), strict=True):
+    for field, value in zip(_LOADS[:3], found * (sign, 1.0, 1.0), strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, note)
     for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)

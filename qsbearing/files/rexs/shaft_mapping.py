@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -92,15 +91,6 @@ def loads(reader: Reader, shaft: Component) -> list[Load]:
         values = [reader.number(each, name) or 0.0 for name in _LOAD]
         found.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), np.array(values)))
     return found
-
-
-def about(given: Iterable[Load], position: float) -> NDArray:
-    """The sum of loads about a position [m]: forces x, y, z and moments about y, z."""
-    total = np.zeros(5)
-    for each in given:
-        arm = (each.position or 0.0) - position
-        total += each.values + np.array([0.0, 0.0, 0.0, -arm * each.values[2], arm * each.values[1]])
-    return total
 
 
 def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:

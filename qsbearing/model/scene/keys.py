@@ -280,6 +280,8 @@ SET_SECTIONS: dict[str, tuple[str, ...]] = {
     "floating": ("rows", *(key.name for key in FLOATING), "preload"),
 }  # fmt: skip
 """Likewise, of the tables that only a set has."""
+MAKES_SET = tuple(name for name in SET_SECTIONS if name != "housing")
+"""Those that make a file one of a set; a single bearing may be in a housing as well."""
 SHAFT_SECTIONS: dict[str, tuple[str, ...]] = {
     "sections": (*(key.name for key in SECTION), "material"),
     "loads": tuple(key.name for key in SHAFT_LOAD),

@@ -25,7 +25,7 @@ from qsbearing.files.rexs.write_back import WriteBack
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.results.readings_record import taken
-from tests.files.rexs.models import b218, json_text, xml, zipped
+from tests.files.rexs.models import b218, gearbox, json_text, xml, zipped
 from tests.files.rexs.test_import import double_row, spindle
 
 Result = tuple[dict[str, Any], Any, Any]
@@ -251,6 +251,12 @@ def test_the_commands(tmp_path: Path) -> None:
     assert b"rolling_element_force" in model.read_bytes()
     assert call("run", "b218", "--into", model).exit_code == 2
     assert call("import", out / "bearing_6.toml", "--out", out).exit_code == 2
+    gears = tmp_path / "gears.rexs"
+    gears.write_bytes(xml(gearbox()))
+    done = call("import", gears, "--shaft", "input", "--out", out)
+    assert done.exit_code == 1  # nothing of it can be solved as it is
+    assert "shaft_3_case_1.toml, shaft_3_case_2.toml: missing" in done.stdout
+    assert call("import", gears, "--out", out).exit_code == 0
     model.write_bytes(xml(b218()).replace(b'unit="kN">17.8', b'unit="kN">-17.8'))
     before = model.read_bytes()
     call("import", model, "--out", out)

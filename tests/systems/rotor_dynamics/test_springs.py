@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
+from scipy.io import loadmat
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.files.stiffness_files import FIRST_NODE, calculix_deck, json_text, seats_of
+from qsbearing.files.stiffness_files import FIRST_NODE, Seat, calculix_deck, json_text, nastran_deck, seats_of
 from qsbearing.systems.rotor_dynamics.springs import asymmetry, combined_springs, from_shaft
 
 
@@ -60,7 +61,7 @@ def test_a_set_has_each_row_in_its_place() -> None:
     found = json.loads(
         json_text(seats_of(qs.solve_set(qs.BearingSet(rows, preload=qs.Preload(rigid=500.0))), "N-mm-t"), "N-mm-t")
     )
-    assert [row["position_mm"] for row in found["rows"]] == [0.0, 40.0]
+    assert [row["position"] for row in found["rows"]] == [0.0, 40.0]
     first, second = (np.array(row["stiffness"]) for row in found["rows"])
     sign = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
     assert second == pytest.approx(sign[:, None] * sign * first, rel=1e-6, abs=1e-3)
@@ -72,7 +73,11 @@ def test_the_command(tmp_path: Path) -> None:
     out = tmp_path / "springs.inp"
     done = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "calculix", "--out", str(out)])
     assert (done.exit_code, out.read_text().count("*SPRING")) == (0, 5)
-    for wrong in (["--format", "json", "--vary", "speed_rpm=0,1"], ["--units", "N-m-kg"]):
+    done = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "mat", "--out", str(tmp_path / "b218.mat")])
+    rows = loadmat(tmp_path / "b218.mat", simplify_cells=True)["rows"]
+    shown = json.loads(CliRunner().invoke(cli, ["stiffness", "b218", "--format", "json"]).stdout)
+    assert rows["stiffness"].tolist() == shown["rows"][0]["stiffness"]
+    for wrong in (["--format", "mat"], ["--format", "json", "--vary", "speed_rpm=0,1"], ["--units", "N-m-kg"]):
         assert CliRunner().invoke(cli, ["stiffness", "b218", *wrong]).exit_code == 2
 
 
@@ -81,8 +86,8 @@ def test_the_command(tmp_path: Path) -> None:
 def test_calculix_moves_a_cantilever_on_the_bearing_as_its_stiffness_says(fast: qs.Solution, tmp_path: Path) -> None:
     """The tip on the bearing minus the tip of the same bar clamped: a rigid motion, known without the bar."""
     (seat,) = seats_of(fast, "N-mm-t")
-    force = np.array([300.0, 500.0, -200.0])
     tips = []
+    force = FORCE
     for is_clamped in (True, False):
         folder = tmp_path / str(is_clamped)
         folder.mkdir()
@@ -91,15 +96,38 @@ def test_calculix_moves_a_cantilever_on_the_bearing_as_its_stiffness_says(fast: 
         subprocess.run(["ccx", "bar"], cwd=folder, check=True, capture_output=True)
         last = (folder / "bar.dat").read_text().strip().splitlines()[-1].split()
         tips.append(np.array(last[1:], float))
-    arm = np.array([LENGTH, 0.0, 0.0])
-    moment = np.cross(arm, force)
-    symmetric = 0.5 * (seat.stiffness + seat.stiffness.T)
-    moved = np.linalg.solve(symmetric, np.array([*force, *moment[1:]]))
-    wanted = moved[:3] + np.cross([0.0, *moved[3:]], arm)
-    assert tips[1] - tips[0] == pytest.approx(wanted, abs=1e-6 * np.abs(tips[1]).max())  # seven digits are printed
+    assert tips[1] - tips[0] == pytest.approx(rigid(seat, force), abs=1e-6 * np.abs(tips[1]).max())  # of seven digits
+
+
+@pytest.mark.heavy
+@pytest.mark.skipif(shutil.which("mystran") is None, reason="MYSTRAN is not installed")
+def test_mystran_does_likewise(fast: qs.Solution, tmp_path: Path) -> None:
+    (seat,) = seats_of(fast, "N-mm-t")
+    tips = []
+    for held in (["SPC = 7"], []):
+        lines = ["SOL 101", "CEND", f"MPC = {FIRST_NODE}", "LOAD = 1", "DISP = ALL", *held, "BEGIN BULK"]
+        lines += nastran_deck([seat], "N-mm-t").splitlines()
+        lines += [f"GRID,2,,{LENGTH},0.,0.", f"CBAR,1,1,{FIRST_NODE + 101},2,0.,1.,0.", "MAT1,1,208000.,,0.3"]
+        lines += ["PBAR,1,1,3600.,1.08E6,1.08E6,2.16E6", f"FORCE,1,2,,1.,{','.join(map(str, FORCE))}"]
+        lines += [f"SPC1,7,123456,{FIRST_NODE + 101}", "ENDDATA", ""]
+        (tmp_path / "bar.dat").write_text("\n".join(lines))
+        subprocess.run(["mystran", "bar.dat"], cwd=tmp_path, check=True, capture_output=True)
+        text = (tmp_path / "bar.F06").read_text().partition("D I S P L A C E M E N T S")[2]
+        row = next(each for line in text.splitlines() if (each := line.split())[:1] == ["2"])
+        tips.append(np.array(row[2:5], float))
+    assert tips[1] - tips[0] == pytest.approx(rigid(seat, FORCE), abs=1e-6 * np.abs(tips[1]).max())
 
 
 LENGTH = 300.0
+FORCE = np.array([300.0, 500.0, -200.0])
+
+
+def rigid(seat: Seat, force: NDArray) -> NDArray:
+    """How the tip of a rigid bar moves on the symmetric part of the stiffness."""
+    arm = np.array([LENGTH, 0.0, 0.0])
+    symmetric = 0.5 * (seat.stiffness + seat.stiffness.T)
+    moved = np.linalg.solve(symmetric, np.array([*force, *np.cross(arm, force)[1:]]))
+    return np.asarray(moved[:3] + np.cross([0.0, *moved[3:]], arm))
 
 
 def bar(force: NDArray, is_clamped: bool) -> str:

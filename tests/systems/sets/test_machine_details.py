@@ -72,6 +72,8 @@ def test_a_stepped_heavy_spindle_is_as_heavy_as_many_loads_make_it() -> None:
         away.append(np.abs(sliced.row_loads - heavy.row_loads)[..., 1].max())
     assert away[0] / away[1] == pytest.approx(16.0, rel=0.25)
     assert away[1] < 0.01 * np.abs(heavy.row_loads[..., 1]).max()
+    weightless = qs.solve_set(spindle(replace(of, gravity=None), speed=12_000 * qs.rpm))
+    assert heavy.preload_in_operation == pytest.approx(weightless.preload_in_operation, rel=1e-9)
 
 
 def test_a_cone_bends_and_weighs_as_its_closed_forms_say() -> None:

@@ -1,0 +1,23 @@
+"""Arrays compared in one row."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from fem_check.rows.agreement import Row
+
+TOLERANCE = 1e-9
+"""Relative, of two evaluations at full precision."""
+WHY = "two evaluations at full precision"
+
+
+def compared(
+    case: str, quantity: str, unit: str, found: Any, expected: Any, source: str, tolerance: float = TOLERANCE
+) -> Row:
+    """An array in one row: the largest of the reference, and that off by the worst deviation."""
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    size = float(np.abs(expected).max())
+    worst = float(np.abs(found - expected).max()) if found.shape == expected.shape else np.nan
+    return Row(case, quantity, unit, size, source, size + worst, None, 100.0 * tolerance, WHY)

@@ -1,0 +1,167 @@
+"""How far balls run ahead of and behind a cage that turns evenly: what its pockets must leave free.
+
+At the solved contact angles each ball passes an azimuth psi at an orbital speed omega(psi), which the balls' own speeds
+give at their azimuths and a trigonometric polynomial of 1/omega in between. A turn takes T = integral of dpsi/omega; a
+cage that keeps up turns at 2 pi/T, the harmonic mean, and a ball is ahead of its mean place in the cage by
+
+    advance(psi) = psi - (2 pi/T) integral of dpsi/omega + constant,    on the arc of the pitch circle times dm/2,
+
+the constant such that its mean vanishes: over the azimuth, and so over time, since (2 pi/T)/omega is 1 less its slope,
+and a periodic function times its slope has no mean. All balls go through the same, one after another, so that from the
+largest lag to the largest lead each needs the same freedom: the excursion. More than the pockets' clearance, and the
+cage holds balls back and pulls others along.
+
+For omega = m (1 + e cos psi) the mean is m sqrt(1 - e^2), and time and azimuth are related as in Kepler's equation.
+
+The name, and the limit by the pocket's clearance, are as in the manual of MESYS ("circumferential ball advance", which
+takes a constant speed between balls); makers call it ball excursion. Orbital speeds are Jones's.
+
+Range: loads and tilts that stand still in space, balls of one diameter (else NaN), and no slip: the speeds of balls
+that no cage touches. It is no force: how hard a cage pushes takes friction and time. Where balls leave the inner
+raceway the speed has a kink, and eight balls tell the excursion to some per cent only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.scene.keys import Key
+from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.units import mm, rpm
+from qsbearing.model.validation import LENGTH, ErrorDetail, within
+from qsbearing.readings.ball_motion import AXIS, orbital_speed
+from qsbearing.readings.bearing_numbers import BearingNumbers
+from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
+
+POINTS = 360
+"""Around the turn, between which extremes are not looked for: of a wave once round, an excursion lacks 4e-5 at most."""
+ROUNDING = 1e-12
+"""Radians: less is nothing."""
+AT_ONCE = 4096
+"""Cases, so that a million of them take little memory."""
+
+
+@dataclass(frozen=True)
+class BallAdvance(Remarked):
+    """Arrays of shape (*cases); NaN where a ball stands, or runs against the others."""
+
+    mean_orbital_speed: NDArray
+    """Of a cage that turns evenly with the balls [rad/s]."""
+    lead: NDArray
+    """Largest advance, on the arc of the pitch circle [m]."""
+    lag: NDArray
+    """Likewise, behind the mean place."""
+    excursion: NDArray
+    """Lead and lag together."""
+    advance: NDArray
+    """Of the balls where they are; shape (*cases, ball)."""
+    pocket_use: NDArray | None
+    """Excursion over the pockets' clearance; None where it is not given."""
+    remarks: Remarks
+
+
+@dataclass(frozen=True, kw_only=True)
+class PocketClearance:
+    """What `ball_advance` takes."""
+
+    pocket_clearance: ArrayLike | None = None
+
+    def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
+        """Of a clearance that there cannot be."""
+        given = self.pocket_clearance
+        return [] if given is None else within("pocket_clearance", given, LENGTH, 1e-6, 0.1)
+
+
+@with_arguments(PocketClearance)
+def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
+    """How far the balls run ahead of and behind a cage that turns evenly.
+
+    Args:
+        pocket_clearance: of the cage's pockets along the pitch circle, by how much longer they are than a ball's
+            diameter [m]; None: not compared.
+
+    Raises:
+        SceneError: a clearance that is none.
+    """
+    numbers = BearingNumbers(solution.scene.operating_bearing)
+    radius = np.asarray(0.5 * numbers.pitch_diameter)
+    speeds = np.broadcast_to(orbital_speed(solution), solution.azimuth.shape)
+    mean, lead, lag, own = _of_cases(speeds, np.broadcast_to(numbers.ball_count, solution.shape))
+    if solution.scene.ball_diameter_deviations is not None:  # a ball has a speed of its own
+        mean, lead, lag, own = (np.full_like(each, np.nan) for each in (mean, lead, lag, own))
+    lead, lag = radius * lead, radius * lag
+    excursion, use, said = lead + lag, None, []
+    if given.pocket_clearance is not None:
+        use = np.asarray(excursion / np.asarray(given.pocket_clearance, float))
+        beyond = use > 1.0
+        if beyond.any():
+            worst = np.unravel_index(np.nanargmax(np.where(beyond, use, 0.0)), np.shape(use))
+            clearance = float(np.broadcast_to(given.pocket_clearance, use.shape)[worst]) / mm
+            needed = float(excursion[worst]) / mm
+            said.append((beyond, remark("balls_press_cage", excursion_mm=needed, clearance_mm=clearance)))
+    advance = radius[..., None] * own
+    return BallAdvance(mean, lead, lag, excursion, advance, use, remarks(said, solution.shape))
+
+
+def _of_cases(speeds: NDArray, balls: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    """(mean orbital speed, lead, lag; advance of each ball) in radians, of cases with so many balls."""
+    flat, counts = speeds.reshape(-1, speeds.shape[-1]), balls.reshape(-1)
+    of_case, of_ball = np.full((3, counts.size), np.nan), np.full(flat.shape, np.nan)
+    turn = 2.0 * np.pi * np.arange(POINTS) / POINTS
+    for count in np.unique(counts).astype(int):
+        own = flat[:, :count]
+        goes_on = np.isfinite(own).all(axis=-1) & ((own > 0.0).all(axis=-1) | (own < 0.0).all(axis=-1))
+        cases = np.flatnonzero((counts == count) & goes_on)
+        for begin in range(0, cases.size, AT_ONCE):
+            some = cases[begin : begin + AT_ONCE]
+            mean, *found = advance_over_a_turn(own[some], turn)
+            along, advance = (np.where(np.abs(each) < ROUNDING, 0.0, each) for each in found)
+            of_case[:, some] = mean, along.max(axis=-1), -along.min(axis=-1)
+            of_ball[some, :count] = advance
+    mean, lead, lag = of_case.reshape(3, *balls.shape)
+    return mean, lead, lag, of_ball.reshape(speeds.shape)
+
+
+def advance_over_a_turn(speeds: NDArray, turn: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    """(mean orbital speed; advance at azimuths; advance of each ball) in radians.
+
+    Args:
+        speeds: of balls evenly around the bearing; shape (..., ball) [rad/s].
+        turn: azimuths from the first ball on, evenly over the turn [rad].
+    """
+    count = speeds.shape[-1]
+    wave = np.arange(1, (count - 1) // 2 + 1)
+    mean = 1.0 / (1.0 / speeds).mean(axis=-1)
+    harmonics = np.fft.rfft(mean[..., None] / speeds)[..., 1 : wave.size + 1] * (2.0 / count)
+    at_balls = 2.0 * np.pi * np.arange(count) / count
+    along, own = ((1j / wave * harmonics @ np.exp(1j * np.outer(wave, at))).real for at in (turn, at_balls))
+    return mean, along, own
+
+
+ENTRY = Reading(
+    name="ball_advance",
+    gives="how far balls run ahead of and behind the cage, against the clearance of its pockets",
+    by="Jones's orbital speeds",
+    take=simply(ball_advance),
+    record=PocketClearance,
+    table=Table(
+        keys=(Key("pocket_clearance_mm", "pocket_clearance", "mm", mm, LENGTH),),
+        example="pocket_clearance_mm = 0.3  # of the cage, along the pitch circle; left out: not compared\n",
+    ),
+    needs=(("load", "sine", "cosine"), AXIS),
+    of_case=(
+        Shown("mean_orbital_speed_rpm", "mean_orbital_speed", rpm, "speed of a cage that keeps up with the balls"),
+        Shown("lead_mm", "lead", mm, "largest advance of a ball in front of its mean place in the cage"),
+        Shown("lag_mm", "lag", mm, "likewise, behind it"),
+        Shown("excursion_mm", "excursion", mm, "lead and lag together"),
+        Shown("pocket_use", "pocket_use", 1.0, "excursion over the clearance of the pockets"),
+    ),
+    of_ball=(Shown("advance_mm", "advance", mm, "of the ball at its azimuth, on the arc of the pitch circle"),),
+    scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed.",
+)
