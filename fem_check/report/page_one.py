@@ -14,7 +14,7 @@ from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Remark, Table
 from qsbearing.results import provenance
 
-BLANK = "\N{NO-BREAK SPACE}" * 40
+BLANK = "\N{NO-BREAK SPACE}" * 34
 """Room to write by hand."""
 
 

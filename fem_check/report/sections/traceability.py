@@ -25,27 +25,21 @@ def section(evidence: Evidence, questions: Sequence[Question]) -> Section:
     for name, records in groups:
         lines += [Group(name), *map(_line, records)] if records else []
     unknown = [kept.name for kept in evidence.all() if not kept.provenance.get("commit")]
-    headings = ("check", "record", "commit", "made", "rows", "sha256")
-    blocks: list[Block] = [Table(headings, lines, "llllll", "Requirement, check, record, sum", stack=True)]
+    headings = ("check", "record", "made at", "rows", "sha256")
+    blocks: list[Block] = [Table(headings, lines, "lllll", "Requirement, check, record, sum", stack=True)]
     if unknown:
         blocks.append(Paragraph(f"{len(unknown)} records do not name their commit: {', '.join(unknown)}."))
     return Section("Requirements and their records", blocks, "requirements")
 
 
 def _line(kept: Kept) -> list[Cell]:
-    name = str(kept.data.get("check") or kept.data.get("case") or kept.name.rpartition("/")[2].removesuffix(".json"))
-    made = kept.provenance
-    commit = f"{made['commit'][:8]}{' +' if made['dirty'] else ''}" if made.get("commit") else NOT_RECORDED
-    rows = kept.data.get("rows") if "verdict" in kept.data else None
-    tally = "" if not rows else " + ".join(f"{n} {word}" for word, n in counts(rows).items() if n)
-    return [
-        name,
-        kept.name.removeprefix("fem_check/records/"),
-        commit,
-        made["date"][:10].replace("-", "\N{NON-BREAKING HYPHEN}") if made else NOT_RECORDED,
-        tally,
-        kept.digest[:12],
-    ]
+    file = kept.name.rpartition("/")[2].removesuffix(".json").replace("_", " ")
+    made, rows = kept.provenance, kept.data.get("rows") if "verdict" in kept.data else None
+    commit = f"{made['commit'][:8]}{' +' if made['dirty'] else ''}" if made.get("commit") else "no commit"
+    day = made["date"][:10].replace("-", "\N{NON-BREAKING HYPHEN}") if made else NOT_RECORDED
+    tally = " + ".join(f"{n} {word}" for word, n in counts(rows or []).items() if n)
+    name = str(kept.data.get("check") or kept.data.get("case") or file)
+    return [name, kept.name.removeprefix("fem_check/records/"), f"{commit} {day}", tally, kept.digest[:12]]
 
 
 def tally(records: Iterable[Kept]) -> tuple[int, int, int]:
