@@ -60,6 +60,7 @@ from qsbearing.model.validation import ErrorDetail as ErrorDetail, SceneError as
 from qsbearing.model.version import __version__ as __version__
 from qsbearing.results.remarks import message as message, warnings as warnings
 from qsbearing.studies.chooser.choose import solve as solve
+from qsbearing.studies.chooser.choose_set import solve_set as solve_set
 from qsbearing.studies.design.compare import compare as compare
 from qsbearing.studies.design.find import find as find
 from qsbearing.studies.sobol import sobol_indices as sobol_indices
@@ -83,5 +84,4 @@ from qsbearing.systems.sets.shaft import (
     ShaftSupport as ShaftSupport,
     Spacer as Spacer,
 )
-from qsbearing.systems.sets.solve import solve_set as solve_set
 from qsbearing.systems.sets.system_life import system_life as system_life

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.app import drawn
-from qsbearing.app.inputs import addable, fields
+from qsbearing.app.inputs import ON_PAGE, addable, fields
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Remark
 from qsbearing.files import catalogue
@@ -69,7 +69,7 @@ def solved(document: Tables, label: str) -> Answer:
     key = key_results(solution, found) if solution.converged else Remark(message(solution), "fail")
     return {
         "is_solved": bool(solution.converged), "key": part([key]),
-        "warnings": part(blocks(every_remark(solution, found))), **pictured(document, label, "section"),
+        "warnings": part(blocks(every_remark(solution, found), words=ON_PAGE)), **pictured(document, label, "section"),
     }  # fmt: skip
 
 
@@ -86,7 +86,7 @@ def detailed(document: Tables, label: str) -> Answer:
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
     tables = [*report.tables(solution), *readings_tables(found, scene)] if solution.converged else []
-    rows = zip(EFFECTS, explain(scene, TOLERANCE)[1], strict=True)
+    rows = zip(EFFECTS, explain(scene, TOLERANCE, ON_PAGE)[1], strict=True)
     return {
         "tables": part(tables),
         "effects": [

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from qsbearing.files.file_keys import find
+from qsbearing.files.file_keys import find, spelled
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.material import BY_NAME
 from qsbearing.model.scene.keys import MATERIALS, SEAT_MATERIALS
+from qsbearing.model.validation import Field, Setting
+from qsbearing.remarks.wording import Reader, Words
 from qsbearing.studies import keys
 
-Field = dict[str, Any]
+FieldOfPage = dict[str, Any]
 TYPICAL = {"N": 1000.0, "rpm": 10_000.0, "um": 20.0, "mm": 1.0, "mrad": 1.0, "N m": 20.0, "deg": 15.0, "C": 60.0}
 """How far a slider reaches from zero, by unit; what is allowed, the scene's own checks say."""
 NEAR = 0.2
@@ -22,7 +24,7 @@ ROOM = 20.0
 """The reference temperature [C]."""
 
 
-def fields(document: dict[str, Any]) -> list[Field]:
+def fields(document: dict[str, Any]) -> list[FieldOfPage]:
     """A field for every number and word of these tables, in their order; of a number with the ends of its slider."""
     return [_field(path, value) for path, value in _leaves(document) if path != ("bearing", "name")]
 
@@ -35,10 +37,10 @@ def _leaves(table: dict[str, Any], before: tuple[str, ...] = ()) -> Iterator[tup
             yield (*before, name), value
 
 
-def _field(path: tuple[str, ...], value: Any) -> Field:
+def _field(path: tuple[str, ...], value: Any) -> FieldOfPage:
     key = find(".".join(path))
-    words = (key.field if key else path[-1]).rpartition(".")[2].replace("_", " ")
-    found: Field = {"path": path, "words": words, "unit": key.unit if key else "", "is_needed": path[0] == "bearing"}
+    words, unit = label(key.field if key else path[-1]), key.unit if key else ""
+    found: FieldOfPage = {"path": path, "words": words, "unit": unit, "is_needed": path[0] == "bearing"}
     if isinstance(value, str):
         return found | {"options": _options(path[-1])}
     if path[-1] == "ball_count":
@@ -61,7 +63,23 @@ def _span(value: float, unit: str, is_of_bearing: bool) -> tuple[float, float]:
     return (0.0, reach) if value > 0.0 else (-reach, 0.0 if value < 0.0 else reach)
 
 
-def addable(document: dict[str, Any]) -> list[Field]:
+def label(field: str) -> str:
+    """What the page calls a field."""
+    return field.rpartition(".")[2].replace("_", " ")
+
+
+def _spelled(field: Field, path: str) -> str:
+    """A field or setting of a remark as the page has it; what it has no field for, as a file has it."""
+    if not isinstance(field, Setting):
+        return label(field)
+    return spelled(field, path) if isinstance(field.value, type) else f"{label(field.field)}: {field.value}"
+
+
+ON_PAGE = Words(Reader.PAGE, _spelled)
+"""How remarks name fields on the page."""
+
+
+def addable(document: dict[str, Any]) -> list[FieldOfPage]:
     """The keys that these tables have not, with what each stands in place of and a value to start from."""
     return [
         {

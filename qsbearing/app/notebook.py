@@ -16,6 +16,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.columns import scene_numbers
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.study import picture
+from qsbearing.remarks.wording import PYTHON
 from qsbearing.reports import inputs, set_inputs
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import taken
@@ -56,8 +57,8 @@ def _blocks(shown: Any) -> Sequence[Block]:
         case Solution() | SetSolution() if shown.shape:
             return _cases(shown)
         case Solution():
-            return report.result(shown, taken(shown))
-    return set_report.set_result(shown, [taken(row) for row in shown.rows])
+            return report.result(shown, taken(shown), PYTHON)
+    return set_report.set_result(shown, [taken(row) for row in shown.rows], PYTHON)
 
 
 def _tables(found: Sequence[Block]) -> list[Block]:

@@ -11,10 +11,11 @@ import click
 
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
-from qsbearing.cli.scene import load, solve
+from qsbearing.cli.scene import load_one, solve
 
 if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
+    from qsbearing.systems.sets.bearing_set import BearingSet
 
 
 @click.command(short_help="Measure what accuracy costs in time (two minutes).")
@@ -32,7 +33,7 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
     """
     if out is not None:
         check_installed("--out needs", ("matplotlib",), "plot")
-    solution = solve(load(scene))
+    solution = solve(load_one(scene))
     if not solution.converged:
         from qsbearing.results.remarks import message
 
@@ -42,7 +43,7 @@ def cost(scene: str, as_json: bool, out: str | None, quick: bool) -> None:
     def measured() -> dict[str, Any]:
         from qsbearing.results import provenance
 
-        found = _measure(solution.scene, quick)
+        found = _measure(getattr(solution, "set", None) or solution.scene, quick)
         command = ["qsbearing", "cost", scene, *(["--quick"] if quick else [])]
         found["provenance"] = provenance.of_run(shlex.join(command))
         if as_json:
@@ -67,7 +68,7 @@ def _json(found: dict[str, Any]) -> str:
     return json.dumps(found, indent=1, allow_nan=False) + "\n"
 
 
-def _measure(scene: Scene, quick: bool) -> dict[str, Any]:
+def _measure(scene: Scene | BearingSet, quick: bool) -> dict[str, Any]:
     """The record of what everything costs, with a progress bar where there is a terminal to show it."""
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn

@@ -51,7 +51,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     from dataclasses import replace
 
     from qsbearing.model.scene.scene import Scene
-    from qsbearing.results.remarks import blocks, every_remark, message
+    from qsbearing.results.remarks import blocks, every_remark, message, remarks_record
     from qsbearing.studies.chooser.explain import explain
 
     if not 0.0 < tolerance <= 1.0:
@@ -64,7 +64,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
             solution, rows = explain(replace(loaded, tolerance=None), tolerance)
         found: dict[str, Any] = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
         said = every_remark(solution)
-        found |= {"remarks": [each.record() for each in said]}
+        found |= {"remarks": remarks_record(said)["remarks"]}
         shown = [] if as_json else [*_effects(rows, tolerance), *blocks(said, is_apart=True)]
     else:
         solution, rows, found, shown = _of_set(loaded, as_json, tolerance)
@@ -81,6 +81,8 @@ def _of_set(
     of: BearingSet, as_json: bool, tolerance: float
 ) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
     """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
+    from dataclasses import replace
+
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.remarks import blocks, every_remark, remarks_record
     from qsbearing.results.set_record import set_record
@@ -89,7 +91,7 @@ def _of_set(
     from qsbearing.systems.sets.preload_limits import preload_summary
 
     with solving():
-        solution, rows = explain_set(of, tolerance)
+        solution, rows = explain_set(replace(of, tolerance=None), tolerance)
         said = preload_summary(solution) if solution.converged else []
         remarks = every_remark(solution)
     found = set_record(solution, [{}] * len(solution.rows))

@@ -79,11 +79,12 @@ def _results() -> str:
 
 def _remarks() -> str:
     """Rows of the table of remarks."""
+    from qsbearing.files.file_keys import IN_FILE
     from qsbearing.remarks.kinds import KINDS
 
     def row(kind: Kind) -> str:
         values = ", ".join(f"`{name}`" for name in kind.values)
-        return f"| `{kind.code}` | {kind.severity.words} | {values} | {kind.outline} |\n"
+        return f"| `{kind.code}` | {kind.severity.words} | {values} | {kind.outline(IN_FILE)} |\n"
 
     return "".join(map(row, KINDS.values()))
 

@@ -177,9 +177,10 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
         if solution.choice is None:
             return result(solution, readings)
+        from qsbearing.files.file_keys import IN_FILE
         from qsbearing.remarks.bearing import chosen
 
-        said = enumerate(chosen(solution, scene))
+        said = enumerate(chosen(solution, scene, IN_FILE))
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     solution = _solved(scene, accuracy)
@@ -220,19 +221,21 @@ def _of_data_sheet(scene: Scene) -> Found:
 
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
+    from qsbearing.documents.model import Paragraph
+    from qsbearing.files.file_keys import IN_FILE
+    from qsbearing.remarks.bearing import chosen
     from qsbearing.results.readings_record import Readings, taken
     from qsbearing.results.set_record import set_columns, set_record
-
-    if accuracy is not None:
-        refuse("--accuracy: a set has the effects that its file names; `qsbearing explain` shows which ones matter")
 
     def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
         from qsbearing.results.set_report import set_result  # not above: --json does without
 
-        return set_result(solution, readings)
+        said = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(chosen(solution, of, IN_FILE))]
+        return set_result(solution, readings) + said
 
-    solution: SetSolution = solve(of)
-    found = partial(_found, solution, of, [taken(row) for row in solution.rows], set_columns)
+    solution: SetSolution = _solved(of, accuracy)
+    asked = of if accuracy is None else solution.set
+    found = partial(_found, solution, asked, [taken(row) for row in solution.rows], set_columns)
     if "spectrum" in of.readings:
         from qsbearing.results.set_spectrum_report import set_spectrum_record, set_spectrum_result
 
@@ -265,7 +268,7 @@ def _fits(what: str, solution: Any) -> Any:
     return getattr(fit_limits, what)(solution)
 
 
-def _solved(scene: Scene, accuracy: float | None) -> Solution:
+def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
     if accuracy is not None:
         from qsbearing.studies.chooser.choose import COARSEST, FINEST
 

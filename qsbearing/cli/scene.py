@@ -77,10 +77,10 @@ def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
     from qsbearing.model.scene.scene import Scene
 
     if not isinstance(asked, Scene):
-        from qsbearing.systems.sets.solve import solve_set
+        from qsbearing.studies.chooser.choose_set import solve_set
 
         with solving(asked):
-            return solve_set(asked)
+            return solve_set(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
     from qsbearing.studies.chooser import choose
 
     with solving(asked):

@@ -65,8 +65,12 @@ _ELASTIC_RINGS = table_model(
 _RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
 
 
-def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    """The fields of `Scene` that say what is asked for."""
+def effects_of(document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset()) -> dict[str, Any]:
+    """The fields of `Scene` that say what is asked for.
+
+    Args:
+        found: keys of temperatures that the heat balance will find.
+    """
     table = document.get("effects")
     if table == AUTO:
         return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_TOLERANCE), errors)}
@@ -101,7 +105,7 @@ def effects_of(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
                 problem = f"is given, but there is no gyroscopic moment to {verb}"
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
-    made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors) for name in within]
+    made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors, found) for name in within]
     made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
     return {"ball_effects": effects, "ring_effects": ring_effects} | {
@@ -128,8 +132,8 @@ def _needed(name: str) -> list[str]:
     return [key.name for key in EFFECT_TABLES[name] if key.field in required]
 
 
-def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
-    """The effect that a table within [effects] names."""
+def ring_effect(name: str, table: Any, errors: Errors, found: frozenset[str] = frozenset()) -> RingEffect | None:
+    """The effect that a table within [effects] names; None for temperatures that are yet to be found."""
     path = f"effects.{name}"
     if name == ElasticRings.name:
         return _elastic_rings(path, table, errors)
@@ -143,9 +147,11 @@ def ring_effect(name: str, table: Any, errors: Errors) -> RingEffect | None:
     good, unusable = checked(_EFFECT_TABLES[name], path, numbers, errors)
     if not is_table:
         return None
-    missing = [key for key in _needed(name) if key not in good and key not in unusable]
+    later = [key.field for key in EFFECT_TABLES[name] if key.name in found]
+    missing = [key for key in _needed(name) if key not in good and key not in unusable and key not in found]
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
-    numbers_si: dict[str, Any] = si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
+    numbers_si: dict[str, Any] = dict.fromkeys(later)
+    numbers_si |= si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
     for key in known_materials:
         if key in table:
             numbers_si[key] = material(f"{path}.{key}", table[key], errors)

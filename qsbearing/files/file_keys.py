@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qsbearing.files import thermal_keys
 from qsbearing.model.scene.keys import (
@@ -20,10 +20,21 @@ from qsbearing.model.scene.keys import (
     SPECTRUM_POINT,
     Key,
 )
+from qsbearing.model.validation import Setting
+from qsbearing.remarks.wording import Reader, Words
 
 if TYPE_CHECKING:
     from qsbearing.readings.entry import Table
 
+REPORT = "report"
+"""The table that says what a design report is about and for whom."""
+ORIGIN = "rexs"
+"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
+OTHER_TABLES = {
+    REPORT: ("title", "customer", "author", "document"),
+    ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
+}
+"""Tables that change no result, with their keys."""
 _EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
 _OF_EFFECTS = {"ball_effects": "ball"}
 
@@ -85,9 +96,29 @@ def spelled(name: str, path: str) -> str:
 
     A name with its table, such as `preload.spring`, keeps the table.
     """
+    if isinstance(name, Setting):
+        return line(name)
     table = name.rpartition(".")[0]
     key = find(name if table else f"{path.rpartition('.')[0]}.{name}")
     return (f"{table}.{key.name}" if table else key.name) if key else name
+
+
+def line(setting: Setting) -> str:
+    """What to write under [effects] or in another table; of an effect with numbers, where they go."""
+    field, value = setting.field, setting.value
+    if isinstance(value, type):
+        name = value.name  # type: ignore[attr-defined]
+        return f"[effects.{name}]" if name in EFFECT_TABLES else numbers()[name][0].name
+    names = [effect.name for effect in value] if isinstance(value, tuple) else value
+    return f"{_OF_EFFECTS.get(field, field)} = {_toml(names)}"
+
+
+def _toml(value: Any) -> str:
+    return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
+
+
+IN_FILE = Words(Reader.FILE, spelled)
+"""How remarks name fields to whoever reads or writes files."""
 
 
 def _is_of_reading(path: str) -> bool:

@@ -24,6 +24,13 @@ MOST_VALUES = 2_000_000
 DEEPEST_JSON = 64
 """Lists and tables within each other; a result has about ten."""
 
+LARGEST_MODEL = 20_000_000
+"""Bytes of a REXS model, packed or not; a gearbox of three shafts takes a tenth of a million."""
+MOST_TAGS = 1_000_000
+"""Of one as XML; as JSON it has the values of a result at most."""
+MOST_MODEL_FILES = 5000
+"""That are made of one: bearings times load cases."""
+
 LARGEST_TABLE = 100_000_000
 """Bytes of a table."""
 MOST_ROWS = 1_000_000

@@ -23,7 +23,8 @@ ONE_EACH = (
 )  # fmt: skip
 """What may differ between the cases of one set; every other number that only a set or a heat balance has makes another
 one."""
-LOOKALIKE = 0.7
+LOOKALIKE, MOST_MEANT = 0.7, 3
+"""How much a name that is meant resembles the one given, and how many are told."""
 
 
 def plain(path: Iterable[str]) -> str:
@@ -135,12 +136,12 @@ def take_out(document: dict[str, Any], path: Path) -> None:
         del document[path[0]]
 
 
-def stands_in(document: dict[str, Any], path: Path) -> bool:
-    """Whether the document has this number."""
+def value_at(document: dict[str, Any], path: Path) -> Any:
+    """What the document has there; None: nothing."""
     table: Any = document
     for step in path:
         table = _inner(table, step)
-    return table is not None
+    return table
 
 
 def meant(name: str, document: dict[str, Any]) -> list[str]:
@@ -155,3 +156,9 @@ def meant(name: str, document: dict[str, Any]) -> list[str]:
         last = near(steps.rpartition(".")[2], {path.rpartition(".")[2] for path in own}, LOOKALIKE)
         same = [path for path in own if last and path.endswith(f".{last}")]
     return same
+
+
+def told(meant: list[str]) -> str:
+    """A question after what is likely meant; empty where nothing is."""
+    more = "" if len(meant) <= MOST_MEANT else f", of {len(meant)} such numbers of the file"
+    return f"Did you mean {' or '.join(meant[:MOST_MEANT])}{more}?" if meant else ""

@@ -11,6 +11,8 @@ from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, s
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import Field, Sentence, near
 
+OIL_TEMPERATURE = "oil_temperature_C"
+
 
 @cache  # a search reads a file's tables a thousand times
 def _model(name: str) -> TableModel:
@@ -19,8 +21,14 @@ def _model(name: str) -> TableModel:
     return table_model(name, known.keys, dict.fromkeys(known.choices, as_word))
 
 
-def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[str, Any]]:
-    """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any."""
+def asked_readings(
+    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset()
+) -> dict[str, dict[str, Any]]:
+    """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any.
+
+    Args:
+        found: keys of temperatures that the heat balance will find.
+    """
     table = document.get("readings", {})
     if not isinstance(table, dict):
         how = Sentence("Write it as [{table}], one table for each: [{table}.life]", table=Field("readings"))
@@ -41,14 +49,14 @@ def asked_readings(document: dict[str, Any], errors: Errors) -> dict[str, dict[s
     if asked and len(errors) == before:  # what cannot be used would be missing as well
         from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
 
-        errors += map(translate, asked_errors(asked))
+        errors += map(translate, asked_errors(asked, oil_is_found=OIL_TEMPERATURE in found))
     return asked
 
 
-def errors_in_scene(scene: Scene) -> list[FileErrorDetail]:
+def errors_in_scene(scene: Scene, found: frozenset[str] = frozenset()) -> list[FileErrorDetail]:
     """What is wrong with a scene's readings that only the whole scene shows."""
     if not scene.readings:
         return []
     from qsbearing.readings.asked import asked_errors
 
-    return list(map(translate, asked_errors(scene.readings, scene)))
+    return list(map(translate, asked_errors(scene.readings, scene, OIL_TEMPERATURE in found)))

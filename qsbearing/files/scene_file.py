@@ -12,17 +12,18 @@ from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
-from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
 from qsbearing.files.housing_table import with_housing
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
-from qsbearing.files.spectrum_table import over_spectrum
+from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
+    as_word,
     checked,
     made,
     si,
@@ -47,11 +48,10 @@ if TYPE_CHECKING:
 
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
-ORIGIN = "rexs"
-"""The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
-_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(("bearings", "shaft", "load_case", "x_along", "missing"), as_it_is))
+_REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word))
+_ORIGIN = table_model(ORIGIN, (), dict.fromkeys(OTHER_TABLES[ORIGIN], as_it_is))
 
 
 def load_scene(source: str | os.PathLike[str]) -> Scene:
@@ -81,7 +81,7 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
     """
     path = Path(source)
     if source in STANDARD_INPUT:
-        return read_toml(path), "standard input", ""
+        return _with_points(read_toml(path), Path()), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.named(source)
         if entry is None:
@@ -94,7 +94,13 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
         return document, str(source), label
     if not is_there(path) and catalogue.find(path.stem) is not None:
         raise refused(path, "no such file", f"The catalogue's {path.stem} is run by name, without {path.suffix}")
-    return read_toml(path), str(source), printable(path.stem)
+    return _with_points(read_toml(path), path.parent), str(source), printable(path.stem)
+
+
+def _with_points(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The tables of a file, the points of a spectrum read from the file that it names."""
+    table = document.get("spectrum")
+    return document | {"spectrum": points_of_table(table, folder)} if isinstance(table, dict) else document
 
 
 def text_of(source: str) -> str:
@@ -127,14 +133,15 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document, thermal = heated(with_preload_class(document, errors), errors)
+    document = with_preload_class(document, errors)
+    thermal, found = heated(document, errors)
     document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors)
-    readings = asked_readings(document, errors)
+    effects = effects_of(document, errors, found)
+    readings = asked_readings(document, errors, found)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
@@ -143,19 +150,20 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
-    wrong = errors_in_scene(scene)
+    wrong = errors_in_scene(scene, found)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
 
 
-def heated(document: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], Thermal | None]:
-    """The tables with what a heat balance will find filled in for now, and what they say of the heat."""
+def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, frozenset[str]]:
+    """What tables say of the heat, and the keys of temperatures that its balance will find."""
     if "thermal" not in document:
-        return document, None
-    from qsbearing.files.thermal_table import thermal_of, with_found_temperatures  # loaded only where there is heat
+        return None, frozenset()
+    from qsbearing.files.thermal_table import found_temperatures, thermal_of  # loaded only where there is heat
 
-    return with_found_temperatures(document, errors), thermal_of(document, errors)
+    found = found_temperatures(document, errors)
+    return thermal_of(document, errors), found
 
 
 def is_file(path: Path) -> bool:
@@ -178,9 +186,9 @@ def is_there(path: Path) -> bool:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
-    errors += lacking_of_origin(document)
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance", ORIGIN):
+        if name in (*SECTIONS, "tolerance", *OTHER_TABLES):
             continue
         if isinstance(value, dict):
             meant = near(name.lower(), SECTIONS, 0.5)
@@ -199,10 +207,12 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def lacking_of_origin(document: dict[str, Any]) -> Errors:
-    """What is wrong with the table of an imported model's file; also what it leaves open and no other table shows, so
-    that nobody solves it without."""
+def wrong_in_other_tables(document: dict[str, Any]) -> Errors:
+    """What is wrong with the table for reports and that of an imported model's file; also what the latter leaves open
+    and no other table shows, so that nobody solves it without."""
     errors: Errors = []
+    if document.get(REPORT) is not None:
+        checked(_REPORT, REPORT, document[REPORT], errors)
     good, _ = checked(_ORIGIN, ORIGIN, document[ORIGIN], errors) if document.get(ORIGIN) is not None else ({}, set())
     listed = good.get("missing") or ()
     cause = f"Once it is given, take it out of missing in [{ORIGIN}]"

@@ -75,6 +75,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     if of.preload is not None:
         tables["preload"] = _numbers(PRELOAD, of.preload)
     tables |= _effects(of) | {"readings": _readings(of.readings)}
+    tables = _at_points(tables.get("spectrum"), tables)
     if of.thermal is None:
         return tables
     from qsbearing.files.thermal_table import thermal_tables  # loaded only where there is heat
@@ -140,7 +141,7 @@ def _material(material: Material) -> str | dict[str, float]:
 
 
 def _effects(of: Scene | BearingSet) -> Tables:
-    if isinstance(of, Scene) and of.tolerance is not None:
+    if of.tolerance is not None:
         asked = {each.name: each.default for each in fields(Scene) if each.name in (*CHOICES, "ball_effects")}
         if of.ring_effects or any(getattr(of, name) != usual for name, usual in asked.items()):
             raise _without_key("tolerance", "a file chooses all effects by it, or names them")
@@ -222,8 +223,28 @@ def _numbers(keys: Iterable[Key], holder: Any, case: int | None = None) -> dict[
     return found
 
 
-def _number(key: Key, value: Any) -> float:
+def _at_points(points: list[Tables] | None, table: Any, before: str = "") -> Any:
+    """Tables without the numbers that differ between the points of a spectrum, which get these by their paths."""
+    if isinstance(table, list):
+        return [_at_points(points, each, f"{before}{number}.") for number, each in enumerate(table, 1)]
+    if not isinstance(table, dict):
+        return table
+    kept = {}
+    for name, value in table.items():
+        if isinstance(value, np.ndarray):
+            if points is None or value.size != len(points):
+                raise _without_key(name, "it spans cases, and a file has one")
+            for point, number in zip(points, value.tolist(), strict=True):
+                point[before + name] = number
+        else:
+            kept[name] = _at_points(points, value, f"{before}{name}.")
+    return kept
+
+
+def _number(key: Key, value: Any) -> Any:
     """A value in the file's unit: the number, of few digits if there is one, that is read as just this value."""
+    if np.ndim(value) == 1:
+        return np.array([_number(key, each) for each in value])
     alone = _single(key, value)
     near = (alone - key.zero) / key.size
     found = _read_as(alone, near, key.si, NEIGHBOURS)

@@ -8,19 +8,19 @@ from dataclasses import replace
 from typing import Any
 
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import AUTO, effects_of, ring_effect
+from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
+from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.housing_table import with_housing
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import (
-    ORIGIN,
     document_of,
     heated,
-    lacking_of_origin,
     operation_of,
     preload_of,
+    wrong_in_other_tables,
 )
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
@@ -59,16 +59,17 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document, thermal = heated(with_preload_class(document, errors), errors)
+    document = with_preload_class(document, errors)
+    thermal, found = heated(document, errors)
     document = with_housing(with_printed(document), errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
-    rows = _rows(document, common, has_common, errors)
+    rows = _rows(document, common, has_common, errors, found)
     operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
     preload = preload_of(document, None, errors)
-    effects = _effects(document, errors)
-    readings = asked_readings(document, errors)
+    effects = effects_of(document, errors, found)
+    readings = asked_readings(document, errors, found)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -79,7 +80,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         of = BearingSet(tuple(rows), operation, preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
-    wrong = _errors_of_readings(of)
+    wrong = _errors_of_readings(of, found)
     if wrong:
         raise SceneFileError(file, wrong)
     return of
@@ -92,9 +93,9 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 
 
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
-    errors += lacking_of_origin(document)
+    errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*TABLES, "tolerance", ORIGIN):
+        if name in (*TABLES, "tolerance", *OTHER_TABLES):
             continue
         meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):
@@ -105,15 +106,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def _effects(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    if document.get("effects") == AUTO or "tolerance" in document:
-        cause = "Name them under [effects]; `qsbearing explain` shows which ones matter"
-        errors.append(FileErrorDetail("effects", "are not chosen for sets", AUTO, cause=cause))
-        return {}
-    return effects_of(document, errors)
-
-
-def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors) -> list[Row]:
+def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str]) -> list[Row]:
     tables = document.get("rows")
     if not isinstance(tables, list) or not tables:
         cause = 'Write [[rows]] for each row, with position_mm = 0 and carries = "+x" below it'
@@ -124,14 +117,22 @@ def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Error
     rows = []
     for number, table in enumerate(tables, 1):
         own: Errors = []
-        row = _row(table, f"row {number}", common, has_common, document, own)
+        row = _row(table, f"row {number}", common, has_common, document, own, found)
         errors += own
         if row is not None:
             rows.append(row)
     return rows
 
 
-def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[str, Any], errors: Errors) -> Row | None:
+def _row(
+    table: Any,
+    path: str,
+    common: Any,
+    has_common: bool,
+    document: dict[str, Any],
+    errors: Errors,
+    found: frozenset[str],
+) -> Row | None:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
     good, unusable = checked(_ROW, path, plain, errors)
     if not isinstance(table, dict):
@@ -152,8 +153,8 @@ def _row(table: Any, path: str, common: Any, has_common: bool, document: dict[st
     within: Errors = []
     if "housing_stiffness" in table:
         numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
-    effects = [ring_effect(name, table[name], within) for name in EFFECT_TABLES if name in table]
-    readings = asked_readings(table, within) if "readings" in table else None
+    effects = [ring_effect(name, table[name], within, found) for name in EFFECT_TABLES if name in table]
+    readings = asked_readings(table, within, found) if "readings" in table else None
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)
@@ -182,9 +183,9 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
     ]
 
 
-def _errors_of_readings(of: BearingSet) -> Errors:
+def _errors_of_readings(of: BearingSet, heat: frozenset[str]) -> Errors:
     """What is wrong with readings that only the whole row shows; what all rows have alike is said once."""
-    found = [errors_in_scene(of.turning_scene(number)) for number in range(len(of.rows))]
+    found = [errors_in_scene(of.turning_scene(number), heat) for number in range(len(of.rows))]
     if all(each == found[0] for each in found):
         return found[0]
     return [error for number, errors in enumerate(found, 1) for error in _below(f"row {number}", errors)]

@@ -7,6 +7,7 @@ from math import nan
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.readings_table import OIL_TEMPERATURE
 from qsbearing.files.table_checks import Errors, as_whole_number, as_word, checked, list_of, made, si, table_model
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
@@ -20,7 +21,6 @@ NODE_KEYS = {
     "ball_expansion": {"ball_temperature_C": "balls"},
 }
 """The keys of effects whose temperatures are those of nodes."""
-OIL_KEY = "oil_temperature_C"
 FOUND = "is found by the heat balance: leave it out"
 
 
@@ -46,45 +46,38 @@ def thermal_of(document: dict[str, Any], errors: Errors) -> Thermal | None:
     return made(lambda: Thermal(**fields), errors) if len(errors) == before else None
 
 
-def with_found_temperatures(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    """The tables with what the heat balance will find filled in for now; an error where the file gives it as well."""
+def found_temperatures(document: dict[str, Any], errors: Errors) -> frozenset[str]:
+    """The keys of temperatures that the heat balance will find; errors where the file gives them as well."""
     table = document.get("thermal")
     if not isinstance(table, dict):
-        return document
-    document, nodes = dict(document), _nodes(table)
-    effects, readings = document.get("effects"), document.get("readings")
-    if isinstance(effects, dict):
-        document["effects"] = _filled(effects, nodes, "effects", errors)
-    if isinstance(document.get("rows"), list):
-        document["rows"] = [
-            _filled(row, nodes, f"row {number}", errors) if isinstance(row, dict) else row
-            for number, row in enumerate(document["rows"], 1)
-        ]
+        return frozenset()
+    nodes, rows = _nodes(table), document.get("rows")
+    found = {key for keys in NODE_KEYS.values() for key, node in keys.items() if node in nodes}
+    errors += _given(document.get("effects"), found, "effects")
+    for number, row in enumerate(rows if isinstance(rows, list) else (), 1):
+        errors += _given(row, found, f"row {number}")
     for body in ("shaft", "housing"):
         own = document.get(body)
         if body in nodes and isinstance(own, dict) and "temperature_C" in own:
             errors.append(FileErrorDetail(f"{body}.temperature_C", FOUND, own["temperature_C"], "C"))
-    oil = readings.get("lubricant") if isinstance(readings, dict) else None
-    if isinstance(oil, dict) and ("oil" in nodes or "viscosity_at" in table):
-        if OIL_KEY in oil:
-            errors.append(FileErrorDetail(f"readings.lubricant.{OIL_KEY}", FOUND, oil[OIL_KEY], "C"))
-        document["readings"] = {**readings, "lubricant": {**oil, OIL_KEY: 40.0}}  # type: ignore[dict-item]
-    return document
+    if "oil" in nodes or "viscosity_at" in table:
+        found.add(OIL_TEMPERATURE)
+        readings = document.get("readings")
+        oil = readings.get("lubricant") if isinstance(readings, dict) else None
+        if isinstance(oil, dict) and OIL_TEMPERATURE in oil:
+            errors.append(FileErrorDetail(f"readings.lubricant.{OIL_TEMPERATURE}", FOUND, oil[OIL_TEMPERATURE], "C"))
+    return frozenset(found)
 
 
-def _filled(table: dict[str, Any], nodes: set[str], path: str, errors: Errors) -> dict[str, Any]:
-    """Of the tables of ring expansion and ball expansion within this one."""
-    filled = dict(table)
+def _given(table: Any, found: set[str], path: str) -> Errors:
+    """Errors of the tables of ring expansion and ball expansion within this one."""
+    errors: Errors = []
     for name, keys in NODE_KEYS.items():
-        effect = table.get(name)
-        if not isinstance(effect, dict):
-            continue
-        given = [key for key, node in keys.items() if node in nodes and key in effect]
-        errors += [FileErrorDetail(f"{path}.{name}.{key}", FOUND, effect[key], "C") for key in given]
-        if name == "ball_expansion" and "balls" in nodes:
-            reference = effect.get("reference_temperature_C", 20.0)
-            filled[name] = {"ball_temperature_C": reference, **effect}
-    return filled
+        effect = table.get(name) if isinstance(table, dict) else None
+        if isinstance(effect, dict):
+            given = [key for key in keys if key in found and key in effect]
+            errors += [FileErrorDetail(f"{path}.{name}.{key}", FOUND, effect[key], "C") for key in given]
+    return errors
 
 
 def _nodes(table: dict[str, Any]) -> set[str]:
@@ -140,7 +133,7 @@ def thermal_tables(
         for each in thermal.conductances
     ]
     found = {(name, key) for name, keys in NODE_KEYS.items() for key, node in keys.items() if node in thermal.nodes}
-    found |= set() if thermal.oil_node is None else {("lubricant", OIL_KEY)}
+    found |= set() if thermal.oil_node is None else {("lubricant", OIL_TEMPERATURE)}
     return {**_without(found, tables), "thermal": own}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from qsbearing.files.file_keys import numbers, reading_tables, sections
+from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections
 from qsbearing.files.thermal_keys import CONDUCTANCES
 from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.files.usual_words import is_preload, usual
@@ -27,6 +27,7 @@ LARGEST = 1e30
 
 def _tables() -> dict[str, tuple[str, ...]]:
     return sections() | {
+        **OTHER_TABLES,
         "material": MATERIAL_KEYS,
         **SET_SECTIONS,
         **SHAFT_SECTIONS,
@@ -54,10 +55,13 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         value: what the file gives under that key.
     """
     if not section and name in TITLES:
-        return Suggestion("A scene is called after its file; `name` under [bearing] is an entry of the catalogue")
+        own = "`name` under [bearing] is an entry of the catalogue, `title` under [report] heads the design report"
+        return Suggestion(f"A scene is called after its file; {own}")
     for table, keys in _tables().items():
         if table != section and name in keys:
-            return Suggestion(f"It belongs under {_title(table)}")
+            own = next((each for each in _tables().get(section, ()) if each.endswith(f"_{name}")), "")
+            meant = f"Did you mean {own}? {name} alone" if own else "It"
+            return Suggestion(f"{meant} belongs under {_title(table)}", own)
     converted = _in_known_unit(name, section, value)
     if converted is not None:
         return converted

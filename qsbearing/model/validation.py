@@ -66,6 +66,32 @@ class Field(str):
     """The name of a field within a sentence, as Python has it: of the same table alone, of another with its table."""
 
 
+class Setting(Field):
+    """What to write for a field of a scene: a value, or the class of an effect that takes numbers."""
+
+    field: str
+    value: Any
+
+    def __new__(cls, field: str, value: Any) -> Setting:
+        is_class = isinstance(value, type)
+        made = super().__new__(cls, f"{value.__name__}(...)" if is_class else f"{field}={_in_python(value)}")
+        made.field, made.value = field, value
+        return made
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        return self.field, self.value
+
+
+def _in_python(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"({', '.join(map(_in_python, value))}{',' * (len(value) == 1)})"
+    if dataclasses.is_dataclass(value):
+        named = ((each, getattr(value, each.name)) for each in dataclasses.fields(value))
+        given = [f"{each.name}={_in_python(own)}" for each, own in named if own is not each.default]
+        return f"{type(value).__name__}({', '.join(given)})"
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
 class Sentence(str):
     """A sentence with what it names in braces. As a string it is Python's; `written` is for other readers."""
 

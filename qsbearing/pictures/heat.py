@@ -6,7 +6,7 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain, write_above
-from qsbearing.results.thermal_report import along_curve, hottest, instant
+from qsbearing.systems.heat.state import along_curve, hottest, instant
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

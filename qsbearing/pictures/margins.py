@@ -18,6 +18,8 @@ Bar = tuple[str, float, str]
 LIGHT = "0.91"
 FEWEST = 3
 """Bars for which there is room: a single one is no thicker than one of several."""
+ABOVE = 1.2
+"""Height of the axes over what the loads need: the legend stands there."""
 MOST = 1.25
 """Part of a limit at which a bar ends: beyond it, the number tells."""
 
@@ -66,4 +68,5 @@ def _draw_loads(axes: Any, solution: Solution) -> None:
     axes.set_title("contact load of each ball, N", fontsize=10)
     axes.set_xticks(range(0, 361, 90), ["0° (y)", "90° (z)", "180°", "270°", "360°"])
     plain(axes)
-    axes.legend(fontsize=8, frameon=False)
+    axes.set_ylim(0.0, ABOVE * axes.get_ylim()[1])
+    axes.legend(loc="upper center", ncols=2, fontsize=8, frameon=False)

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -34,7 +34,7 @@ from qsbearing.readings import (
     subsurface_stress,
 )
 from qsbearing.readings.entry import Reading, Table
-from qsbearing.readings.lubricant import OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
+from qsbearing.readings.lubricant import FREEZING, OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
 
 Arguments = Mapping[str, Any]
 Errors = list[ErrorDetail]
@@ -72,13 +72,14 @@ def tables() -> dict[str, Table]:
     return found
 
 
-def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None) -> Errors:
+def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, oil_is_found: bool = False) -> Errors:
     """Everything that is wrong with what is asked for; fields begin with `readings.` and the reading's name.
 
     Args:
         scene: None where there is none yet: then what depends on it is not judged.
+        oil_is_found: whether a heat balance will find the oil's temperature.
     """
-    oil, errors = _oil(readings)
+    oil, errors = _oil(readings, oil_is_found)
     for name, arguments in readings.items():
         if name == LUBRICANT:
             continue
@@ -127,11 +128,12 @@ def with_defaults(name: str, given: Arguments) -> dict[str, Any]:
     return {field: value for field, value in (usual | dict(given)).items() if value is not None}
 
 
-def _oil(readings: Mapping[str, Arguments]) -> tuple[OilState | None, Errors]:
-    """The oil at its temperature, if there is one, and what is wrong with it."""
+def _oil(readings: Mapping[str, Arguments], is_found: bool = False) -> tuple[OilState | None, Errors]:
+    """The oil at its temperature, if there is one, and what is wrong with it; at any where that is yet to be found."""
     if LUBRICANT not in readings:
         return None, []
-    oil, errors = oil_of(readings[LUBRICANT])
+    later = {"oil_temperature": FREEZING + 40.0} if is_found else {}  # to judge the rest by
+    oil, errors = oil_of(later | dict(readings[LUBRICANT]))
     return oil, [replace(each, field=f"readings.{LUBRICANT}.{each.field}") for each in errors]
 
 
@@ -152,6 +154,18 @@ def by_short_name(name: str, known: Iterable[str]) -> str | None:
         if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
     }
     return found.pop() if len(found) == 1 else None
+
+
+BEFORE = ("", "ring_", "shaft_", "system_")
+"""What may be left out before the name of a result."""
+
+
+def named(name: str, known: Collection[str]) -> str | None:
+    """The result of a name as people write it: with points as in `life.duration_h`, without the reading's name or the
+    word ring, shaft or system before it; None where there is none, or more than one."""
+    plain = name.replace(".", "_")
+    same = (each for each in (name, *(before + plain for before in BEFORE)) if each in known)
+    return next(same, None) or by_short_name(plain, known)
 
 
 def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tuple[str, bool, NDArray]]:

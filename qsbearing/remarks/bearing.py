@@ -14,18 +14,19 @@ from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Index
-from qsbearing.model.solution.judgement import estimated, lines_to_add
+from qsbearing.model.solution.judgement import estimated, settings_to_add
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mrad, um
 from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.remarks.kinds import to_add
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import preload_remarks
 from qsbearing.remarks.remark import Found, Remark, in_case, remark
+from qsbearing.remarks.wording import Words
 
 SMALL_TILT = 0.02
 """Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
@@ -42,7 +43,7 @@ made for axial load works at its free angle; 1 % of it is 1 % of the axial load 
 def message(solution: Solution, index: Index = None) -> str:
     """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
-        return f"{solution._maker.count} cases: {solution._counts()}."
+        return f"{solution.maker.count} cases: {solution.counts()}."
     k = solution.flat_index(index)
     status, residual, iterations = (
         np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
@@ -56,7 +57,7 @@ def message(solution: Solution, index: Index = None) -> str:
         )
     if solution.preloaded is not None:
         preloaded = solution.preloaded
-        numbers = np.arange(preloaded._maker.count).reshape(preloaded.shape)
+        numbers = np.arange(preloaded.maker.count).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
         if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
@@ -71,13 +72,13 @@ def message(solution: Solution, index: Index = None) -> str:
 
 
 def _why_no_equilibrium(solution: Solution, k: int) -> str:
-    case = solution._maker.make(k, k + 1)[0]
+    case = solution.maker.make(k, k + 1)[0]
     reason = np.ravel(solution.reason)[k]
     if reason == Reason.UNSUPPORTED:
         free = solution.free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements, nothing supports the balls."
-        ring = np.nan_to_num(np.abs(solution._results["displacement"][k][free]), nan=np.inf)
+        ring = np.nan_to_num(np.abs(solution.results["displacement"][k][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
         return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
     if reason == Reason.FRICTION_WITHOUT_LOAD:
@@ -133,7 +134,7 @@ def _unsupported(case: NDArray) -> str:
     return f"{' or '.join(causes)} is too large for the axial load to keep the balls in contact."
 
 
-def chosen(solution: Solution, named: Scene) -> list[str]:
+def chosen(solution: Any, named: Any, words: Words) -> list[str]:
     """What was chosen for a single case, beside the scene that was given: left out, with errors; and added."""
     choice = solution.choice
     if choice is None:
@@ -145,7 +146,7 @@ def chosen(solution: Solution, named: Scene) -> list[str]:
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
         needed = f"Needed, but not named in the scene: {', '.join(entry.what for entry in added)}."
-        said.append(f"{needed} Add under [effects]: {', '.join(lines_to_add(named, added))}")
+        said.append(f"{needed} {to_add(settings_to_add(named, added), words)}")
     return said
 
 
@@ -192,7 +193,7 @@ def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     free = solution.free_channels
     unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
     yield unloaded, remark("ring_unloaded")
-    stiffness, _ = scaled_tangents(solution._solved, part, solution._maker.make(part.start, part.stop))
+    stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)

@@ -1,7 +1,8 @@
 """Every remark that there is: its code, how much it matters, where the guide says more, and its sentence.
 
 Codes stand in JSON and in the guide (guide/remarks.md): they are never renamed. A sentence is a format string over the
-remark's values, which are in the units of their names, and over whom it is about: {who}, {raceways}, {balls}.
+remark's values, which are in the units of their names, over whom it is about, {who}, {raceways}, {balls}, and over a
+field in the words of whoever reads it: {field}.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ import numpy as np
 
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.judgement import WORDS, changed, estimated
-from qsbearing.remarks.wording import Raceways, listed, spanned
+from qsbearing.model.validation import Field, Setting
+from qsbearing.remarks.wording import Raceways, Reader, Words, listed, spanned
 
 
 class Severity(IntEnum):
@@ -44,6 +46,7 @@ class Severity(IntEnum):
 
 WRONG, INCOMPLETE, CHECK, NOTE = Severity
 
+_NO_FIELD = Field()
 STATUSES = "how_to#meaning-of-each-status"
 HYPOTHESES = "limits#hypotheses"
 HEAT = "how_to#heat-fits-and-rotation"
@@ -64,25 +67,31 @@ class Kind:
     """A format string."""
     more: str = ""
     """A second one, of remarks that have its values."""
-    say: Callable[[Mapping[str, Any]], str] | None = None
+    say: Callable[[Mapping[str, Any], Words], str] | None = None
     """What makes the sentence where a format string cannot."""
+    field: Field = _NO_FIELD
+    """What to give, {field} in the sentence."""
 
-    def text(self, fields: Mapping[str, Any]) -> str:
-        """The sentence with these in it."""
+    def text(self, values: Mapping[str, Any], words: Words, path: str = "") -> str:
+        """The sentence with these in it, and fields in somebody's words.
+
+        Args:
+            path: of a field beside those that it names.
+        """
         if self.say is not None:
-            return self.say(fields)
-        more = self.more if all(name in fields for name in _fields(self.more)) else ""
-        return (self.sentence + more).format_map(fields)
+            return self.say(values, words)
+        more = self.more if all(name in values for name in _fields(self.more)) else ""
+        return (self.sentence + more).format_map({**values, "field": words.spell(self.field, path)})
 
-    @property
-    def outline(self) -> str:
+    def outline(self, words: Words) -> str:
         """The sentence with … for each number."""
-        return (self.sentence + self.more).format_map(_Blank(who="the bearing", raceways=Raceways(("…",))))
+        blank = _Blank(who="the bearing", raceways=Raceways(("…",)), field=words.spell(self.field, ""))
+        return (self.sentence + self.more).format_map(blank)
 
     @property
     def values(self) -> tuple[str, ...]:
         """What remarks of this kind have beside whom they are about."""
-        return tuple(name for name in _fields(self.sentence + self.more) if name not in ("who", "raceways", "balls"))
+        return tuple(name for name in _fields(self.sentence + self.more) if name not in BESIDE)
 
 
 class _Blank(dict[str, Any]):
@@ -99,26 +108,31 @@ def _fields(sentence: str) -> list[str]:
     return list(dict.fromkeys(name for _, name, *_ in Formatter().parse(sentence) if name))
 
 
-def _missing(fields: Mapping[str, Any]) -> str:
+def to_add(settings: Sequence[Setting], words: Words) -> str:
+    """What to do for effects that could be named as it is."""
+    return _ADD[words.reader].format(", ".join(words.spell(each, "") for each in settings))
+
+
+def _missing(fields: Mapping[str, Any], words: Words) -> str:
     """Effects that could be named as it is, and what each would change."""
     said = [
         f"{EFFECT[name].what} ({_of_quantity(quantity, _percents(fields, change))})"
         for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
     ]
     are = "is" if len(said) == 1 else "are"
-    return f"{listed(said)} {are} not included. Add under [effects]: {', '.join(fields['add'])}"
+    return f"{listed(said)} {are} not included. {to_add(fields['add'], words)}"
 
 
-def _lacking(fields: Mapping[str, Any]) -> str:
+def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     """An effect that needs numbers of the scene: what it would change, and what to give."""
     entry, changes = EFFECT[fields["effect"]], _percents(fields, fields["changes"])
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(fields["quantity"], by, " by about ")
-    return f"{begun} would change the {change}. To include it, give {entry.needs}"
+    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {words.of(entry.needs)}"
 
 
-def _cut(fields: Mapping[str, Any]) -> str:
+def _cut(fields: Mapping[str, Any], words: Words) -> str:
     """A contact cut by the edge, with as many of its numbers as there are."""
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
     if "beyond_percent" not in fields:
@@ -158,6 +172,14 @@ def _of_quantity(quantity: str, by: list[str], link: str = " ") -> str:
 
 
 EFFECT = {entry.name: entry for entry in EFFECTS}
+BESIDE = ("who", "raceways", "balls", "field")
+"""What sentences have beside the values of a remark."""
+_ADD = {
+    Reader.PYTHON: "Set {}",
+    Reader.FILE: "Add under [effects]: {}",
+    Reader.PAGE: "Tick what is missing in the table of effects",
+}
+_GIVE = {Reader.PYTHON: "give", Reader.FILE: "give", Reader.PAGE: "open a scene file that gives"}
 _BEYOND = (
     ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
     "bearing's life before fatigue does"
@@ -253,7 +275,8 @@ _ALL = (
     Kind("life_dents", WRONG, "limits",
          "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the rating life is not valid"),
     Kind("life_grooves_uncovered", WRONG, CHOICES,
-         f'{_GROOVES}: a wider groove carries less (rating = "lundberg_palmgren" takes the grooves into account)'),
+         f'{_GROOVES}: a wider groove carries less ({{field}} takes the grooves into account)',
+         field=Setting("rating", "lundberg_palmgren")),
     Kind("life_size_uncovered", WRONG, CHOICES,
          "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"),
     Kind("life_viscosity_low", WRONG, CHOICES, "aISO is not defined below kappa = {limit:g}"),
@@ -295,7 +318,8 @@ _ALL = (
          "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
          "slips, and the heat of this slip is not included"),
     Kind("speed_rating_unknown", NOTE, CHOICES,
-         "SKF's friction model is valid below the bearing's speed rating, which is not given (speed_rating)"),
+         "SKF's friction model is valid below the bearing's speed rating, which is not given ({field})",
+         field=Field("speed_rating")),
     Kind("speed_rating_exceeded", WRONG, CHOICES,
          "the speed is above the bearing's speed rating, the limit of SKF's friction model: its torque and heat are "
          "extrapolated"),

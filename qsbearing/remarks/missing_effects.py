@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
-from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, lines_to_add
+from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.remarks.remark import Found, Of, Remark
 
 MOST_CASES = 64
@@ -24,7 +24,7 @@ of two)."""
 
 def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
     """Of a scene or set; a row of a set has nothing to say of itself."""
-    if solution._solve is None:
+    if solution.solve_alike is None:
         return
     are_few = int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)
@@ -59,7 +59,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
                 "quantities": tuple(quantity for quantity, _ in most),
                 "changes": tuple(change for _, change in most),
                 "is_estimated": not are_few,
-                "add": tuple(lines_to_add(of, [entry for entry, _ in here])),
+                "add": settings_to_add(of, [entry for entry, _ in here]),
             },
         )
 

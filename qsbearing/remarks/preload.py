@@ -23,7 +23,7 @@ def preload_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         return np.broadcast_to(values, solution.shape).reshape(-1)[part]
 
     def stiffness() -> tuple[NDArray, NDArray]:
-        mounted = solution._at_rest(True) or solution
+        mounted = solution.at_rest(True) or solution
         return cases(mounted.stiffness[..., 0, 0]), cases(solution.stiffness[..., 0, 0])
 
     def fitted() -> tuple[NDArray, NDArray]:

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.validation import Field
 from qsbearing.remarks.kinds import KINDS, Kind, Severity
-from qsbearing.remarks.wording import Balls, Raceways, capital, listed, numbered
+from qsbearing.remarks.wording import PYTHON, Balls, Raceways, Words, capital, listed, numbered
 
 
 @dataclass(frozen=True)
@@ -91,11 +92,17 @@ class Remark:
 
     @property
     def text(self) -> str:
-        """The sentence, and whom it is about."""
+        """The sentence, and whom it is about, for readers of Python."""
+        return self.written(PYTHON)
+
+    def written(self, words: Words) -> str:
+        """Likewise in the words of others."""
         of = self.of
         names_row = len(of.rows) == 1 and of.carries and self.code in NAMES_ROW
         who = of.row if names_row else "each" if of.rows else "the bearing"
-        said = self.kind.text({**self.values, "who": who, "raceways": Raceways(of.raceways), "balls": of.balls})
+        beside = {"who": who, "raceways": Raceways(of.raceways), "balls": of.balls}
+        path = f"readings.{of.readings[0]}." if of.readings else ""
+        said = self.kind.text({**self.values, **beside}, words, path)
         if of.cases is not None:
             first = of.cases.first
             place = first[0] if len(first) == 1 else first
@@ -106,15 +113,15 @@ class Remark:
             said = f"{capital(numbered('point', of.points))}: {said}"
         return f"{listed(of.bearings)}: {said}" if of.bearings else said
 
-    def said(self) -> Warned:
+    def said(self, words: Words = PYTHON) -> Warned:
         """In words, as `qs.warnings` gives it."""
-        return Warned(self.text, self)
+        return Warned(self.written(words), self)
 
-    def record(self) -> dict[str, Any]:
+    def record(self, words: Words) -> dict[str, Any]:
         """As JSON has it; null for a number that is not finite."""
-        values = {name: _plain(value) for name, value in self.values.items()}
-        severity = self.kind.severity.name.lower()
-        return {"code": self.code, "severity": severity, "of": self.of.record(), "values": values, "text": self.text}
+        values = {name: _plain(value, words) for name, value in self.values.items()}
+        head = {"code": self.code, "severity": self.kind.severity.name.lower(), "of": self.of.record()}
+        return {**head, "values": values, "text": self.written(words)}
 
 
 NAMES_ROW = ("preload_lost", "preload_reduced", "preload_excessive")
@@ -236,9 +243,11 @@ class Remarked:
         return tuple(each.said() for each in told(self.remarks, None))
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Any, words: Words) -> Any:
+    if isinstance(value, Field):
+        return words.spell(value, "")
     if isinstance(value, str | bool):
         return value
     if isinstance(value, Sequence):
-        return [_plain(each) for each in value]
+        return [_plain(each, words) for each in value]
     return float(value) if np.isfinite(value) else None

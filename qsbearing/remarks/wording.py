@@ -4,9 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from enum import StrEnum
+from typing import Any, NamedTuple
 
 import numpy as np
+
+from qsbearing.model.validation import Field, Sentence
+
+
+class Reader(StrEnum):
+    """Who reads, and so what fields and settings are called."""
+
+    PYTHON = "python"
+    FILE = "file"
+    PAGE = "page"
+
+
+class Words(NamedTuple):
+    """How a sentence names fields."""
+
+    reader: Reader
+    spell: Callable[[Field, str], str]
+    """From a field, and a path beside it where its table is not in its name."""
+
+    def of(self, sentence: str, path: str = "") -> str:
+        """A sentence in these words."""
+        said = lambda each: self.spell(each, path)  # noqa: E731
+        return sentence.written(said) if isinstance(sentence, Sentence) else sentence
+
+
+PYTHON = Words(Reader.PYTHON, lambda field, path: str(field))
 
 
 class Span(tuple[float, ...]):

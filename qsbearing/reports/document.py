@@ -30,13 +30,13 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         command: that makes this report.
     """
     scene = solution.scene
-    name = scene.bearing.name or "Ball bearing"
+    report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     found, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
-        name,
+        report_of.get("title", name),
         "Design report",
         [
             _results(solution),
@@ -48,8 +48,9 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
-        f"{capital(report.geometry_text(solution))}. {point}.",
+        f"{name}: {report.geometry_text(solution)}. {point}.",
         head(
+            report_of,
             margins(solution, found),
             every_remark(solution, found),
             [key_results(solution, found)],

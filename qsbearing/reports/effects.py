@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -80,7 +81,7 @@ def section(solution: Solution, asked: Scene, rows: Sequence[Row], tolerance: fl
         rows: of `explain`.
         tolerance: above which a change counts.
     """
-    said = [] if solution.choice is None else chosen(solution, asked)
+    said = [] if solution.choice is None else chosen(solution, asked, IN_FILE)
     return _section(assumptions(solution.scene), said, rows, tolerance)
 
 

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Section
 from qsbearing.documents.model import Remark as Shown
+from qsbearing.files.file_keys import OTHER_TABLES, REPORT
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
 from qsbearing.pictures.margins import margins as draw_margins
 from qsbearing.remarks.remark import Remark
+from qsbearing.remarks.wording import capital
 from qsbearing.reports.margins import Margin, answer
 from qsbearing.results import provenance
 from qsbearing.results.remarks import blocks
 
 
 def head(
+    report: Mapping[str, str],
     found: Sequence[Margin],
     said: Sequence[Remark],
     results: Sequence[Block],
@@ -26,6 +29,7 @@ def head(
     """Page 1.
 
     Args:
+        report: the file's table [report]: document, customer and author, as far as it has them.
         found: how close the case is to each limit.
         said: all remarks.
         results: the key results.
@@ -39,7 +43,8 @@ def head(
         "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in found),
     )
     shown = blocks(said) or [Shown("No warnings.")]
-    return [answer(found, said), drawn, *results, *shown, *rest]
+    people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
+    return [*([Facts(people)] if people else []), answer(found, said), drawn, *results, *shown, *rest]
 
 
 def made_with(message: str, command: str) -> Section:

@@ -12,7 +12,7 @@ from qsbearing.model.units import mm, rpm
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital, listed
-from qsbearing.reports import effects, evidence, heat, set_curves, set_inputs
+from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.reports.margins import margins_of_set
@@ -33,12 +33,12 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         source: the text of the set's file.
         command: that makes this report.
     """
-    of = solution.set
+    of, report_of = solution.set, inputs.document(source).get("report", {})
     found = [taken(row) for row in solution.rows]
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, effects.DEFAULT_TOLERANCE)
     return Document(
-        f"{of.name or 'Bearing set'}, {of.arrangement}",
+        report_of.get("title", f"{of.name or 'Bearing set'}, {of.arrangement}"),
         "Design report of a set",
         [
             _results(solution, found, changes),
@@ -52,9 +52,10 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         ],
         _summary(solution),
         head(
+            report_of,
             margins_of_set(solution, found),
             every_remark(solution, found),
-            [*key_results_of_set(solution, found), *_shaft(solution)],
+            key_results_of_set(solution, found),
             [*effects.is_right(effect_rows, effects.DEFAULT_TOLERANCE), evidence.in_short(checks)],
         ),
     )
@@ -108,7 +109,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
-    return Section("Results", [*tables, *parts])
+    return Section("Results", [*_shaft(solution), *tables, *parts])
 
 
 def _row(solution: SetSolution, number: int, found: Readings) -> Section:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import fields, replace
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from qsbearing.documents.model import Block, Document, Paragraph, Remark, Table
+from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.scene_tables import input_tables
+from qsbearing.files.spectrum_table import at_point, point_in_file
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.reports import document as of_scene
@@ -56,31 +59,19 @@ def document(
     said = [
         each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
     ]
+    first = next(number for number, each in enumerate(whole.head) if isinstance(each, Remark))
     # Warnings stand with their points above.
-    rest: list[Block] = [each for each in whole.head[1:] if not isinstance(each, Remark)]
+    rest: list[Block] = [each for each in whole.head[first + 1 :] if not isinstance(each, Remark)]
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[*said, Paragraph(which), whole.head[0], *rest],
+        head=[*whole.head[:first], *said, Paragraph(which), whole.head[first], *rest],
     )
 
 
 def point_of(asked: Scene | BearingSet, number: int) -> Any:
     """One operating point as a scene or set of its own, without a spectrum."""
-    values = {each.name: getattr(asked.operation, each.name) for each in fields(asked.operation)}
-    own: dict[str, Any] = {name: value if value is None else float(value[number]) for name, value in values.items()}
-    changes: dict[str, Any] = {
-        "operation": replace(asked.operation, **own),
-        "readings": _without_spectrum(asked.readings),
-    }
-    if isinstance(asked, BearingSet):
-        changes["rows"] = tuple(
-            row if row.readings is None else replace(row, readings=_without_spectrum(row.readings))
-            for row in asked.rows
-        )
-    return replace(asked, **changes)
-
-
-def _without_spectrum(readings: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: each for name, each in readings.items() if name != "spectrum"}
+    tables = input_tables(asked)
+    label = asked.name if isinstance(asked, BearingSet) else asked.bearing.name
+    return scene_or_set_of(at_point(tables, point_in_file(tables["spectrum"][number])), label, label)

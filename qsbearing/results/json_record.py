@@ -76,7 +76,7 @@ def record(
         "axial_from_middle_um": _from_middle(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
-        **_choice(solution, index),
+        **choice_record(solution, index),
     }
 
 
@@ -125,7 +125,7 @@ def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index
     }
 
 
-def _choice(solution: Solution, index: Place) -> dict[str, Any]:
+def choice_record(solution: Any, index: Place) -> dict[str, Any]:
     """What was chosen and left out; null where the scene names its effects."""
     choice = solution.choice
     if choice is None:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.solution.columns import columns
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.remark import Remark, told
 
 Readings = Mapping[str, Any]
 """Results by the name of their reading."""
@@ -63,8 +66,17 @@ def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) 
         out["balls"] = rows
     if hasattr(reading, "models"):
         out["models"] = [model._asdict() for model in reading.models]
-    out["warnings"] = list(getattr(reading, "warnings", ()))
+    out["warnings"] = [each.written(IN_FILE) for each in of_readings({name: reading})]
     return out
+
+
+def of_readings(readings: Readings, place: Sequence[int] | None = None) -> list[Remark]:
+    """The remarks of readings alone, with the name of each."""
+    return [
+        replace(each, of=replace(each.of, readings=(name,)))
+        for name, reading in readings.items()
+        for each in told(getattr(reading, "remarks", ()), None if place is None else tuple(place))
+    ]
 
 
 def number(value: Any) -> float | None:

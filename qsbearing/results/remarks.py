@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.documents.model import Remark as Shown
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks import bearing
 from qsbearing.remarks.kinds import Severity
-from qsbearing.remarks.remark import Remark, Warned, in_order, told
-from qsbearing.remarks.wording import Span
-from qsbearing.results.readings_record import Readings, taken
+from qsbearing.remarks.remark import Remark, Warned, in_order
+from qsbearing.remarks.wording import Span, Words
+from qsbearing.results.readings_record import Readings, of_readings, taken
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -83,15 +84,6 @@ def every_remark(
     return set_remarks.with_rows(solution, rows, index)
 
 
-def of_readings(readings: Mapping[str, Any], place: Sequence[int] | None = None) -> list[Remark]:
-    """Those of readings alone, with the name of each."""
-    return [
-        replace(each, of=replace(each.of, readings=(name,)))
-        for name, reading in readings.items()
-        for each in told(getattr(reading, "remarks", ()), None if place is None else tuple(place))
-    ]
-
-
 def of_points(solution: Solution | SetSolution, readings: Any) -> list[Remark]:
     """Those of each operating point of a load spectrum."""
     return [
@@ -103,14 +95,14 @@ def of_points(solution: Solution | SetSolution, readings: Any) -> list[Remark]:
 
 def remarks_record(said: Sequence[Remark]) -> dict[str, Any]:
     """As JSON has them, each by itself; the sentences alone are those of the solution, for readings have their own."""
-    warnings = [each.text for each in said if not each.of.readings]
-    return {"warnings": warnings, "remarks": [each.record() for each in said]}
+    warnings = [each.written(IN_FILE) for each in said if not each.of.readings]
+    return {"warnings": warnings, "remarks": [each.record(IN_FILE) for each in said]}
 
 
-def blocks(said: Iterable[Remark], is_apart: bool = False) -> list[Shown]:
+def blocks(said: Iterable[Remark], is_apart: bool = False, words: Words = IN_FILE) -> list[Shown]:
     """For people: what is the same of several rows, raceways or points once; apart: an empty line before them in a
     terminal."""
-    lines = [each.said() for each in together(said)]
+    lines = [each.said(words) for each in together(said)]
     return [
         Shown(each.line, each.rank.status, f"{each.rank.words}:", COLOURS.get(each.rank, ""), is_apart and number == 0)
         for number, each in enumerate(lines)

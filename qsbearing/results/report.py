@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
+from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
@@ -29,7 +31,7 @@ makes them equal but for rounding."""
 _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
-def result(solution: Solution, readings: Readings) -> list[Block]:
+def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> list[Block]:
     """The report on a single case: heading, ring, balls, what was read off, warnings."""
     said = every_remark(solution, readings)
     found = record(solution, {}, said=said)
@@ -40,7 +42,7 @@ def result(solution: Solution, readings: Readings) -> list[Block]:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
 
             parts += readings_tables(readings, solution.scene)
-    return [*parts, *blocks(said, is_apart=True)]
+    return [*parts, *blocks(said, is_apart=True, words=words)]
 
 
 def heat_tables(found: dict[str, Any]) -> list[Block]:

@@ -13,6 +13,7 @@ from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.json_record import (
     LOAD_NOISE,
+    choice_record,
     choices,
     how_it_ended,
     motion_and_stiffness,
@@ -52,6 +53,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "axial_datum_row": of.axial_datum + 1 if of.spacers else None,
         "effects": [effect.name for effect in (*scene.ring_effects, *scene.ball_effects)],
         "choices": choices(scene),
+        **({} if solution.choice is None else choice_record(solution, ())),
         **remarks_record(with_rows(solution, of_rows)),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import rpm
 from qsbearing.remarks.remark import row_name
-from qsbearing.remarks.wording import capital
+from qsbearing.remarks.wording import Words, capital
 from qsbearing.results.json_record import LOAD_NOISE
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
@@ -34,7 +35,7 @@ from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
+def set_result(solution: SetSolution, readings: Sequence[Readings], words: Words = IN_FILE) -> list[Block]:
     """The report on a single case of a set; with what each row was asked to be read off."""
     found = set_record(solution, readings)
     parts = heading(solution, found)
@@ -50,7 +51,7 @@ def set_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Bloc
 
                 parts += readings_tables(readings[number], solution.rows[number].scene)
         parts += [*heat_tables(found), *_system_life(found)]
-    return [*parts, *blocks(every_remark(solution, readings), is_apart=True)]
+    return [*parts, *blocks(every_remark(solution, readings), is_apart=True, words=words)]
 
 
 def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.model.validation import SceneError
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
-from qsbearing.systems.heat.state import Course, Part, State, ThermalState
+from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
@@ -115,16 +115,6 @@ def speeds_table(found: dict[str, Any]) -> Table:
     return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
 
 
-def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
-    """The states of the record of steady states over speed with the fold among them, and the fold's place."""
-    states, fold = list(found["states"]), found["fold"]
-    if fold is None:
-        return states, None
-    fastest = max(range(len(states)), key=lambda number: float(states[number]["speed_rpm"]))
-    place = fastest + (fold["power_W"] > states[fastest]["power_W"])  # the power grows along the curve
-    return [*states[:place], fold, *states[place:]], place
-
-
 def course_table(found: dict[str, Any]) -> Table:
     """Of the record of heating up."""
     times = found["time_s"]
@@ -132,27 +122,9 @@ def course_table(found: dict[str, Any]) -> Table:
     return _course_table("Heating up", "s", rows)
 
 
-def instant(found: dict[str, Any], number: int) -> dict[str, Any]:
-    """One instant of the record of heating up, as a state over speed is recorded."""
-    return {
-        "temperatures_C": {name: values[number] for name, values in found["temperatures_C"].items()},
-        "power_W": found["power_W"][number],
-        "axial_load_N": [loads[number] for loads in found["axial_load_N"]],
-    }
-
-
 def _thinned(every: Sequence[Any]) -> list[Any]:
     numbers = np.linspace(0, len(every) - 1, min(SHOWN, len(every))).round().astype(int)
     return [every[number] for number in numbers]
-
-
-def hottest(temperatures: Mapping[Part, float]) -> dict[str, float]:
-    """By kind of node: of all rows' inner rings, for instance, the hottest."""
-    found: dict[str, float] = {}
-    for name, value in temperatures.items():
-        kind = name.kind.replace("_", " ")
-        found[kind] = max(value, found.get(kind, value))
-    return found
 
 
 def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], str]]) -> Table:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,18 +10,17 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
-from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution import quantities
+from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
+from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import OVER_BALLS, Result, find, known_results, read, reading_of, suggestion
+from qsbearing.studies.results import Result, find, known_results, read, why_unknown
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.solve import solve_set
 
 IMPOSSIBLE = 3
 """Status of a point that describes no bearing or no operation; the solver's own codes are 0 to 2."""
@@ -30,9 +29,6 @@ STATUSES = ("converged", "no_equilibrium", "not_converged", "impossible")
 LOOKED_AT = 200
 """Points at which effects are chosen, where the scene leaves that to its tolerance (chosen: some hundredths of a
 second, and the corners of most studies among them)."""
-OWN_OF_A_POINT = ("bearing", "operation", "preload", "readings")
-"""Fields of a scene that points may differ in; the others are its effects and choices."""
-
 ALL_UP_TO = 300_000
 """Numbers per quantity (points times balls) up to which every result is kept; a few megabytes each."""
 
@@ -95,7 +91,7 @@ def _solved(
     scene: Scene | BearingSet, chosen: dict[str, Any] | None, threads: int | None = None
 ) -> Solution | SetSolution:
     if isinstance(scene, BearingSet):
-        return solve_set(scene, threads=threads)
+        return solve_set(replace(scene, **chosen or {}), threads=threads)
     if scene.thermal is not None:
         from qsbearing.systems.heat import solve as hot
 
@@ -149,12 +145,11 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
     of_scene = tuple(float(np.max(bearing.ball_count)) for bearing in own)
     counts = next((each.values for each in study.axes if each.key == "ball_count"), of_scene)
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
-    is_auto = isinstance(scene, Scene) and scene.tolerance is not None
-    chosen = _chosen_effects(study, points, scene) if is_auto else None  # type: ignore[arg-type]
+    chosen = None if scene.tolerance is None else _chosen_effects(study, points, scene)
     known = known_results(_solved(scene, chosen))
     kept: list[Result | FileErrorDetail | None]
     if study.quantities:
-        kept = [_asked(study, name, known) for name in study.quantities]
+        kept = [_asked(name, known) for name in study.quantities]
         errors = [each for each in kept if isinstance(each, FileErrorDetail)]
         if errors:
             raise SceneFileError(study.file, errors)
@@ -165,25 +160,15 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
     return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
 
 
-def _asked(study: Study, name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
+def _asked(name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
     result = find(name, known)
     if result is not None:
         return result
-    plain = next((each.name for each in known.values() if name == each.column), "")
-    stem, _, ending = name.rpartition("_")
-    if plain:
-        return FileErrorDetail("study.quantities", "has a unit behind it", name, cause=f"Write {plain}")
-    if name in quantities.ALL or (ending in OVER_BALLS and stem in quantities.ALL):
-        problem, cause = "is not called for by this scene", "Name in [effects] the effect that it belongs to"
-    elif reading := reading_of(name):
-        cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
-        problem = "is not called for by this scene"
-    else:
-        problem, cause = "is not a result", suggestion(name, known)
+    problem, cause = why_unknown(name, known)
     return FileErrorDetail("study.quantities", problem, name, cause=cause)
 
 
-def _chosen_effects(study: Study, points: Points, possible: Scene) -> dict[str, Any]:
+def _chosen_effects(study: Study, points: Points, possible: Scene | BearingSet) -> dict[str, Any]:
     """The effects and choices that the tolerance needs at any of some hundred points spread over the study; where none
     of these is possible, at one that is."""
     from qsbearing.studies.chooser.choose import solve as choose
@@ -197,6 +182,6 @@ def _chosen_effects(study: Study, points: Points, possible: Scene) -> dict[str, 
         parts.append({key: np.broadcast_to(array, count)[some] for key, array in values.items()})
     together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
     made = scenes_of_points(study, together, next(iter(together.values())).size).parts
-    scene = made[0].scene if made else None
-    found = choose(scene if isinstance(scene, Scene) else possible).scene
-    return {each.name: getattr(found, each.name) for each in fields(found) if each.name not in OWN_OF_A_POINT}
+    scene = made[0].scene if made else possible
+    found = solve_set(scene).set if isinstance(scene, BearingSet) else choose(scene).scene
+    return {name: getattr(found, name) for name in (*CHOICES, "ball_effects", "ring_effects", "tolerance")}

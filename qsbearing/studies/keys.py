@@ -84,8 +84,6 @@ def _replaced(name: str) -> tuple[str, ...]:
 
 ALL = _all()
 """Every key by its name."""
-MOST_MEANT = 3
-"""Paths that are told, of those that may be meant."""
 
 
 def find(name: str) -> StudyKey | None:
@@ -147,8 +145,5 @@ def suggestion(name: str, document: dict[str, Any]) -> str:
 
 
 def _told(meant: list[str]) -> str:
-    if not meant:
-        return ""
-    names = [key.name if (key := find(path)) else path for path in meant]
-    more = "" if len(names) <= MOST_MEANT else f", of {len(names)} such numbers of the file"
-    return f"Did you mean {' or '.join(names[:MOST_MEANT])}{more}?"
+    """Those likely meant, each as short as it may be."""
+    return paths.told([key.name if (key := find(path)) else path for path in meant])

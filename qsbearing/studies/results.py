@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -11,13 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution import quantities
-from qsbearing.model.solution.result_keys import attributes, split
+from qsbearing.model.solution.result_keys import attributes, printed_unit, split
 from qsbearing.model.solution.solution import Solution
-from qsbearing.readings.asked import READINGS, all_values, by_short_name, take_asked
+from qsbearing.readings.asked import BEFORE, READINGS, all_values, by_short_name, named, take_asked
 from qsbearing.readings.entry import Reading
 from qsbearing.systems.sets.set_quantities import SetQuantity, set_quantities
 from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.system_life import system_life
 
+LIVES = ("life_basic_duration_h", "life_duration_h")
+"""Of which a set has one for all rows together."""
 OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce}
 """With these after its name, the largest or smallest over the balls of a result that each ball has."""
 
@@ -46,34 +50,59 @@ def known_results(solution: Solution | SetSolution) -> dict[str, Result]:
     return found
 
 
-def find(name: str, known: dict[str, Result]) -> Result | None:
-    """The result of a name, `_max` and `_min` understood, a reading's with or without the reading's; None: none."""
-    if name in known:
-        return known[name]
-    stem, _, ending = name.rpartition("_")
-    if ending in OVER_BALLS:
-        of_ball = find(stem, known)
-        if of_ball is not None and of_ball.is_per_ball:
-            full = f"{of_ball.name}_{ending}"
-            return Result(full, of_ball.unit, False, of_ball.column.replace(of_ball.name, full, 1))
-    meant = by_short_name(name, known)
-    return None if meant is None else known[meant]
+def _by_every_name(known: Mapping[str, Result]) -> dict[str, Result]:
+    """Results by their names and by those of their columns, the largest and smallest of all balls among them."""
+    found: dict[str, Result] = {}
+    for each in known.values():
+        found |= {each.column: each, each.name: each}
+        for full in (f"{each.name}_{ending}" for ending in (OVER_BALLS if each.is_per_ball else ())):
+            one = Result(full, each.unit, False, each.column.replace(each.name, full, 1))
+            found |= {one.column: one, one.name: one}
+    return found
+
+
+def find(name: str, known: Mapping[str, Result]) -> Result | None:
+    """The result of a name: with or without its unit, the reading's name, and the words ring, shaft or system before
+    it; with points as in `life.duration_h`; `_max` and `_min` understood. None: there is none."""
+    every = _by_every_name(known)
+    meant = named(name, every)
+    return None if meant is None else every[meant]
 
 
 def reading_of(name: str) -> str | None:
-    """The reading that a result's name belongs to, `_max` and `_min` understood; None where it is none of a reading."""
-    full = _of_readings()
-    stem, _, ending = name.rpartition("_")
-    for each in (name, stem) if ending in OVER_BALLS else (name,):
-        meant = each if each in full else by_short_name(each, full)
-        if meant is not None:
-            return full[meant][0]
+    """The reading that a result's name belongs to, spelled as for `find`; None where it is none of a reading."""
+    full, plain = _of_readings(), re.sub(r"^(row_\d+|system)_", "", name.replace(".", "_"))
+    for each in (plain, split(plain)[0]):
+        for stem in (each, each.removesuffix("_max").removesuffix("_min")):
+            meant = stem if stem in full else by_short_name(stem, full)
+            if meant is not None:
+                return full[meant][0]
     return None
 
 
 def _of_readings() -> dict[str, tuple[str, dict[str, str]]]:
-    """Of each result that a reading gives, the reading and what datasets say of the result."""
+    """Of each result that a reading may give: the reading, and what a dataset says of the result."""
     return _of_entries(tuple(READINGS.items()))
+
+
+def why_unknown(name: str, known: Mapping[str, Result]) -> tuple[str, str]:
+    """What is wrong with a name that no result of a scene or set has, and what is likely meant."""
+    every, plain = _by_every_name(known), name.replace(".", "_")
+    stem = max((each for each in every if any((b + plain).startswith(f"{each}_") for b in BEFORE)), key=len, default="")
+    if stem:
+        return "is in another unit", f"It is in {printed_unit(every[stem].unit)}: write {every[stem].column}"
+    of_rows = [each for each in every if re.fullmatch(rf"row_\d+_(inner_|outer_)?{re.escape(plain)}", each)]
+    if of_rows:
+        return "is a result of each row", f"Such as {of_rows[0]}"
+    if plain.removesuffix("_max").removesuffix("_min") in quantities.ALL:
+        return "is not called for by this scene", "Name in [effects] the effect that it belongs to"
+    if reading := reading_of(name):
+        cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
+        return "is not called for by this scene", cause
+    near = difflib.get_close_matches(name, sorted(every, key=len), n=1, cutoff=0.5)
+    names = dict.fromkeys(each.name for each in every.values())
+    there = f"There are {', '.join(names)}; with _max or _min for all balls of one"
+    return "is not a result", f"Did you mean {near[0]}?" if near else there
 
 
 @lru_cache(maxsize=1)  # asked for each result of a dataset
@@ -103,29 +132,19 @@ def attributes_of(result: Result) -> dict[str, str]:
     return found | {"long_name": found["long_name"] + words}
 
 
-def suggestion(name: str, known: Mapping[str, Result], has_units: bool = False) -> str:
-    """What is likely meant by a name that no result has.
-
-    Args:
-        has_units: whether a name may have its unit behind it; where not, the one without is meant.
-    """
-    names = {each: each for each in known}
-    names |= {full: full for each in known for full in (f"{each}_{ending}" for ending in OVER_BALLS)}
-    names |= {each.column: each.column if has_units else each.name for each in known.values()}
-    near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
-    if near:
-        return f"Did you mean {names[near[0]]}?"
-    return f"There are {', '.join(known)}; with _max or _min for all balls of one"
-
-
 def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:
-    """Results of shaft and rows, and the readings of each row that are the bearing's own."""
+    """Results of shaft and rows, the readings of each row that are the bearing's own, and the life of all rows."""
     found = set_quantities(solution)
-    for number, row in enumerate(solution.rows, 1):
-        for column, (is_per_ball, values) in _readings(row).items():
-            if not is_per_ball:
-                name, unit = split(f"row_{number}_{column}")
-                found[name] = SetQuantity(name, unit, f"row_{number}_{column}", lambda values=values: values)  # type: ignore[misc]
+    columns: dict[str, NDArray] = {}
+    of_rows = [_readings(row) for row in solution.rows]
+    for number, own in enumerate(of_rows, 1):
+        columns |= {f"row_{number}_{name}": values for name, (is_per_ball, values) in own.items() if not is_per_ball}
+    for name in LIVES:
+        if all(name in own for own in of_rows):
+            columns[f"system_{name}"] = system_life([own[name][1] for own in of_rows])
+    for column, values in columns.items():
+        name, unit = split(column)
+        found[name] = SetQuantity(name, unit, column, lambda values=values: values)  # type: ignore[misc]
     return found
 
 

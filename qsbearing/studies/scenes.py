@@ -221,7 +221,11 @@ def check_base(study: Study) -> None:
         return
     except SceneFileError as error:
         own = {each.key: each for each in error.errors if isinstance(each, FileErrorDetail)}
-    given = [each.key for each in study.variables if own and paths.stands_in(study.document, keys.known(each.key).path)]
+    given = [
+        each.key
+        for each in study.variables
+        if own and paths.value_at(study.document, keys.known(each.key).path) is not None
+    ]
     base = possible_point(study, {each.key: each.at(np.asarray(0.5)) for each in study.distributions}) if given else {}
     wrong = []
     for name in given:

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.studies.chooser.choose import solve
+from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check, scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.rotor_dynamics import stiffness_columns
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.solve import solve_set
 
 IMPOSSIBLE = STATUSES[-1]
 

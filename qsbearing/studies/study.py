@@ -186,7 +186,7 @@ def _ask_for_readings(document: dict[str, Any], names: Iterable[str]) -> None:
     if not isinstance(asked, dict):
         return
     for name in names:
-        reading = None if name in quantities.ALL else reading_of(name)
+        reading = None if name.replace(".", "_") in quantities.ALL else reading_of(name)
         if reading is not None and reading not in asked:
             asked = asked | {reading: {}}
             document["readings"] = asked

@@ -21,6 +21,7 @@ from qsbearing.files.catalogue import find
 from qsbearing.files.table import read_table
 from qsbearing.files.template import set_template
 from qsbearing.studies.design.point_table import table_bytes
+from tests.files.rexs.models import b218, json_text, xml, zipped
 
 SCENE = '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 0\naxial_load_N = 1000\n'
 STUDY = SCENE + '[vary]\nspeed_rpm = [0, 500]\n[study]\nquantities = ["inner_max_pressure"]\n'
@@ -62,6 +63,9 @@ DOORS = {
     "result json": Door("result.json", lambda path: ["run", path], 50_000_000),
     "result nc": Door("result.nc", lambda path: ["run", path], 0),
     "study nc": Door("result.nc", lambda path: ["sweep", path], 0),
+    "rexs xml": Door("model.rexs", lambda path: ["import", path, "--out", path.with_name("made")], 20_000_000),
+    "rexs json": Door("model.rexsj", lambda path: ["import", path, "--out", path.with_name("made")], 20_000_000),
+    "rexs zip": Door("model.rexsz", lambda path: ["import", path, "--out", path.with_name("made")], 20_000_000),
     "plot nc": Door("result.nc", lambda path: ["plot", path, "--out", path.with_name("out.svg")], 0),
 }
 
@@ -106,6 +110,9 @@ def good_files(folder: Path) -> dict[str, bytes]:
         name: cells if name == "name" else [*map(float, cells)]
         for name, cells in read_table(folder / "points.csv").items()
     }
+    model = b218(contacts=False)
+    for ending, data in {"": xml(model), "j": json_text(model), "z": zipped(xml(model))}.items():
+        (folder / f"model.rexs{ending}").write_bytes(data)
     for ending in (".xlsx", ".parquet"):
         (folder / f"points{ending}").write_bytes(table_bytes(columns, ending))
     printed = answered(["run", folder / "scene.toml", "--json"])

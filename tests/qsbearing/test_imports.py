@@ -39,3 +39,30 @@ def test_no_circle_of_files() -> None:
             if middle in found:
                 found |= reach[middle]
     assert {name for name, found in reach.items() if name in found} == set()
+
+
+# Private names --------------------------------------------------------------------------------------------------------
+
+OF_NAMED_TUPLES = {"_asdict", "_replace", "_make", "_fields"}
+
+
+def private_reads(tree: ast.Module) -> Iterator[str]:
+    """Private attributes of objects that another file makes."""
+    own = {each.name for each in ast.walk(tree) if isinstance(each, ast.FunctionDef | ast.ClassDef)}
+    reads = [each for each in ast.walk(tree) if isinstance(each, ast.Attribute)]
+    of_self = [each for each in reads if isinstance(each.value, ast.Name) and each.value.id in ("self", "cls")]
+    own |= {each.attr for each in of_self} | OF_NAMED_TUPLES
+    for each in reads:
+        if each.attr.startswith("_") and not each.attr.endswith("_") and each.attr not in own:
+            yield ast.unparse(each)
+
+
+def test_no_file_reads_what_is_private_to_another() -> None:
+    """But for numba's own, to keep compiled code as it cannot."""
+    found = {
+        file.relative_to(ROOT.parent).as_posix(): list(private_reads(ast.parse(file.read_text(encoding="utf-8"))))
+        for package in ("qsbearing", "fem_check")
+        for file in (ROOT.parent / package).rglob("*.py")
+    }
+    assert [name for name, reads in found.items() if reads] == ["qsbearing/model/compiler/numba_kernel.py"]
+    assert list(private_reads(ast.parse("solution._maker.count")))

@@ -19,6 +19,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.documents.html import html
 from qsbearing.documents.terminal import text_of
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_file import scene_of
 from qsbearing.readings import asked
 from qsbearing.reports.document import document as design_report
@@ -113,7 +114,7 @@ def test_each_reading_of_a_file_is_the_function_s() -> None:
     )
     assert found["life"]["modified_reference_rating_life_Mrev"] == life.modified_reference_rating_life / 1e6
     assert found["life"]["duration_h"] == pytest.approx(float(life.duration) / 3600)
-    assert found["life"]["warnings"] == list(life.warnings)
+    assert found["life"]["warnings"] == [each.remark.written(IN_FILE) for each in life.warnings]
     film = qs.readings.film(solution, oil, ball_roughness=0.05e-6, raceway_roughness=0.2e-6)
     assert found["film"]["balls"][3]["inner"]["minimum_thickness_um"] == pytest.approx(
         film.inner.minimum_thickness[3] * 1e6

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import json
+import pickle
 from collections.abc import Iterator
 from dataclasses import replace
 from html import unescape
@@ -18,16 +19,20 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.app import answers
+from qsbearing.app.inputs import ON_PAGE
 from qsbearing.cli import cli
 from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import Remark as Shown
 from qsbearing.documents.model import Section
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.inference import infer
+from qsbearing.model.effects import EFFECTS
 from qsbearing.remarks.kinds import KINDS, Severity
-from qsbearing.remarks.remark import Remark
+from qsbearing.remarks.remark import Of, Remark
+from qsbearing.remarks.wording import PYTHON, Reader
 from qsbearing.reports import document, effects, set_document
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies import inferred
@@ -226,9 +231,58 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
             "limit_MPa",
         }  # of a cut ellipse, where computed
         assert set(said.values) - optional == set(KINDS[code].values) - optional, code
-        found = json.loads(json.dumps(said.record(), allow_nan=False))
+        found = json.loads(json.dumps(said.record(PYTHON), allow_nan=False))
         assert set(found) == {"code", "severity", "of", "values", "text"}
         assert found["text"] == said.text == str(said.said())
+
+
+# Everyone's words -----------------------------------------------------------------------------------------------------
+
+WORDS = (IN_FILE, PYTHON, ON_PAGE)
+ADDED = "effects_missing", "effect_data_missing", "life_grooves_uncovered", "speed_rating_unknown"
+"""Remarks that say what to give."""
+
+
+def test_what_to_give_is_named_in_the_words_of_whoever_asks(reached: dict[str, Remark]) -> None:
+    bare = qs.solve(qs.Scene(B218, qs.Operation(speed=1500.0, axial_load=2e3)))
+    lacks = replace(every_remark(bare)[0], of=Of())
+    rating, speed = (
+        of_reading(reached[code], name) for code, name in ((ADDED[2], "life"), (ADDED[3], "friction_estimate"))
+    )
+    said = {words.reader: [each.written(words) for each in (lacks, rating, speed)] for words in WORDS}
+    for reader, (begun, *others) in {
+        Reader.FILE: (
+            'Add under [effects]: ball = ["centrifugal_force", "gyroscopic_moment"], raceway_control = "per_ball"',
+            'rating = "lundberg_palmgren"', "(speed_rating_rpm)",
+        ),
+        Reader.PYTHON: (
+            'Set ball_effects=(CentrifugalForce(), GyroscopicMoment()), raceway_control="per_ball"',
+            'rating="lundberg_palmgren"', "(speed_rating)",
+        ),
+        Reader.PAGE: ("Tick what is missing in the table of effects", "rating: lundberg_palmgren", "(speed rating)"),
+    }.items():  # fmt: skip
+        assert said[reader][0].endswith(begun)
+        assert [word in each for word, each in zip(others, said[reader][1:], strict=True)] == [True, True]
+    given = eval(f"dict({said[Reader.PYTHON][0].partition('Set ')[2]})", vars(qs))
+    assert not {each.remark.code for each in qs.warnings(qs.solve(replace(bare.scene, **given)))} & {"effects_missing"}
+
+
+def of_reading(said: Remark, name: str) -> Remark:
+    return replace(said, of=replace(said.of, readings=(name,)))
+
+
+def test_only_files_hear_of_keys(reached: dict[str, Remark]) -> None:
+    """Keys end in a unit; tables stand in brackets."""
+    for entry in (each for each in EFFECTS if each.needs):
+        of = Remark("effect_data_missing", values={
+            "effect": entry.name, "quantity": "load", "changes": (0.1,), "under": ("",), "is_estimated": False
+        })  # fmt: skip
+        assert "[effects" not in of.text and "_um" not in of.text
+        reached = {**reached, entry.name: of}
+        assert f"[effects.{entry.name}]" in of.written(IN_FILE) or entry.name in ("unequal_balls", "gyroscopic_slip")
+    for said in reached.values():
+        assert pickle.loads(pickle.dumps(said.said())) == said.text
+        assert said.kind.code in ADDED or len({said.written(words) for words in WORDS}) == 1
 
 
 # One list -------------------------------------------------------------------------------------------------------------
@@ -291,11 +345,12 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
     solution: Any = qs.solve(loaded) if isinstance(loaded, qs.Scene) else qs.solve_set(loaded)
     said = every_remark(solution)
     assert said
-    data = [json.loads(json.dumps(each.record())) for each in said]
-    lines = [each.said().line for each in together(said)]
+    data = [json.loads(json.dumps(each.record(IN_FILE))) for each in said]
+    lines, of_python, of_page = ([each.said(words).line for each in together(said)] for words in WORDS)
     found = json.loads(CliRunner().invoke(cli, ["run", file, "--json"]).output)
     assert found["remarks"] == data
-    assert found["warnings"] == [each.text for each in said if not each.of.readings] == qs.warnings(solution)
+    assert found["warnings"] == [each.written(IN_FILE) for each in said if not each.of.readings]
+    assert qs.warnings(solution) == [each.text for each in said if not each.of.readings]
     assert json.loads(CliRunner().invoke(cli, ["explain", file, "--json"]).output)["remarks"] == data
     assert shown.found_remarks(SimpleNamespace(scene=loaded)) == said  # type: ignore[arg-type]
     for words in (command("run", file), command("explain", file)):
@@ -303,13 +358,13 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
         assert begins == sorted(begins)
         assert sum(words.count(f"{each.words}: ") for each in Severity) == len(lines)
     html = solution._repr_html_()
-    assert [html_text(each) for each in html.split('<p class="remark ')[2:]] == lines
+    assert [html_text(each) for each in html.split('<p class="remark ')[2:]] == of_python
     if isinstance(loaded, qs.Scene):
         whole = document.document(solution, loaded, "", "")
         compared = compare([file, file]).remarks
         assert [replace(each, of=replace(each.of, bearings=())) for each in compared] == said * 2
         page = answers.solved(input_tables(loaded), "")["warnings"]
-        assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == lines
+        assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == of_page
     else:
         whole = set_document.document(solution, "", "")
     assert [each.text for each in whole.head if isinstance(each, Shown)][1:] == lines

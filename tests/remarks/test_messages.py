@@ -18,6 +18,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
@@ -270,7 +271,8 @@ def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:
     solution = qs.solve(qs.load_scene(scene))
     shown = CliRunner().invoke(cli, ["run", str(scene)], env={"COLUMNS": "100"}).stdout
     words = " ".join(shown.split())
-    places = [words.index(" ".join(each.line.split())) for each in qs.warnings(solution)]
+    said = [each.remark.said(IN_FILE) for each in qs.warnings(solution)]
+    places = [words.index(" ".join(each.line.split())) for each in said]
     assert len({each.rank for each in qs.warnings(solution)}) > 1
     assert places == sorted(places)
 

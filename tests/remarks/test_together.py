@@ -11,6 +11,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import STRAIGHT
 from qsbearing.remarks.remark import Of, Remark, remark
 from qsbearing.remarks.wording import numbered
@@ -117,7 +118,7 @@ def test_run_says_once_what_rows_share_and_json_each(tmp_path: Path) -> None:
     each, shared = solution.warnings(), together(every_remark(solution))
     assert len(shared) < len(each)
     assert any(said.text.startswith("Rows 1 and 2: ") for said in shared)
-    assert [block.text for block in blocks(shared)] == [said.said().line for said in shared]
+    assert [block.text for block in blocks(shared)] == [said.said(IN_FILE).line for said in shared]
     file = tmp_path / "pair.toml"
     heavy = PAIR_FILE.replace("7210C", "B218").replace("= 720", "= 1_200_000")
     file.write_text(heavy, encoding="utf-8")

@@ -172,6 +172,11 @@ bore_diameter_mm = 90
 outside_diameter_mm = 160
 shaft_interference_um = 10
 shaft_material = "steel"
+
+[report]
+title = "Feed screw, fixed end"
+customer = "Works & Co"
+document = "R-17"
 """
 """Far from all that B218 was checked at, with every kind of ring effect but heat."""
 
@@ -277,6 +282,18 @@ def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path,
     order = ["basic reference rating life", "factor aISO", "modified reference rating life", "aISO is at the upper"]
     places = [shown.index(words) for words in order]
     assert places == sorted(places)
+
+
+def test_a_report_says_for_whom_it_is(unequal: Path, tmp_path: Path) -> None:
+    page = page_of(unequal, "unequal")
+    assert page.headings[0][1] == "Feed screw, fixed end"
+    assert "B218: angular contact, 16 balls of 22.225 mm" in page.text
+    assert re.search(r"Customer\s*Works & Co\s*Document\s*R-17", page.text)
+    assert "Author" not in page.text
+    (tmp_path / "wrong.toml").write_text(PLAIN + '[report]\ncustomer = 17\ntitel = "a"\n')
+    refused = call(str(tmp_path / "wrong.toml"), "--out", str(tmp_path / "out"))
+    assert refused.exit_code == 2
+    assert "report.customer" in refused.stderr and "report.titel: unknown key" in refused.stderr
 
 
 def test_warnings_stand_in_full_before_the_contents_end(spindle: Path) -> None:

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import copy
+import json
 import tomllib
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.files.scene_file import scene_of
+from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
+from qsbearing.reports.spectrum import point_of
 from qsbearing.studies import keys
 from qsbearing.studies.design.point_table import solve_table
-from qsbearing.studies.results import known_results, read
+from qsbearing.studies.results import find, known_results, read
+from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -145,11 +149,9 @@ outside_diameter_mm = 90
 """
     )
     path = "thermal.conductances.3.W_per_K"
-    results = sweep(Study.of(tables, {path: [3.0, 8.0]}))
-    for number, value in enumerate((3.0, 8.0)):
-        alone = qs.solve(scene_of(at(tables, path, value), ""))
-        np.testing.assert_allclose(results["ring_displacement_axial"][number], alone.displacement[0] / qs.um, rtol=1e-9)
-    assert results["ring_displacement_axial"][0] != results["ring_displacement_axial"][1]
+    parts = scenes_of_points(Study.of(tables, {path: [3.0, 8.0]}), {path: np.array([3.0, 8.0])}, 2).parts
+    assert [part.scene.thermal.conductances[2].conductance for part in parts] == [3.0, 8.0]
+    assert [part.points.tolist() for part in parts] == [[0], [1]]
 
 
 def test_impossible_values_are_points_with_their_reason() -> None:
@@ -167,11 +169,9 @@ def test_every_study_takes_paths() -> None:
     assert curve.dims == (path,)
     rows = solve_table(SPINDLE, {path: ["100", "900"]})
     np.testing.assert_allclose(rows["tool_displacement_radial_y_um"], curve, rtol=1e-12)
-    goal = float(curve.sum()) / 2.0
-    found = qs.find(SPINDLE, {path: "100:900"}, goals=[f"tool_displacement_radial_y={goal}"], points=16)
-    again = sweep(Study.of(SPINDLE, {path: [found.values[path]]}, quantities=KEPT))
-    assert found.is_feasible
-    assert float(again["tool_displacement_radial_y"]) == pytest.approx(goal, rel=2e-6)  # what a goal is met to
+    found = qs.find(SPINDLE, {path: "100,500,900"}, maximise="tool_displacement_radial_y", points=4)
+    assert found.values == {path: 900.0}
+    assert found.results["tool_displacement_radial_y"] == pytest.approx(float(curve[1]), rel=1e-9)
     varied = {path: "normal(500,50)", "shaft.sections.1.outer_diameter_mm": "uniform(49,50)"}
     drawn = sweep(Study.of(SPINDLE, varied, samples=4, quantities=KEPT))["tool_displacement_radial_y"]
     assert np.unique(drawn).size == 4
@@ -196,3 +196,94 @@ def test_a_path_that_is_none_names_those_of_the_file(name: str, said: str) -> No
         qs.find(SPINDLE, {name: "1:2"}, minimise="row_1_axial_load")
     with pytest.raises(qs.SceneError, match=said.partition(". Did")[0].partition("of 4")[0]):
         solve_table(SPINDLE, {name: ["1"]})
+
+
+POINTS = ({"speed_rpm": 3000.0, "load": 900.0, "hours": 300.0}, {"speed_rpm": 8000.0, "load": 300.0, "hours": 700.0})
+
+
+def test_a_spectrum_takes_paths_inline_and_from_a_table(tmp_path: Path) -> None:
+    path = "shaft.loads.1.radial_y_N"
+    inline = [{"hours": p["hours"], "speed_rpm": p["speed_rpm"], path: p["load"]} for p in POINTS]
+    tables = SPINDLE | {"readings": {"life": {}}, "spectrum": inline}
+    of = set_of(tables, "")
+    solution = qs.solve_set(of)
+    np.testing.assert_allclose(of.readings["spectrum"]["time_share"], [0.3, 0.7])
+    for k, point in enumerate(POINTS):
+        alone = at(at(SPINDLE, path, point["load"]), "operation.speed_rpm", point["speed_rpm"])
+        loads = qs.solve_set(set_of(alone, "")).row_loads
+        np.testing.assert_allclose(solution.row_loads[k], loads, rtol=1e-9, atol=1e-6)
+    again = input_tables(of)
+    assert again["spectrum"][1][path] == 300.0
+    assert "radial_y_N" not in again["shaft"]["loads"][0]
+    np.testing.assert_array_equal(qs.solve_set(set_of(again, "")).row_loads, solution.row_loads)
+    alone = point_of(of, 0)
+    assert float(alone.shaft.loads[0].radial_y) == 900.0
+    assert alone.operation.speed == of.operation.speed[0]
+    lines = [f"point,hours,speed_rpm,{path}", "cut,300,3000,900", "rest,700,8000,300"]
+    (tmp_path / "duty.csv").write_text("\n".join(lines))
+    whole = SPINDLE | {"readings": {"life": {}}, "spectrum": {"file": "duty.csv"}}
+    (tmp_path / "duty.toml").write_text(as_toml(whole))
+    np.testing.assert_array_equal(qs.solve_set(qs.load_set(tmp_path / "duty.toml")).row_loads, solution.row_loads)
+
+
+def as_toml(tables: dict[str, Any]) -> str:
+    """As inline tables, which JSON nearly is."""
+
+    def inline(value: Any) -> str:
+        if isinstance(value, dict):
+            return "{" + ", ".join(f'"{key}" = {inline(each)}' for key, each in value.items()) + "}"
+        return f"[{', '.join(map(inline, value))}]" if isinstance(value, list) else json.dumps(value)
+
+    return "\n".join(f"{key} = {inline(value)}" for key, value in tables.items())
+
+
+@pytest.mark.parametrize(
+    ("points", "said"),
+    [
+        (
+            [{"share": 1, "shaft.loads.2.radial_y_N": 3}],
+            r"there is 1 shaft\.loads\s+Did you mean shaft\.loads\.1\.radi",
+        ),
+        ([{"share": 1, "shaft.sections.1.length_mm": 3}], "must be the same at all points"),
+        ([{"hours": 1, "share": 1}], "a share as well as hours"),
+        ([{"hours": 1}, {"speed_rpm": 1}], r"point 2\.hours: missing"),
+        ([{"hours": -1}, {"hours": 2}], "hours = -1 h: is negative"),
+        ([{"share": 0.5, "rows.1.offset_um": 1}, {"share": 0.5}], r"point 2\.rows\.1\.offset_um: missing"),
+        ({"file": "none.csv"}, "no such file"),
+        ({"path": "none.csv"}, "nor the name of a file"),
+    ],
+)
+def test_what_is_wrong_with_a_spectrum_is_told(points: Any, said: str, tmp_path: Path) -> None:
+    (tmp_path / "duty.toml").write_text(as_toml(SPINDLE | {"readings": {"life": {}}, "spectrum": points}))
+    with pytest.raises(qs.SceneError, match=said):
+        qs.load_set(tmp_path / "duty.toml")
+
+
+def test_a_result_has_one_name_everywhere() -> None:
+    tables = SPINDLE | {"readings": {"life": {}}}
+    known = known_results(qs.solve_set(set_of(tables, "")))
+    same = {
+        "shaft_effective_stiffness_axial": ("effective_stiffness_axial", "effective_stiffness.axial_N_per_um"),
+        "system_life_duration": ("life_duration", "life.duration_h"),
+        "row_2_life_duration": ("row_2.life.duration_h",),
+    }
+    for name, others in same.items():
+        assert {find(each, known) for each in (name, known[name].column, *others)} == {known[name]}, name
+    rows = [
+        float(read(qs.solve_set(set_of(tables, "")), [known[f"row_{i}_life_duration"]]).popitem()[1]) for i in (1, 2)
+    ]
+    found = sweep(
+        Study.of(SPINDLE, {"speed_rpm": [3000]}, quantities=["life.duration_h"])
+    )  # which asks for the reading
+    assert float(found["system_life_duration"]) == pytest.approx(float(qs.system_life(rows)))
+    bearing = known_results(qs.solve(qs.load_scene("b218")))
+    assert find("inner.max_pressure_max_MPa", bearing) == find("inner_max_pressure_max", bearing)
+    assert find("inner_load_axial", bearing) is None
+    for name, said in (
+        ("life.duration_min", "system_life_duration_h"),
+        ("inner_load_max", "Such as row_1_inner_load_max"),
+    ):
+        with pytest.raises(qs.SceneError, match=said):
+            qs.find(tables, {"preload.rigid_N": "100:200"}, goals=[f"{name}=1"])
+        with pytest.raises(qs.SceneError, match=said):
+            sweep(Study.of(tables, {"preload.rigid_N": [100, 200]}, quantities=[name]))

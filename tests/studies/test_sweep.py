@@ -254,8 +254,8 @@ def test_a_study_that_is_wrong_at_every_point_is_refused() -> None:
     with pytest.raises(qs.SceneError, match="Did you mean inner_angle"):
         sweep(Study.of(B218, {"speed_rpm": [0, 1]}, quantities=["iner_angle"]))
     for name, meant in (
-        ("outer_max_presure_MPa", "Did you mean outer_max_pressure"),
-        ("inner_load_N", "Write inner_load"),
+        ("outer_max_presure_MPa", "Did you mean outer_max_pressure_MPa"),
+        ("inner_load_kN", "It is in N: write inner_load_N"),
     ):
         with pytest.raises(qs.SceneError, match=f"{meant}\\b"):
             sweep(Study.of(B218, {"speed_rpm": [0, 1]}, quantities=[name]))

@@ -77,7 +77,7 @@ def run() -> Result:
     moved = float((np.asarray(theirs.bearing.inner_groove_centre_radius) * turned).max())
     approach = float(np.nanmax(theirs.solution.inner.approach + theirs.solution.outer.approach, axis=1).min())
     of_load = 1.5 * moved / approach
-    way = f"tilts of up to 5 mrad as angles here, as sines there: {1e6 * moved:.1e} µm on the groove centres' circle"
+    way = f"tilts of up to 5 mrad as angles here, as sines there: {1e9 * moved:.2f} nm on the groove centres' circle"
     turning = 1e3 * float((np.abs(theirs.solution.stiffness[:, 4, 4]) * turned).max())
 
     def worst(column: str, found: Found, unit: str, some: NDArray | None = None) -> tuple[float, str]:

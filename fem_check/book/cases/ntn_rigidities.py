@@ -95,7 +95,7 @@ def run() -> Result:
         case = f"15 degrees, {len(FOLLOWING)} sizes, f = {COEFFICIENT}"
         bounds, each = reach(sizes, 15, direction)[follows], flat[direction][follows]
         rows += spread(case, f"{direction} rigidity", each, bounds, printed, names[follows])
-    unknown = "a finding, not met: printed stiffer, for a reason that is not known"
+    unknown = "a finding: not met, printed stiffer for a reason that is not known"
     for direction in DIRECTIONS:
         each = flat[direction][~follows]
         case = f"15 degrees, the other {each.size} sizes, f = {COEFFICIENT}"

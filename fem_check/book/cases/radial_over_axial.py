@@ -36,7 +36,7 @@ def constant_angle(angle: NDArray) -> NDArray:
 def run() -> Result:
     """Each printed factor."""
     found = {angle: ratios(angle) for angle in (15.0, *BY_ANGLE)}
-    higher = "a finding, not met: printed higher than computed"
+    higher = "a finding: not met, printed higher than computed"
     rows = []
     for (name, printed), value in zip(BY_PRELOAD.items(), found[15.0], strict=True):
         is_met = name not in NOT_MET

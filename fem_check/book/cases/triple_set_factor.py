@@ -36,7 +36,7 @@ def run() -> Result:
             compared(f"preload {PRELOADS_15[0]:.0f} to {PRELOADS_15[-1]:.0f} N",
                      f"{name} rigidity over that of the pair", "1", printed, found[np.abs(found - printed).argmin()],
                      SOURCE, None,
-                     f"a finding, a negative result: the printed factor is not met, computed {found.min():.3f} to "
+                     f"a finding: a negative result, the printed factor is not met; computed {found.min():.3f} to "
                      f"{found.max():.3f}"),
         ]  # fmt: skip
     preloads = np.geomspace(1.0, 1500.0, 9)

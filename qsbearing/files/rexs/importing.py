@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_keys import ORIGIN
+from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
@@ -18,14 +20,11 @@ from qsbearing.files.rexs.names import NEWEST
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table, text_of
 from qsbearing.files.rexs.source import model_in, opened
-from qsbearing.files.scene_file import ORIGIN
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
 
-MOST_FILES = 5000
-"""Bearings times load cases."""
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 _ALONE = {
@@ -72,9 +71,9 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     files: list[SceneText] = []
     plain = Reader(model, None, errors)
     ours = [each for each in model.components.values() if is_ours(plain, each)]
-    if len(cases) * len(ours) > MOST_FILES:
+    if len(cases) * len(ours) > MOST_MODEL_FILES:
         cause = "Take the load cases out that do not matter, or name one shaft"
-        raise refused(path, f"would make more than {MOST_FILES:,} files", cause)
+        raise refused(path, f"would make more than {MOST_MODEL_FILES:,} files", cause)
     for case in cases:
         reader = Reader(model, case, errors)
         chosen = _chosen(reader, shaft)

@@ -10,12 +10,11 @@ from zipfile import BadZipFile, ZipFile, ZipInfo
 from zlib import error as ZlibError  # noqa: N812 - as it is used
 
 from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.limits import LARGEST_MODEL
 from qsbearing.files.raw import decoded, read_bytes
 from qsbearing.files.rexs import json_form, xml_form
 from qsbearing.files.rexs.model import Model, Span, model_of
 
-LARGEST_MODEL = 20_000_000
-"""Bytes of a model, packed or not; a gearbox of three shafts takes a tenth of a million."""
 ENDINGS = (".rexs", ".rexsj", ".xml", ".json")
 MOST_PARTS = 1000
 _MARK = b"\xef\xbb\xbf"

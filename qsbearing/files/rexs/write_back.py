@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.rexs.axes import turned
 from qsbearing.files.rexs.bearing_mapping import elements_of, is_ours
 from qsbearing.files.rexs.model import Component, LoadCase, Place, Span
@@ -15,7 +16,6 @@ from qsbearing.files.rexs.results import RowResult, Values, bearing_values, cont
 from qsbearing.files.rexs.shaft_mapping import sides
 from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.rexs.units import unit_named
-from qsbearing.files.scene_file import ORIGIN
 from qsbearing.files.table_checks import Errors
 
 CONTACT = "rolling_element_contact"

@@ -12,9 +12,9 @@ from xml.parsers import expat
 from xml.sax.saxutils import escape, quoteattr
 
 from qsbearing.files.file_errors import SceneFileError, refused
+from qsbearing.files.limits import MOST_TAGS
 from qsbearing.files.rexs.model import Place, Span
 
-MOST_TAGS = 1_000_000
 DEEPEST = 16
 """Elements within each other; REXS has ten."""
 

@@ -12,15 +12,16 @@ Example       BallExpansion(ball_temperature=70 + zero_celsius)
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.changed_geometry import change_by, geometry_errors
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in
+from qsbearing.model.effects.entry import Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.operation import Operation
@@ -36,14 +37,15 @@ class BallExpansion:
         SceneError: every error, at once.
     """
 
-    ball_temperature: ArrayLike
-    """[K]"""
+    ball_temperature: ArrayLike | None
+    """[K]; None: a heat balance will find it."""
     reference_temperature: ArrayLike = 20.0 + zero_celsius
     """At which all dimensions hold [K]."""
     name: ClassVar[str] = "ball_expansion"
 
     def __post_init__(self) -> None:
-        errors = temperature_errors(f"{self.name}.ball_temperature", self.ball_temperature)
+        given = self.ball_temperature
+        errors = [] if given is None else temperature_errors(f"{self.name}.ball_temperature", given)
         raise_if_any(errors + temperature_errors(f"{self.name}.reference_temperature", self.reference_temperature))
 
     def errors(self, bearing: BallBearing) -> list[ErrorDetail]:
@@ -59,10 +61,20 @@ class BallExpansion:
         """What of it a bearing has at rest and cold: nothing."""
 
     def reshape(self, bearing: BallBearing, operation: Operation) -> BallBearing:
-        """The bearing with its balls expanded."""
+        """The bearing with its balls expanded; as it is while their temperature is not found."""
+        if self.ball_temperature is None:
+            return bearing
         warmer = np.asarray(self.ball_temperature, float) - np.asarray(self.reference_temperature, float)
         strain = np.asarray(bearing.ball_material.thermal_expansion, float) * warmer
         return bearing.with_changed_lengths(ball_diameter=strain * np.asarray(bearing.ball_diameter, float))
+
+
+def unfound_errors(effects: Iterable[Any]) -> list[ErrorDetail]:
+    """Errors of effects that are to be solved with no temperature of the balls."""
+    if not any(isinstance(each, BallExpansion) and each.ball_temperature is None for each in effects):
+        return []
+    cause = "Give it, or a heat balance that has the balls"
+    return [ErrorDetail("ball_expansion.ball_temperature", "missing", cause=cause)]
 
 
 def _errors(point: OperatingPoint) -> Errors:
@@ -75,5 +87,5 @@ ENTRY = Entry(
     effect("ring_effects", BallExpansion),
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
-    needs="[effects.ball_expansion] with the balls' temperature",
+    needs=given(BallExpansion, " with the balls' temperature"),
 )

@@ -39,6 +39,7 @@ from qsbearing.model.effects.entry import (
     bearings_of,
     effect,
     error_in,
+    given,
     with_ring_effect,
 )
 from qsbearing.model.effects.operating_point import OperatingPoint
@@ -382,7 +383,7 @@ ENTRY = Entry(
     effect("ring_effects", ElasticRings),
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
-    needs="[effects.elastic_rings] with the rings' widths and diameters and how they are held",
+    needs=given(ElasticRings, " with the rings' widths and diameters and how they are held"),
     without_it="rings and their seats are taken as rigid; their deflection",
     assume=_usual,
 )

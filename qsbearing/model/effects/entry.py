@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.validation import SceneError
+from qsbearing.model.validation import SceneError, Sentence, Setting
 
 QUANTITIES = ("contact_angle", "load", "pressure", "displacement", "stiffness")
 """What people read; how the error of each is counted is said in `qsbearing.model.solution.comparison`."""
@@ -74,7 +74,7 @@ class Entry:
     indicator: Callable[[OperatingPoint], NDArray]
     errors: Callable[[OperatingPoint], Errors]
     needs: str = ""
-    """Parameters without which it cannot be added; empty for what needs none."""
+    """Parameters without which it cannot be added, in words that follow "give"; empty for what needs none."""
     without_it: str = ""
     """What the model assumes without it, as a sentence's beginning that "would change ..." follows; empty where that
     goes without saying."""
@@ -133,6 +133,11 @@ def effect(slot: str, effect_type: Any, make: Callable[[], Any] | None = None) -
         return scene if len(rest) == len(there) else _with(scene, slot, rest)
 
     return Switch(finer, coarser, slot, effect_type)
+
+
+def given(effect_type: Any, what: str) -> Sentence:
+    """What a ring effect needs: the effect, with this of its own."""
+    return Sentence("{effect}{what}", effect=Setting("ring_effects", effect_type), what=what)
 
 
 def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:

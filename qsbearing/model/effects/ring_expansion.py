@@ -34,7 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
-from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, with_ring_effect
+from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.effects.ring_expansion_errors import Fit, expansion_errors, section_errors
@@ -367,7 +367,7 @@ ENTRY = Entry(
     effect("ring_effects", RingExpansion),
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
-    needs="[effects.ring_expansion] with bore, outside diameter, and fits or temperatures",
+    needs=given(RingExpansion, " with bore, outside diameter, and fits or temperatures"),
     assume=_usual,
     tells_without=True,
 )

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import kernel
-from qsbearing.model.effects.entry import QUANTITIES, Entry, Errors, effect, error_in
+from qsbearing.model.effects.entry import QUANTITIES, Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 from qsbearing.model.operation import Operation
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, raise_if_any, unit_mistake
@@ -177,5 +177,5 @@ ENTRY = Entry(
     effect("ring_effects", BallDiameterDeviations),
     indicator=error_in("pressure", _errors, 2.0),
     errors=_errors,
-    needs="ball_diameter_deviations_um, a number for each ball",
+    needs=given(BallDiameterDeviations, ", a number for each ball"),
 )

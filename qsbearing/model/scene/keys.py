@@ -109,7 +109,7 @@ OPERATION = (
     Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
 )
 
-SPECTRUM = (Key("share", "share"), *OPERATION)
+SPECTRUM = (Key("share", "share"), Key("hours", "hours", "h"), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
 PRELOAD = (

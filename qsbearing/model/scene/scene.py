@@ -108,11 +108,7 @@ class Scene(InNotebooks):
         if not wrong and self.elastic_rings is not None and self.ring_expansion is not None:
             wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing)
         errors += wrong
-        if self.thermal is not None and self.tolerance is not None:
-            cause = "Name the effects instead: with a heat balance they are not chosen automatically"
-            errors.append(ErrorDetail("tolerance", "is given together with a heat balance", cause=cause))
-        if self.tolerance is not None:
-            errors += within("tolerance", self.tolerance, RATIO, 1e-12, 1.0)
+        errors += tolerance_errors(self)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
@@ -196,6 +192,17 @@ class Scene(InNotebooks):
     def gyroscopic_moment(self) -> GyroscopicMoment | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+def tolerance_errors(of: Any) -> list[ErrorDetail]:
+    """Errors of the tolerance to which effects of a scene or set are chosen."""
+    if of.tolerance is None:
+        return []
+    errors = within("tolerance", of.tolerance, RATIO, 1e-12, 1.0)
+    if of.thermal is None:
+        return errors
+    cause = "Name the effects instead: with a heat balance they are not chosen automatically"
+    return [ErrorDetail("tolerance", "is given together with a heat balance", cause=cause), *errors]
 
 
 def _preload_errors(preload: object, operation: Operation) -> list[ErrorDetail]:

@@ -68,7 +68,7 @@ def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
 
 
 def _change(assumed: Assumed, solution: Any) -> Change:
-    full = solution if assumed.of is asked(solution) else solution._solve(assumed.of)
+    full = solution if assumed.of is asked(solution) else solution.solve_alike(assumed.of)
     return Change(assumed.under, assumed.what, by_quantity(solution, full), np.asarray(full.converged))
 
 

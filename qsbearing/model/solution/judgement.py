@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import Entry
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import Setting
 
 WORDS = {
     "contact_angle": "contact angles",
@@ -53,21 +54,21 @@ def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judge
         return Judgement(entry, entry.indicator(point), entry.errors(point))
 
 
-def lines_to_add(scene: Any, entries: list[Entry]) -> list[str]:
-    """What the file of a scene or set says under [effects] to ask for these besides."""
+def settings_to_add(scene: Any, entries: list[Entry]) -> tuple[Setting, ...]:
+    """What to write for a scene or set to ask for these besides."""
     finer = scene
     for entry in entries:
         finer = entry.finer(finer)
-    before, after = _effects_table(scene), _effects_table(finer)
-    return [f"{key} = {_toml(value)}" for key, value in after.items() if value != before[key]]
+    before, after = _effects_of(scene), _effects_of(finer)
+    return tuple(Setting(name, after[name]) for name in after if _names(after[name]) != _names(before[name]))
 
 
-def _effects_table(scene: Any) -> dict[str, Any]:
-    return {"ball": [effect.name for effect in scene.ball_effects]} | {name: getattr(scene, name) for name in CHOICES}
+def _effects_of(scene: Any) -> dict[str, Any]:
+    return {name: getattr(scene, name) for name in ("ball_effects", *CHOICES)}
 
 
-def _toml(value: Any) -> str:
-    return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
+def _names(value: Any) -> Any:
+    return [effect.name for effect in value] if isinstance(value, tuple) else value
 
 
 def estimated(error: float, unit: str = " %") -> str:

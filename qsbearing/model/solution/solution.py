@@ -89,14 +89,17 @@ class Solution(Plotted):
     ) -> None:
         self.scene: Scene = maker.scene
         self.shape = maker.shape
-        self._maker = maker
+        self.maker = maker
+        """Of the records that the kernel solved."""
         self.preloaded = preloaded
         """At rest and cold under the preload, as it is given; None without one that holds the rings."""
-        self._solve = solve
-        self._solved = SolvedCases(maker, cases, results, positions, controls, threads)
-        self._results = results
-        self._positions = positions
-        self._controls = controls
+        self.solve_alike = solve
+        """Another scene, with these threads and tolerance; None where nothing is solved besides."""
+        self.solved = SolvedCases(maker, cases, results, positions, controls, threads)
+        """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""
+        self.results = results
+        self.positions = positions
+        self.controls = controls
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.threads = threads
@@ -113,7 +116,7 @@ class Solution(Plotted):
             cases: a mask; shape (*cases).
             code: of the kernel, for their status.
         """
-        self._results["status"][np.reshape(cases, -1)] = code
+        self.results["status"][np.reshape(cases, -1)] = code
 
     @property
     def inner(self) -> RacewayContacts:
@@ -150,7 +153,7 @@ class Solution(Plotted):
     def __repr__(self) -> str:
         name = f"Solution of {self.scene.bearing.name or 'a bearing'}"
         if self.shape:
-            return f"{name}: {self._maker.count} cases {self.shape}, {self._counts()}"
+            return f"{name}: {self.maker.count} cases {self.shape}, {self.counts()}"
         lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
         if not self.converged:
             return f"{lines[0]}{', ' if self.reason else ''}{self.reason}"
@@ -164,11 +167,11 @@ class Solution(Plotted):
                 lines.append(f"  {side} raceway: largest load {contacts.load.max():.6g} N, contact angle {span} deg")
         return "\n".join(lines)
 
-    def _counts(self) -> str:
+    def counts(self) -> str:
         """How many cases ended how, and the first of each kind that is not solved."""
         shown = []
         for code, status in STATUS_OF_CODE.items():
-            cases = np.flatnonzero(self._results["status"] == code)
+            cases = np.flatnonzero(self.results["status"] == code)
             if cases.size:
                 where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
                 shown.append(f"{cases.size} {status}{where}")
@@ -187,32 +190,32 @@ class Solution(Plotted):
         """
         of_contacts = [(row, name) for row in (results.AT_INNER, results.AT_OUTER) for name in contacts]
         asked = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
-        self._solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
+        self.solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
 
     def _has(self, name: str) -> bool:
         """Whether the scene calls for an array of contacts or balls."""
         return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
-        return self._solved.read(row, CODES[name]) if self._has(name) else None
+        return self.solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
     def converged(self) -> Any:
         """Whether each case is solved; shape (*cases)."""
-        return self._shaped(self._results["status"] == CONVERGED)
+        return self._shaped(self.results["status"] == CONVERGED)
 
     @property
     def status(self) -> Any:
         """`Status` of a single case, or an array of their names; shape (*cases)."""
         if not self.shape:
-            return STATUS_OF_CODE[int(self._results["status"][0])]
+            return STATUS_OF_CODE[int(self.results["status"][0])]
         names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(names[self._results["status"]])
+        return self._shaped(names[self.results["status"]])
 
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = reasons(self._results)
+        names = reasons(self.results)
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
@@ -221,22 +224,22 @@ class Solution(Plotted):
 
         Asked only under per-ball control; True elsewhere.
         """
-        return self._shaped((self._results["notes"] & NO_CONSISTENT_CONTROL) == 0)
+        return self._shaped((self.results["notes"] & NO_CONSISTENT_CONTROL) == 0)
 
     @property
     def ring_is_unloaded(self) -> Any:
         """Whether no load acts on the ring and nothing holds it, so that its position is arbitrary; shape (*cases)."""
-        return self._shaped((self._results["notes"] & UNLOADED_RING) != 0)
+        return self._shaped((self.results["notes"] & UNLOADED_RING) != 0)
 
     @property
     def iterations(self) -> Any:
         """Newton iterations spent, fallbacks included; shape (*cases)."""
-        return self._shaped(self._results["iterations"])
+        return self._shaped(self.results["iterations"])
 
     @property
     def residual(self) -> Any:
         """Largest imbalance of any ball or of the ring over the largest applied or inertial force; shape (*cases)."""
-        return self._shaped(self._results["residual"])
+        return self._shaped(self.results["residual"])
 
     @property
     def speed_reached(self) -> Any:
@@ -244,7 +247,7 @@ class Solution(Plotted):
 
         1 but where an equilibrium continued in speed was found to end below it: then the part that shows it.
         """
-        return self._shaped(self._results["reached"])
+        return self._shaped(self.results["reached"])
 
     @cached_property
     def displacement(self) -> NDArray:
@@ -252,10 +255,10 @@ class Solution(Plotted):
 
         Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
         """
-        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["displacement"], np.nan)
-        for part, cases in self._solved.stretches():
+        out = np.where((self.results["status"] == CONVERGED)[:, None], self.results["displacement"], np.nan)
+        for part, cases in self.solved.stretches():
             out[part, :3] *= cases["length"][:, None]
-        out[:, 0] += self._maker.axial_datum_shift()
+        out[:, 0] += self.maker.axial_datum_shift()
         return self._shaped(out, 5)
 
     @property
@@ -274,8 +277,8 @@ class Solution(Plotted):
     @cached_property
     def load(self) -> NDArray:
         """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
-        out = np.where((self._results["status"] == CONVERGED)[:, None], self._results["load"], np.nan)
-        for part, cases in self._solved.stretches():
+        out = np.where((self.results["status"] == CONVERGED)[:, None], self.results["load"], np.nan)
+        for part, cases in self.solved.stretches():
             out[part] *= cases["force"][:, None]
             out[part, 3:] *= cases["length"][:, None]
         return self._shaped(out, 5)
@@ -283,7 +286,7 @@ class Solution(Plotted):
     @cached_property
     def azimuth(self) -> NDArray:
         """Of the balls, from +y towards +z; shape (*cases, ball) [rad]."""
-        balls = self._maker.ball_axis
+        balls = self.maker.ball_axis
         count = np.asarray(self.scene.bearing.ball_count, float)[..., None]
         first = np.asarray(self.scene.operation.first_ball_azimuth, float)[..., None]
         index = np.arange(balls)
@@ -294,7 +297,7 @@ class Solution(Plotted):
     def ball_diameter_deviation(self) -> NDArray | None:
         """Of each ball, as the scene gives it; shape (*cases, ball) [m]; None where it names no unequal balls."""
         given = self.scene.ball_diameter_deviations
-        return None if given is None else np.broadcast_to(given.array, (*self.shape, self._maker.ball_axis))
+        return None if given is None else np.broadcast_to(given.array, (*self.shape, self.maker.ball_axis))
 
     centrifugal_force = Array[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
     gyroscopic_moment = Array[NDArray | None](
@@ -310,7 +313,7 @@ class Solution(Plotted):
         moment = self.scene.gyroscopic_moment
         if moment is None or moment.friction_coefficient is None:
             return None
-        return np.asarray(self._solved.read(results.OF_BALL, results.SLIPS) == 1.0)
+        return np.asarray(self.solved.read(results.OF_BALL, results.SLIPS) == 1.0)
 
     orbital_speed = Array[NDArray | None](
         "omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."
@@ -335,7 +338,7 @@ class Solution(Plotted):
         if self.scene.raceway_control is None:
             return None
         names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
-        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._controls, self._maker.ball_axis))
+        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self.controls, self.maker.ball_axis))
         return names[index]
 
     @cached_property
@@ -354,28 +357,29 @@ class Solution(Plotted):
     @cached_property
     def preload_unmounted(self) -> Any:
         """The axial load at rest and cold, before fitting, the rings where the preload holds them; likewise."""
-        return self._preload_of(self._at_rest(False))
+        return self._preload_of(self.at_rest(False))
 
     @cached_property
     def preload_mounted(self) -> Any:
         """The same after fitting, at the reference temperature; likewise."""
-        return self._preload_of(self._at_rest(True))
+        return self._preload_of(self.at_rest(True))
 
     @cached_property
     def preload_in_operation(self) -> Any:
         """The axial load in operation without radial loads and moments, straight and centred; likewise."""
-        if self.preloaded is None or self._solve is None:
+        if self.preloaded is None or self.solve_alike is None:
             return self.preload_at_rest
-        return self._preload_of(self._solve(replace(self.scene, operation=self.scene.operation.unloaded, readings={})))
+        unloaded = replace(self.scene, operation=self.scene.operation.unloaded, readings={})
+        return self._preload_of(self.solve_alike(unloaded))
 
-    def _at_rest(self, fitted: bool) -> Solution | None:
+    def at_rest(self, fitted: bool) -> Solution | None:
         """The bearing before or after fitting, the rings where the preload holds them; None where none does."""
-        if self.preloaded is None or self._solve is None or self.scene.preload is None:
+        if self.preloaded is None or self.solve_alike is None or self.scene.preload is None:
             return None
         if fitted == self.scene.preload.is_given_mounted:
             return self.preloaded
         held = np.nan_to_num(self.preloaded.displacement[..., 0])[()]
-        return self._solve(self.scene.at_rest(fitted, axial_displacement=held))
+        return self.solve_alike(self.scene.at_rest(fitted, axial_displacement=held))
 
     def _preload_of(self, other: Solution | None) -> Any:
         if other is None:
@@ -428,8 +432,8 @@ class Solution(Plotted):
         """By how much elastic rings' grooves part at each ball; shape (*cases, ball) [m]; None between rigid rings."""
         if self.scene.elastic_rings is None:
             return None
-        out = self._positions[..., 3].copy()
-        for part, cases in self._solved.stretches():
+        out = self.positions[..., 3].copy()
+        for part, cases in self.solved.stretches():
             out[part] *= cases["length"][:, None]
         return np.where(np.isnan(self.inner.load), np.nan, out.reshape(*self.shape, -1))
 
@@ -437,10 +441,10 @@ class Solution(Plotted):
     def elastic_share(self) -> Any:
         """What part of the axial displacement is the rings' give, by a solve between rigid ones; (*cases)."""
         rings = self.scene.elastic_rings
-        if rings is None or self._solve is None:
+        if rings is None or self.solve_alike is None:
             return None
         rest = tuple(effect for effect in self.scene.ring_effects if effect is not rings)
-        rigid = self._solve(replace(self.scene, ring_effects=rest, readings={}))
+        rigid = self.solve_alike(replace(self.scene, ring_effects=rest, readings={}))
         return share_of_displacement(self, rigid)[()]
 
     def _ring_state(self, which: int) -> RingState | None:
@@ -459,7 +463,7 @@ class Solution(Plotted):
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        return self._shaped(ring_stiffness.tangents_of_all(self._solved), 5, 5)
+        return self._shaped(ring_stiffness.tangents_of_all(self.solved), 5, 5)
 
     @cached_property
     def compliance(self) -> NDArray:
@@ -468,7 +472,7 @@ class Solution(Plotted):
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        return self._shaped(ring_stiffness.compliance(self._solved), 5, 5)
+        return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
 
     @property
     def locked_stiffness(self) -> NDArray:
@@ -491,7 +495,7 @@ class Solution(Plotted):
     @property
     def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
-        return self._maker.free_channels
+        return self.maker.free_channels
 
     def to_dataframe(self, more: Mapping[str, NDArray] | None = None) -> pandas.DataFrame:
         """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).

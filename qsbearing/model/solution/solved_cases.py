@@ -34,9 +34,9 @@ class SolvedCases:
         self.maker = maker
         self._cases = cases
         self._own: NDArray | None = None
-        self._results = results
-        self._positions = positions
-        self._controls = controls
+        self.results = results
+        self.positions = positions
+        self.controls = controls
         self._threads = threads
         self._known: dict[tuple[int, int], NDArray] = {}
 
@@ -56,7 +56,7 @@ class SolvedCases:
         """What the kernel reads of a stretch of cases."""
         memory = working_memory(self.maker.ball_axis)
         own = self.maker.own_balls(cases, part.start) if self._own is None else self._own[part]
-        return cases, *memory, self._results[part], self._positions[part], self._controls[part], own
+        return cases, *memory, self.results[part], self.positions[part], self.controls[part], own
 
     def read(self, row: int, what: int) -> NDArray:
         """One quantity of all balls (*cases, ball), by the kernel's row and number."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import can_compile
 from qsbearing.model.compiler.threads import in_threads, thread_count
+from qsbearing.model.effects.ball_expansion import unfound_errors
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.scene.scene import Scene
@@ -19,6 +20,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
 from qsbearing.model.solution.solved_cases import KEPT
+from qsbearing.model.validation import raise_if_any
 
 TOLERANCE = 1e-12
 LEAST_BATCH = 1000
@@ -42,12 +44,14 @@ def solve(
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
 
     Raises:
+        SceneError: a temperature that a heat balance should have found.
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range.
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
     if scene.tolerance is not None:
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
+    raise_if_any(unfound_errors(scene.ring_effects))
     scene = with_touching(scene, {}) if scene.ring_effects else scene
     if scene.elastic_rings is not None and scene.ring_expansion is not None:
         return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
@@ -101,14 +105,14 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
         return results, positions, controls
     if not isinstance(start, Solution):
         raise TypeError(f"start = {start!r}: must be a Solution")
-    if start._maker.ball_axis != balls or start._maker.count not in (1, count):
+    if start.maker.ball_axis != balls or start.maker.count not in (1, count):
         raise ValueError(
-            f"start has case axes {start.shape} and {start._maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"start has case axes {start.shape} and {start.maker.ball_axis} balls; the scene has {maker.shape} and "
             f"{balls}: a start must match, or be a single case with as many balls"
         )
-    results[:], controls[:] = start._results, start._controls
-    both = min(positions.shape[-1], start._positions.shape[-1])
-    positions[..., both:], positions[..., :both] = 0.0, start._positions[..., :both]
+    results[:], controls[:] = start.results, start.controls
+    both = min(positions.shape[-1], start.positions.shape[-1])
+    positions[..., both:], positions[..., :both] = 0.0, start.positions[..., :both]
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
     failed = results["status"] != CONVERGED
     results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0

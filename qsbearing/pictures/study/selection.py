@@ -129,9 +129,12 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
     known = [str(name) for name in results.data_vars if name not in ("status", "reason")]
     names = list(y) or _default(results, kind)
     if not set(names) <= set(known):
-        from qsbearing.readings.asked import by_short_name  # a name in full does not need it
+        from qsbearing.readings.asked import named  # a name in full does not need it
 
-        names = [name if name in known else by_short_name(name, known) or name for name in names]
+        spelled = {str(results[name].attrs.get("column", name)): name for name in known} | {
+            name: name for name in known
+        }
+        names = [spelled.get(named(name, spelled) or "", name) for name in names]
     for name in names:
         if name not in known:
             meant = near(name, known, 0.4)

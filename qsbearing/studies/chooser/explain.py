@@ -8,15 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.files.file_keys import IN_FILE, line
 from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import Change, changes
 from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.model.solution.judgement import ANOTHER_RESULT, judge, lines_to_add
+from qsbearing.model.solution.judgement import ANOTHER_RESULT, judge, settings_to_add
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
+from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
@@ -72,7 +74,7 @@ def two_digits(value: float | None, size: float = 1.0) -> str:
     return "0" if value < NOTHING else f"{value * size:.2g}" if value * size < 100.0 else f"{value * size:.0f}"
 
 
-def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
+def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Solution, list[Row]]:
     """The scene's solution, and a row for every effect and choice, named by the scene or not.
 
     Each is solved with and without; with usual parameters where it takes some that the scene does not give.
@@ -80,6 +82,7 @@ def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
     Args:
         scene: a single case, with its effects as it names them.
         tolerance: the relative error below which an effect is not needed.
+        words: of whoever reads it.
 
     Raises:
         ValueError: the scene has array fields.
@@ -87,10 +90,10 @@ def explain(scene: Scene, tolerance: float) -> tuple[Solution, list[Row]]:
     solution = choose.solve(scene)
     if solution.shape:
         raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")
-    return solution, [_row(entry, solution, tolerance) for entry in EFFECTS]
+    return solution, [_row(entry, solution, tolerance, words) for entry in EFFECTS]
 
 
-def _row(entry: Entry, solution: Solution, tolerance: float) -> Row:
+def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Row:
     scene = solution.scene
     is_in = entry.is_in(scene)
     finer, coarser = entry.finer(scene), entry.coarser(scene)
@@ -104,9 +107,14 @@ def _row(entry: Entry, solution: Solution, tolerance: float) -> Row:
         error = largest_of(assumed)
     (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
     predicted = as_floats(None if judged is None else judged.errors)
-    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance, assumed)
-    lines, under = lines_to_add(scene, [entry]), under_assumptions(assumed)
+    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance, assumed, words)
+    lines, under = lines_to_add(scene, entry), under_assumptions(assumed)
     return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines, under)
+
+
+def lines_to_add(of: Any, entry: Entry) -> list[str]:
+    """What the file of a scene or set says under [effects] to ask for it besides."""
+    return [line(each) for each in settings_to_add(of, [entry])]
 
 
 def largest_of(found: list[Change]) -> float | None:
@@ -136,6 +144,7 @@ def verdict(
     error: float | None,
     tolerance: float,
     assumed: list[Change],
+    words: Words = IN_FILE,
 ) -> tuple[str, str]:
     """Whether it is needed, and why not so where that cannot be judged.
 
@@ -147,11 +156,11 @@ def verdict(
     if not is_solved:
         return NOT_ASSESSED, f"the {of} has no solution to judge by"
     if entry.needs and not is_in:
-        whats = " and ".join(dict.fromkeys(each.what for each in assumed))
+        whats, needs = " and ".join(dict.fromkeys(each.what for each in assumed)), words.of(entry.needs)
         if error is None:
             unsolved = f"; solved with {whats}, the {of} has no solution" if assumed else ""
-            return NOT_ASSESSED, f"needs {entry.needs}{unsolved}"
-        why = f"needs {entry.needs}; the numbers are those of {whats}"
+            return NOT_ASSESSED, f"needs {needs}{unsolved}"
+        why = f"needs {needs}; the numbers are those of {whats}"
         return (DATA_MISSING if error > tolerance else NOT_ASSESSED), why
     if error is None:
         return NOT_ASSESSED, "does not apply here"

@@ -9,8 +9,7 @@ import numpy as np
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.solution.changes import Change, changes
 from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.model.solution.judgement import lines_to_add
-from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, under_assumptions, verdict
+from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, lines_to_add, under_assumptions, verdict
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
@@ -64,7 +63,7 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
         error = largest_of(assumed)
     judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance, assumed)
     found, under = as_floats(actual), under_assumptions(assumed)
-    lines = lines_to_add(of, [entry])
+    lines = lines_to_add(of, entry)
     return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under)
 
 

@@ -16,7 +16,7 @@ not apply or has no number.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -34,6 +34,9 @@ from qsbearing.model.version import __version__
 from qsbearing.studies.chooser.choose import without
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.measuring import machine
+from qsbearing.studies.cost.speeds import Asked
+from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.solve import solve_set
 
 
 @dataclass(frozen=True)
@@ -45,8 +48,8 @@ class Level:
     text: str
     count: int
 
-    def of(self, scene: Scene) -> Scene:
-        """The scene's bearing and operation at this level, whatever effects and choices the scene names."""
+    def of(self, scene: Any) -> Any:
+        """The scene's or set's bearings and operation at this level, whatever effects and choices it names."""
         scene = without(scene, reversed(EFFECTS))
         for entry in EFFECTS[: self.count]:
             scene = scene if entry.hypothesis else entry.finer(scene)
@@ -82,19 +85,22 @@ QUICK = Settings(rounds=3, processes=1, batch=20, sizes=(1, 10, 100, 1_000, 10_0
 """For a look: a few seconds, with a spread that means little."""
 
 
+MOST_OF_SETS = 1_000
+"""Cases of a set in one call: each is several bearings."""
+
+
 @dataclass(frozen=True)
 class Call:
     """One call of the solver that is measured."""
 
     part: str
     name: str
-    scene: Scene
+    scene: Asked
     cases: int = 1
 
-    def prepared(self) -> Callable[[], Solution]:
+    def prepared(self) -> Callable[[], Solution | SetSolution]:
         """All but the call itself done."""
-        scene = speeds.batch(self.scene, self.cases)
-        return partial(solve, scene, threads=1)
+        return partial(_solve, speeds.batch(self.scene, self.cases), threads=1)
 
     def memory(self) -> float:
         """Peak memory of this process once it has made the call, results kept [MB]."""
@@ -104,7 +110,11 @@ class Call:
         return float(f"{peak:.4g}")
 
 
-def series(scene: Scene, settings: Settings) -> list[list[Call]]:
+def _solve(of: Any, threads: int | None = None) -> Solution | SetSolution:
+    return solve(of, threads=threads) if isinstance(of, Scene) else solve_set(of, threads=threads)
+
+
+def series(scene: Asked, settings: Settings) -> list[list[Call]]:
     """All that is measured; the last of each series is what the others are compared with."""
     counts = (1, settings.batch)
     found = [[Call("levels", level.name, level.of(scene), cases) for level in LEVELS] for cases in counts]
@@ -116,13 +126,15 @@ def steps(settings: Settings) -> int:
     return 1 + settings.processes + len(settings.sizes)
 
 
-def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
+def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
     """Everything measured, in the form above.
 
     Args:
         scene: bearing and operation; its effects and choices matter for all but the levels, which have their own.
         progress: told what is being measured, before each of `steps`.
     """
+    if not isinstance(scene, Scene):
+        settings = replace(settings, sizes=tuple(size for size in settings.sizes if size <= MOST_OF_SETS))
     always_compiled()
     where = machine()
     progress("errors along the speed")
@@ -152,28 +164,28 @@ def measure(scene: Scene, settings: Settings, progress: Callable[[str], None] = 
         "machine": where,
         "settings": asdict(settings),
         "definition": comparison.__doc__,
-        "bearing": scene.bearing.name,
+        "bearing": scene.bearing.name if isinstance(scene, Scene) else scene.name,
         "scene": _text(scene),
         "measured": rows,
         "errors": along,
     }
 
 
-def times(scene: Scene, settings: Settings) -> measuring.Times:
+def times(scene: Asked, settings: Settings) -> measuring.Times:
     """Seconds a case of every call, by the positions of its series and in it; all taken in turn."""
     listed = {(k, j): call for k, calls in enumerate(series(scene, settings)) for j, call in enumerate(calls)}
     found = measuring.interleaved({key: call.prepared() for key, call in listed.items()}, settings.rounds)
     return {key: [value / listed[key].cases for value in values] for key, values in found.items()}
 
 
-def errors(scene: Scene, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
+def errors(scene: Asked, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
     """Error of each quantity that people read at every level against the last, along the speeds."""
     names, swept = speeds.along_speeds(scene)
     parameter = speeds.dm_n(swept)
-    full = solve(levels[-1].of(swept))
+    full = _solve(levels[-1].of(swept))
     rows = []
     for level in levels:
-        found = comparison.by_quantity(solve(level.of(swept)), full)
+        found = comparison.by_quantity(_solve(level.of(swept)), full)
         rows += [
             {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
             | {quantity: _short(values[k]) for quantity, values in found.items()}
@@ -186,8 +198,8 @@ def _short(value: NDArray) -> float | None:
     return float(f"{value:.4g}") if np.isfinite(value) else None
 
 
-def _text(scene: Scene) -> str:
-    """The scene's loads in a line."""
+def _text(scene: Asked) -> str:
+    """The scene's or set's loads in a line."""
     said = []
     for channel in CHANNELS:
         load_unit, unit, size = ("Nm", "mrad", 1e3) if channel.is_rotation else ("N", "um", 1e6)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.units import mm, rpm
+from qsbearing.systems.sets.bearing_set import BearingSet
 
 NAMED = {"rest": 0.0, "general machinery": 1e5, "spindle": 1e6, "aero engine": 2.5e6}
 """dm n [mm rpm]: customary ranges of use."""
@@ -23,27 +24,36 @@ VARIED = 0.1
 """Batches vary loads, displacements and speeds by this part to either side."""
 
 
-def dm_n(scene: Scene) -> NDArray:
+Asked = Scene | BearingSet
+
+
+def pitch_diameter(of: Asked) -> NDArray:
+    """Of a set the largest of its rows [mm]."""
+    bearings = [of.bearing] if isinstance(of, Scene) else [row.bearing for row in of.rows]
+    return np.asarray(np.max([np.asarray(each.pitch_diameter, float) for each in bearings], axis=0) / mm)
+
+
+def dm_n(scene: Asked) -> NDArray:
     """Speed parameter of one ring against the other [mm rpm]."""
     operation = scene.operation
     outer = 0.0 if operation.outer_speed is None else operation.outer_speed
     speed = np.asarray(operation.speed, float) - np.asarray(outer, float)
-    return np.asarray(scene.bearing.pitch_diameter, float) / mm * np.abs(speed) / rpm
+    return pitch_diameter(scene) * np.abs(speed) / rpm
 
 
-def along_speeds(scene: Scene) -> tuple[list[str | None], Scene]:
+def along_speeds(scene: Asked) -> tuple[list[str | None], Asked]:
     """(names, the scene along one case axis): its inner ring alone turning at the speeds of `NAMED` and `BETWEEN`, in
     order, and last the scene as it is; None for speeds without a name."""
     names: dict[float, str] = {value: name for name, value in NAMED.items()}
     values = sorted({*NAMED.values(), *map(float, BETWEEN)})
-    inner = np.array(values) * mm / float(np.asarray(scene.bearing.pitch_diameter)) * rpm
+    inner = np.array(values) / float(pitch_diameter(scene)) * rpm
     own = scene.operation
     outer = None if own.outer_speed is None else np.append(0.0 * inner, own.outer_speed)
     operation = replace(own, speed=np.append(inner, own.speed), outer_speed=outer)
     return [*map(names.get, values), OWN], replace(scene, operation=operation)
 
 
-def batch(scene: Scene, count: int) -> Scene:
+def batch(scene: Asked, count: int) -> Asked:
     """So many cases around a scene, or for one the scene itself: all that is not zero varied by `VARIED` to either
     side, each in its own rhythm: multiples of the golden ratio's fraction fill the interval, no value twice."""
     varied: dict[str, Any] = {}

@@ -23,12 +23,12 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.choose import solve as choose
+from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import Result, known_results, read
 from qsbearing.studies.results import find as find_result
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.solve import solve_set
 
 MOST = 20
 """Bearings: of more no table is read."""

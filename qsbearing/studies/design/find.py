@@ -22,7 +22,7 @@ from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
 from qsbearing.studies.design.wanted import Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.results import OVER_BALLS, Result, suggestion
+from qsbearing.studies.results import Result, why_unknown
 from qsbearing.studies.results import find as find_result
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
@@ -187,8 +187,7 @@ def _axes(asked: Wanted, count: int) -> tuple[Axis, ...]:
 def _study(source: Read, asked: Wanted) -> Study:
     """A study over some values of each variable, which asks for the readings that are named."""
     vary = {axis.key: list(axis.values) for axis in _axes(asked, SOME)}
-    cut = [each for name in asked.names for each in _spellings(name)]
-    study = Study.of(source, vary, quantities=cut)
+    study = Study.of(source, vary, quantities=asked.names)
     if any(each.key not in vary for each in study.variables):
         error = FileErrorDetail("[vary]", "varies further keys", cause="A search takes its variables from vary alone")
         raise SceneFileError(study.file, [error])
@@ -217,13 +216,6 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
     return [FileErrorDetail(name, "has no value at any point of the ranges", cause=cause) for name in names]
 
 
-def _spellings(name: str) -> list[str]:
-    """What a result may be called: dots for underscores, without its unit, without the word ring, shaft."""
-    parts = name.replace(".", "_").split("_")
-    cut = ["_".join(parts[: len(parts) - count]) for count in range(min(5, len(parts)))]
-    return [spelling for each in cut for spelling in (each, f"ring_{each}", f"shaft_{each}")]
-
-
 def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Result, ...]]:
     """The conditions by the results' full names, those of all balls with _max or _min; a plan that keeps these alone.
 
@@ -234,10 +226,11 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     errors: list[FileErrorDetail] = []
     full: list[Result] = []
     for name in asked.names:
-        result, problem = _result(name, known)
+        result = find_result(name, known)
         if result is None:
             full.append(Result(name, "", False, ""))
-            errors.append(FileErrorDetail(name, "is not a result of this scene", cause=problem))
+            problem, cause = why_unknown(name, known)
+            errors.append(FileErrorDetail(name, problem, cause=cause))
         else:
             full.append(result)
     if errors:
@@ -253,22 +246,6 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     objective = kept[-1].name if asked.objective else ""
     named = replace(asked, conditions=conditions, objective=objective)
     return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
-
-
-def _result(name: str, known: dict[str, Result]) -> tuple[Result | None, str]:
-    """The result of a name as a user writes it; without one, what is likely meant."""
-    plain = name.replace(".", "_")
-    for each in _spellings(name):
-        result = find_result(each, known)
-        if result is None:
-            continue
-        stem = each.removeprefix("ring_").removeprefix("shaft_")
-        given, unit = plain[len(stem) :].lstrip("_"), result.column.removeprefix(result.name).lstrip("_")
-        if plain.endswith(each) or given in ("", unit):
-            return result, ""
-        if not any(given.endswith(ending) for ending in OVER_BALLS):
-            return None, f"It is in {result.unit}: write {stem}{'_' if unit else ''}{unit}"
-    return None, suggestion(plain, known, has_units=True)
 
 
 def _evaluated(plan: Plan, kept: tuple[Result, ...], names: tuple[str, ...], values: NDArray) -> NDArray:

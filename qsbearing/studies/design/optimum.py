@@ -153,7 +153,7 @@ class _Search:
             near = best[0] + self.smooth * width * random.uniform(-1.0, 1.0, (CLOUD, len(self.variables)))
             near = np.clip(near, 0.0, 1.0)
             results = self.at(near)
-            first = int(self._order(results)[0])
+            first = int(self.order(results)[0])
             better = self._best([best, (near[first], results[first])])
             if better is best or not self._gains(best[1], better[1]):
                 width /= 3.0
@@ -181,7 +181,7 @@ class _Search:
         """The largest violation of each point, at least 0."""
         return violations(self.wanted, results, self.scale).max(axis=1, initial=0.0)
 
-    def _order(self, results: NDArray) -> NDArray:
+    def order(self, results: NDArray) -> NDArray:
         """Numbers of the points, the best first; those without results last."""
         known = np.isfinite(results).all(axis=1)
         worst = np.where(known, self.worst(results), np.inf)
@@ -189,7 +189,7 @@ class _Search:
         return np.lexsort((costs, np.where(worst <= MET, 0.0, worst)))
 
     def _best(self, found: list[tuple[NDArray, NDArray]]) -> tuple[NDArray, NDArray]:
-        return found[int(self._order(np.array([results for _, results in found]))[0])]
+        return found[int(self.order(np.array([results for _, results in found]))[0])]
 
     def _starts(self, u: NDArray, worst: NDArray, costs: NDArray) -> list[NDArray]:
         """Points of the sample to go on from: good by several weights of violation against cost, apart from each other;
@@ -346,6 +346,6 @@ class _Differences:
     def _take(self, x: NDArray) -> None:
         """Stand at this point, if it is better than where the steps began."""
         before, after = self.centre, self.local(np.clip(x, 0.0, 1.0))[0]
-        if self.of._order(np.array([before, after]))[0] == 1:
+        if self.of.order(np.array([before, after]))[0] == 1:
             self.u = self.u.copy()
             self.u[self.free] = np.clip(x, 0.0, 1.0)

@@ -15,7 +15,6 @@ from qsbearing.files.csv_table import csv_bytes, xlsx_bytes
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
 from qsbearing.files.table import Columns
 from qsbearing.model.compiler.threads import thread_count
-from qsbearing.model.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
 from qsbearing.studies.points import CHUNK, Points
@@ -164,8 +163,7 @@ def _plan(study: Study, values: dict[str, NDArray], count: int) -> Plan:
     axes = tuple(Axis(key, (float(column[first]),)) for key, column in values.items())
     alone = study.replaced(variables=axes)
     scene = base_scene(alone)
-    is_auto = isinstance(scene, Scene) and scene.tolerance is not None
-    plan = plan_of(study, scene, Points(study if is_auto else alone))
+    plan = plan_of(study, scene, Points(alone if scene is None or scene.tolerance is None else study))
     counts = values.get("ball_count")
     ball_axis = plan.ball_axis if counts is None else int(np.max(counts[possible]))
     return plan._replace(results=tuple(_kept(plan.results)), ball_axis=ball_axis)

@@ -13,9 +13,9 @@ from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose import solve
+from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
-from qsbearing.systems.sets.solve import solve_set
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

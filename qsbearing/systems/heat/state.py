@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
@@ -210,3 +210,34 @@ class ThermalState:
         loads = " and ".join(dict.fromkeys(map(_digits, state.preloads)))
         hottest = state.temperatures.max() - zero_celsius
         return f"{state.factor * float(self.speed) / rpm:.5g} rpm ({hottest:.1f} °C, axial load {loads} N)"
+
+
+# In records, as JSON has them
+
+
+def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
+    """The states of the record of steady states over speed with the fold among them, and the fold's place."""
+    states, fold = list(found["states"]), found["fold"]
+    if fold is None:
+        return states, None
+    fastest = max(range(len(states)), key=lambda number: float(states[number]["speed_rpm"]))
+    place = fastest + (fold["power_W"] > states[fastest]["power_W"])  # the power grows along the curve
+    return [*states[:place], fold, *states[place:]], place
+
+
+def instant(found: dict[str, Any], number: int) -> dict[str, Any]:
+    """One instant of the record of heating up, as a state over speed is recorded."""
+    return {
+        "temperatures_C": {name: values[number] for name, values in found["temperatures_C"].items()},
+        "power_W": found["power_W"][number],
+        "axial_load_N": [loads[number] for loads in found["axial_load_N"]],
+    }
+
+
+def hottest(temperatures: Mapping[Part, float]) -> dict[str, float]:
+    """By kind of node: of all rows' inner rings, for instance, the hottest."""
+    found: dict[str, float] = {}
+    for name, value in temperatures.items():
+        kind = name.kind.replace("_", " ")
+        found[kind] = max(value, found.get(kind, value))
+    return found

@@ -22,7 +22,7 @@ from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import Scene, tolerance_errors
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 
 SAME_PLACE = 0.01
 """Of the ball diameter: rows that are nearer have the same balls (chosen: more than any clearance parts them)."""
-IDEAL_DISTANCE = 1e-6
-"""Metres: below it, but not zero, a set stands for one whose rows have no distance, each with balls of its own."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +88,8 @@ class BearingSet(InNotebooks):
     """Its temperature, which parts outer rings; None: that of ring expansion."""
     spacers: tuple[Spacer, ...] = ()
     floating: tuple[FloatingGroup, ...] = ()
+    tolerance: float | None = None
+    """As `Scene.tolerance`: `qs.solve_set` chooses the effects."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
@@ -97,7 +97,7 @@ class BearingSet(InNotebooks):
         numbers = _number_errors(self)
         # Whether a preload has rows to press against is known only once groups name rows that there are.
         preload = [] if numbers else _preload_errors(self)
-        raise_if_any([*row_errors(self.rows), *numbers, *_place_errors(self), *preload])
+        raise_if_any([*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)])
         rows = (
             row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
             for row in self.rows
@@ -299,7 +299,7 @@ def _share_place(row: Row, other: Row) -> bool:
     if np.ndim(row.position) or np.ndim(other.position) or not isinstance(row.bearing, BallBearing):
         return False
     apart = abs(float(row.position) - float(other.position))  # type: ignore[arg-type]
-    return apart == 0.0 or IDEAL_DISTANCE < apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
+    return apart < SAME_PLACE * float(np.min(row.bearing.ball_diameter))
 
 
 def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[ErrorDetail]:

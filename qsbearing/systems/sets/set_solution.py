@@ -18,7 +18,7 @@ from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.solution.ring_stiffness import inverse
-from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solution import Choice, Solution
 from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.remarks.remark import Warned, row_name
@@ -67,11 +67,13 @@ class SetSolution(Plotted):
         self.sides = sides
         """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
         self._unloaded = unloaded
-        self._solve = solve
+        self.solve_alike = solve
         self.seconds = seconds
         """Wall time of the solve [s]."""
         self.thermal: ThermalState | None = None
         """As `Solution.thermal`."""
+        self.choice: Choice | None = None
+        """As `Solution.choice`."""
 
     def __getstate__(self) -> dict[str, Any]:
         """Plain data: rows as they are known, and not what the solver works with."""

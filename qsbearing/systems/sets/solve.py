@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects import as_fitted, as_made
+from qsbearing.model.effects.ball_expansion import unfound_errors
 from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
 from qsbearing.systems.sets.problem import Problem
@@ -49,6 +51,8 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     """
     if not 0.0 < tolerance <= 0.1:
         raise ValueError(f"tolerance = {tolerance}: must lie between 0 and 0.1")
+    if of.tolerance is not None:
+        raise ValueError("the set leaves its effects to be chosen: solve it by `qsbearing.solve_set`")
     if of.thermal is None:
         return solve_at_given_temperatures(of, threads, tolerance)
     from qsbearing.systems.heat.solve import at_steady_temperatures
@@ -64,6 +68,7 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
 
 def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: float) -> SetSolution:
     """Every case of a set, at the temperatures that its rows state."""
+    raise_if_any([each for row in of.rows for each in unfound_errors(of.effects_of(row))][:1])
     began = time.perf_counter()
     workers = thread_count(threads)
     sides = _sides(of, threads, tolerance)

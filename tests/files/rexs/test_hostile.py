@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from qsbearing.files.file_errors import SceneFileError
-from qsbearing.files.rexs import source
+from qsbearing.files.limits import LARGEST_MODEL
 from qsbearing.files.rexs.importing import import_model
 from tests.files.rexs.models import as_json, b218, json_text, xml, zipped
 
@@ -36,9 +36,9 @@ def json_with(name: str, value: Any) -> bytes:
 
 def lying_zip() -> bytes:
     """A ZIP that states a small size for a part that unpacks to much more."""
-    data = bytearray(zipped(b" " * (source.LARGEST_MODEL + 10)))
+    data = bytearray(zipped(b" " * (LARGEST_MODEL + 10)))
     small = (100).to_bytes(4, "little")
-    size = (source.LARGEST_MODEL + 10).to_bytes(4, "little")
+    size = (LARGEST_MODEL + 10).to_bytes(4, "little")
     assert data.count(size) == 2
     return bytes(data).replace(size, small)
 
@@ -56,7 +56,7 @@ CASES = {
     "not UTF-8": (PLAIN.replace(b"spindle", b"sp\xfcndel"), ["is not UTF-8"]),
     "deep XML": (b"<model>" + b"<a>" * 100_000, ["nested deeper"]),
     "deep JSON": (b'{"model": ' + b"[" * 100_000, ["nested deeper"]),
-    "a bomb by its stated size": (zipped(b" " * (source.LARGEST_MODEL + 1)), ["unpacks to more than 20 MB"]),
+    "a bomb by its stated size": (zipped(b" " * (LARGEST_MODEL + 1)), ["unpacks to more than 20 MB"]),
     "a bomb that states a small size": (lying_zip(), ["cannot be unpacked|unpacks to more than 20 MB"]),
     "no model in the ZIP": (zipped(PLAIN, "model.txt"), ["is a ZIP with 0 models in 2 files"]),
     "no version": (changed('version="1.4"', 'version="four"'), [r"model: version = 'four': is no version"]),

@@ -238,7 +238,7 @@ def test_what_needs_numbers_of_the_scene_is_warned_of_with_what_a_solve_finds() 
     """With the bearing's real diameters, within a factor of 1.5 of that with usual ones."""
     without = solved(FAST_SPINDLE)
     (said,) = [line for line in qs.warnings(without) if "the expansion of the rings" in line]
-    assert "give [effects.ring_expansion] with bore, outside diameter" in said
+    assert "give RingExpansion(...) with bore, outside diameter" in said
     row = next(row for row in explain(FAST_SPINDLE, 0.01)[1] if row.effect == "ring_expansion")
     assert (row.in_scene, row.verdict, row.predicted, row.actual) == (False, "likely needed, data missing", None, None)
     (assumed,) = row.assumed

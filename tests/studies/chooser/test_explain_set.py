@@ -13,6 +13,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.effects import EFFECTS
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import explain_set
@@ -112,7 +113,8 @@ def test_json_and_table_of_a_file(tmp_path: Path) -> None:
     assert result.exit_code == 0
     assert [row["effect"] for row in found["effects"]] == [entry.name for entry in EFFECTS]
     assert (found["status"], found["arrangement"], found["tolerance"]) == ("converged", "DB (back to back)", 0.01)
-    assert found["warnings"] == qs.warnings(qs.solve_set(qs.load_set(tmp_path / "pair.toml")))
+    said = qs.warnings(qs.solve_set(qs.load_set(tmp_path / "pair.toml")))
+    assert found["warnings"] == [each.remark.written(IN_FILE) for each in said]
     text = call(tmp_path, PAIR_FILE).stdout
     assert max(map(len, text.splitlines())) <= 120
     for words in (

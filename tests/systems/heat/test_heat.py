@@ -20,8 +20,8 @@ from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.results.json_record import record
 from qsbearing.results.set_record import set_record
-from qsbearing.results.thermal_report import along_curve, speeds_record, thermal_tables
-from qsbearing.systems.heat.state import Part, ThermalState
+from qsbearing.results.thermal_report import speeds_record, thermal_tables
+from qsbearing.systems.heat.state import Part, ThermalState, along_curve
 from tests.systems.heat.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
 
 KELVIN = 1e-8 * (AMBIENT + qs.zero_celsius)
@@ -78,6 +78,19 @@ def test_temperatures_meet_another_root_finder_on_equations_written_by_hand() ->
     rings = solution.scene.ring_expansion
     assert rings is not None and rings.inner_ring_temperature == nodes(solution)[0]
     assert solution.load[0] > 1.5 * float(solution.preload_at_rest)
+
+
+def test_what_is_to_be_found_is_none_until_then() -> None:
+    grade, thermal = {"iso_viscosity_grade": 32}, tables()["thermal"] | {"viscosity_at": "outer_ring"}
+    of = scene(thermal=thermal, readings=tables()["readings"] | {"lubricant": grade})
+    balls = next(each for each in of.ring_effects if isinstance(each, qs.BallExpansion))
+    assert balls.ball_temperature is None and balls.reshape(of.bearing, of.operation) is of.bearing
+    assert "oil_temperature" not in of.readings["lubricant"]
+    with pytest.raises(qs.SceneError, match="ball_temperature: missing"):
+        qs.solve(replace(of, thermal=None))
+    row = qs.Row(of.bearing, ring_effects=(balls,))
+    with pytest.raises(qs.SceneError, match="ball_temperature: missing"):
+        qs.solve_set(qs.BearingSet((row,), qs.Operation(axial_load=1e3)))
 
 
 def test_all_cases_of_an_array_are_those_alone() -> None:
@@ -200,7 +213,9 @@ def test_uniform_temperature_is_a_similarity() -> None:
     thermal = tables()["thermal"] | {"fixed": {"ambient_C": warm}}
     no_friction = {"friction": {"friction_coefficient": 0.0}}
     of = scene(thermal=thermal, readings=no_friction, operation={"speed_rpm": 0.0}, preload={"rigid_N": 400})
-    hot, cool = qs.solve(of), qs.solve(replace(of, thermal=None))
+    rings, balls = of.ring_effects
+    balls = replace(balls, ball_temperature=20.0 + qs.zero_celsius)  # type: ignore[call-arg]
+    hot, cool = qs.solve(of), qs.solve(replace(of, thermal=None, ring_effects=(rings, balls)))
     assert np.allclose(nodes(hot), warm + qs.zero_celsius, rtol=1e-12)
     strain = float(qs.STEEL.thermal_expansion) * (warm - 20.0)  # type: ignore[arg-type]
     assert np.allclose(hot.inner.angle, cool.inner.angle, rtol=1e-9)

@@ -232,18 +232,20 @@ def test_life_of_a_set() -> None:
 @pytest.mark.parametrize("speed", [0.0, 12_000 * qs.rpm])
 @pytest.mark.parametrize("inner, outer", [(20.0, 20.0), (60.0, 20.0), (20.0, 45.0)])
 def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner: float, outer: float) -> None:
-    """By symmetry the shaft of a pair stays: each row, with no shaft between them, is the single bearing held where its
-    preload took it, hot or cold, still or turning; and rings that grow apart take the preload away, from both."""
+    """By symmetry the shaft of a pair stays: each row, loose on a shaft and in a housing that do not grow, is the
+    single bearing held where its preload took it, hot or cold, still or turning; and rings that grow apart take the
+    preload away, from both."""
     temperatures = {"inner_ring_temperature": inner, "outer_ring_temperature": outer}
+    temperatures |= {"shaft_temperature": 20.0, "housing_temperature": 20.0}
     hot = {name: value + qs.zero_celsius for name, value in temperatures.items()}
-    growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **hot)  # type: ignore[arg-type]
+    loose = {"shaft_interference": -0.1 * qs.mm, "housing_interference": -0.1 * qs.mm, "housing_outside_diameter": 0.15}
+    growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **loose, **hot)  # type: ignore[arg-type]
     effects = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
     preload = qs.Preload(rigid=720.0)
     steel = replace(S6210C.ring_material, thermal_expansion=12e-6)
     bearing = replace(S6210C, ring_material=steel)
     alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), ring_effects=(growth,), preload=preload, **effects))
-    close = rows("DB", bearing, distance=1e-12)
-    found = solved(qs.BearingSet(close, qs.Operation(speed), preload, ring_effects=(growth,), **effects))
+    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, ring_effects=(growth,), **effects))
     np.testing.assert_allclose(found.axial_loads, alone.load[0], rtol=1e-8, atol=1e-9)
     np.testing.assert_allclose(found.rows[0].displacement, alone.displacement, rtol=1e-9, atol=1e-15)
     assert found.preload_at_rest == pytest.approx(720.0, rel=1e-9)
@@ -346,7 +348,8 @@ def test_uniform_heat_is_a_similarity(arrangement: str, kind: str, value: float)
 
 def test_a_warmer_shaft_parts_inner_rings_as_spacers_would() -> None:
     """Back to back it takes from the preload what its growth between the rows is, face to face it adds as much; in
-    tandem it shifts load from row to row. A set of rows at one place with offsets of that size carries the same."""
+    tandem it shifts load from row to row. A set of rows close to each other with offsets of that size carries the
+    same."""
     shaft, housing = 12e-6 * 40.0, 12e-6 * 10.0
     bodies = {"shaft": 60.0, "inner_ring": 20.0, "outer_ring": 20.0, "housing": 30.0}
     effects = warm_fits(**{body: celsius + qs.zero_celsius for body, celsius in bodies.items()})
@@ -354,8 +357,8 @@ def test_a_warmer_shaft_parts_inner_rings_as_spacers_would() -> None:
     for arrangement in ("DB", "DF", "TBT"):
         apart = rows(arrangement, B218, distance=60 * qs.mm)
         together = tuple(
-            replace(row, position=1e-9 * n, offset=row.sign * (shaft - housing) * float(row.position))
-            for n, row in enumerate(apart)
+            replace(row, position=place, offset=row.sign * (shaft - housing) * (float(row.position) - place))
+            for place, row in zip((0.0, 1e-3, 2e-3), apart, strict=False)
         )
         one, other = (
             solved(qs.BearingSet(each, preload=qs.Preload(axial_displacement=8e-5), ring_effects=effects))
@@ -364,7 +367,7 @@ def test_a_warmer_shaft_parts_inner_rings_as_spacers_would() -> None:
         # the offsets given are lengths of the shaft, which grow by a two-thousandth once more
         np.testing.assert_allclose(one.axial_loads, other.axial_loads, rtol=2e-3)
         carried[arrangement] = one.axial_loads
-    at_one_place = rows("DB", B218, distance=1e-9)
+    at_one_place = rows("DB", B218, distance=0.0)
     none = solved(qs.BearingSet(at_one_place, preload=qs.Preload(axial_displacement=8e-5), ring_effects=effects))
     assert carried["DB"][0] < none.axial_loads[0] < carried["DF"][0]
 

@@ -124,7 +124,7 @@ def against_scipy() -> dict[str, Any]:
     scene = scenes.random_points(SCIPY_POINTS, seed=2)
     start = scenes.plain_start(scene)
     ours = qs.solve(scene, start=start)
-    case = start._maker.make(0, 1)[0]
+    case = start.maker.make(0, 1)[0]
     unit = float(case["force"] / case["length"] ** 1.5)
     operation = scene.operation
     problems = [

@@ -207,10 +207,10 @@ def as_left(solution: qs.Solution) -> qs.Solution:
     left = copy.copy(solution)
     for name in [name for name in vars(left) if isinstance(getattr(type(left), name, None), cached_property)]:
         del left.__dict__[name]  # what was read off the cases before
-    left._results = solution._results.copy()
-    left._results["status"] = 0
-    left._solved = copy.copy(solution._solved)
-    left._solved._results, left._solved._known = left._results, {}
+    left.results = solution.results.copy()
+    left.results["status"] = 0
+    left.solved = copy.copy(solution.solved)
+    left.solved.results, left.solved._known = left.results, {}
     return left
 
 

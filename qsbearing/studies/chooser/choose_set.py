@@ -1,0 +1,98 @@
+"""`qs.solve_set`: a set as it stands, or with effects and choices left out within a tolerance, found by trying.
+
+The full model has every effect and the finest of every choice that need nothing but to be named. Each that saves time
+is left out alone; then, from the one that matters least on, as many together as keep all results within the tolerance
+of the full model's. What rows have for themselves stays. With array fields, one choice serves all cases.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.solution.comparison import largest
+from qsbearing.model.solution.solution import Choice, LeftOut
+from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST
+from qsbearing.systems.sets import solve as systems
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def solve_set(
+    of: BearingSet,
+    *,
+    threads: int | None = None,
+    tolerance: float = TOLERANCE,
+    effects: str | None = None,
+    accuracy: float | None = None,
+) -> SetSolution:
+    """Solve every case of a set.
+
+    Args:
+        of: what to solve; its array fields broadcast to the case axes.
+        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
+            it, 1e-10 is accepted and `SetSolution.residual` states it.
+        effects: "auto": effects and choices are left out within `accuracy`; None: those that the set names, or auto
+            where it asks for that itself (`BearingSet.tolerance`).
+        accuracy: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
+
+    Returns:
+        SetSolution: raises nothing for a physical outcome; `status` and `message` say what happened and which row
+        has no solution. `choice` lists what was chosen and left out.
+
+    Raises:
+        ValueError: array fields that do not broadcast, a tolerance, accuracy or thread count out of range.
+    """
+    if effects not in (None, "auto"):
+        raise ValueError(f'effects = {effects!r}: "auto", or None for those that the set names')
+    if effects is None and of.tolerance is None:
+        if accuracy is not None:
+            raise ValueError(
+                f"accuracy = {accuracy:g} is the error that choosing effects may leave: give effects='auto'"
+            )
+        return systems.solve_set(of, threads=threads, tolerance=tolerance)
+    if of.thermal is not None:
+        raise ValueError("effects are not chosen for a set with a heat balance: name them")
+    asked = next(each for each in (accuracy, of.tolerance, DEFAULT_TOLERANCE) if each is not None)
+    if not FINEST <= asked <= COARSEST:
+        raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
+    return _chosen(replace(of, tolerance=None), asked, {"threads": threads, "tolerance": tolerance})
+
+
+def _chosen(of: BearingSet, asked: float, how: dict[str, Any]) -> SetSolution:
+    full = of
+    for entry in EFFECTS:
+        full = full if entry.hypothesis else entry.finer(full)
+    solution = reference = systems.solve_set(full, **how)
+    trials, errors = [], {}
+    for entry in EFFECTS if np.any(reference.converged) else ():
+        if entry.saves_time and not entry.hypothesis and entry.is_in(full):
+            alone = systems.solve_set(entry.coarser(full), **how)
+            trials.append((_error(alone, reference), entry, alone))
+    solves, before, chosen = 1 + len(trials), 0.0, full
+    for error, entry, alone in sorted(trials, key=lambda each: each[0]):
+        if error > asked:
+            continue
+        trial = alone
+        if chosen is not full:
+            trial, solves = systems.solve_set(entry.coarser(chosen), **how), solves + 1
+            error = _error(trial, reference)
+        if error <= asked:
+            chosen, solution = trial.set, trial
+            errors[entry.name], before = max(error - before, 0.0), error
+    there = tuple(entry.name for entry in EFFECTS if entry.is_in(chosen))
+    added = tuple(e.name for e in EFFECTS if e.name in there and not e.hypothesis and not e.is_in(of))
+    left = tuple(LeftOut(entry.name, np.asarray(errors[entry.name])) for entry in EFFECTS if entry.name in errors)
+    solution.choice = Choice(asked, there, added, left, solves)
+    return solution
+
+
+def _error(solution: SetSolution, reference: SetSolution) -> float:
+    """The largest of all results and cases; infinite where one alone is solved."""
+    found = float(np.max(largest(solution, reference), initial=0.0))
+    return np.inf if np.isnan(found) else found
