@@ -91,6 +91,7 @@ class Evidence:
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
+    mutations: Kept | None = None
     gate: Kept | None = None
     """The steps of the last release run."""
 
@@ -99,8 +100,11 @@ class Evidence:
         yield from self.checks.values()
         yield from self.book.values()
         yield from (*self.campaigns, *self.recomputed)
-        others = (self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost)
-        yield from (each for each in (*others, self.auto_accuracy, self.scipy, self.gate) if each is not None)
+        others = (
+            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
+            self.auto_accuracy, self.scipy, self.mutations, self.gate,
+        )  # fmt: skip
+        yield from (each for each in others if each is not None)
 
 
 def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
@@ -149,6 +153,7 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
             "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
         ),
         _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
+        _elsewhere("tests/verification/mutations.json", "python -m tests.verification.mutations"),
         gate.get("steps"),
     )
 

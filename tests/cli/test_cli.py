@@ -265,7 +265,7 @@ def test_no_cell_of_a_csv_is_a_formula(begin: str, tmp_path: Path) -> None:
     assert csv_bytes(words).decode() == f"carries,of\n+x,'{begin}1\n"
 
 
-def test_plots_are_what_their_names_say(tmp_path: Path) -> None:
+def test_plots_are_what_their_names_say(tmp_path: Path, drawn: None) -> None:
     for kind, start in (("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")):
         target = tmp_path / f"out.{kind}"
         assert call("run", "b218", "--plot", target).exit_code == 0

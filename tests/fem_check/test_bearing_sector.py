@@ -268,7 +268,7 @@ def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
     assert np.hypot(*along)[pressed].max() < 1.15
 
 
-def test_the_picture_is_drawn(sector, cut_open, tmp_path):
+def test_the_picture_is_drawn(sector, cut_open, tmp_path, drawn):
     pytest.importorskip("pyvista")
     record, found = cut_open
     files = cutaway.files(found, tmp_path / "cut.png")

@@ -217,7 +217,7 @@ def test_what_is_refused(tmp_path: Path, text: str, key: str, words: str) -> Non
     assert words in said[key]
 
 
-def test_a_picture_and_a_table_in_one_run(tmp_path: Path) -> None:
+def test_a_picture_and_a_table_in_one_run(tmp_path: Path, drawn: None) -> None:
     path = written(tmp_path, PAIR_FILE)
     for form, first in (("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
         target = tmp_path / f"a.{form}"
