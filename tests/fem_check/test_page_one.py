@@ -136,6 +136,7 @@ def test_page_one_counts_the_origin_of_records(shipped: Evidence) -> None:
     assert traceability.tally(one.all())[1:] == (counted[0], 0)
     spoiled = dataclasses.replace(one, reference=altered(one.reference, provenance=None))  # type: ignore[arg-type]
     assert "not a release" in page_one.level(spoiled)
+    assert "not a release" in page_one.level(at_one_commit(shipped, "")), "none of them is known"
 
 
 def test_page_one_verdict_follows_the_records(shipped: Evidence) -> None:
@@ -169,5 +170,7 @@ def test_page_one_requirements_name_check_record_and_sum(shipped: Evidence) -> N
         each for each in traceability.section(shipped, questions.all_of(shipped)).blocks if isinstance(each, Table)
     ]
     shown = {str(line[1]): str(line[-1]) for line in table.rows if isinstance(line, list)}
+    sums = json.loads((ROOT / "fem_check/records/manifest.json").read_text("utf-8"))
+    assert all(kept.digest == sums[kept.name] for kept in shipped.all() if kept.name in sums)
     for kept in shipped.all():
         assert kept.digest.startswith(shown[kept.name.removeprefix("fem_check/records/")]), kept.name
