@@ -19,7 +19,7 @@ from fem_check.running import known, runner
 Record = dict[str, Any]
 
 SCENES = {
-    Level.QUICK: {"wild": 4_000, "realistic": 10_000, "mounted": 2_000},
+    Level.QUICK: {"wild": 1_500, "realistic": 4_000, "mounted": 800},
     Level.RELEASE: {"wild": 200_000, "realistic": 500_000, "mounted": 100_000},
 }
 """Of the campaigns."""
