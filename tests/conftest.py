@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
-from typing import IO
+from collections.abc import Iterator
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -16,18 +17,30 @@ import pytest
 from hypothesis import settings
 
 from qsbearing.model.compiler.compiled import COMPILED
+from tests.drawing import blank, drawing
 
 settings.register_profile(
-    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=60 if COMPILED else 4
+    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=30 if COMPILED else 4
 )
 settings.load_profile("qsbearing")
 
 
+def pytest_collection_finish() -> None:
+    """What is loaded by now stays: Python need not look through it for garbage, which took a twentieth of the time."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(10_000, 20, 20)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def blank_pictures() -> Iterator[None]:
+    """Figures are saved as an empty picture, unless a test or fixture draws them."""
+    with blank():
+        yield
+
+
 @pytest.fixture
-def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Pictures are made but stay blank, for tests of a document's words: drawing takes most of a report's time."""
-
-    def blank(figure: object, target: IO[bytes], **_: object) -> None:
-        target.write(b'<svg xmlns="http://www.w3.org/2000/svg" width="9pt" height="9pt" viewBox="0 0 9 9"></svg>')
-
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", blank)
+def drawn() -> Iterator[None]:
+    """For tests of pictures."""
+    with drawing():
+        yield

@@ -20,6 +20,7 @@ SHIPPED = (
     "tests/verification/campaign/records/*.json",
     "tests/verification/hard_cases/*.json",
     "tests/verification/reference/*.json",
+    "tests/verification/*.json",
     "tests/*.json",
 )
 """Records in the repository."""

@@ -129,7 +129,7 @@ def test_a_case_without_solution_says_why(address: str, scene: dict[str, Any]) -
     assert asked(address, "picture", {**scene, "name": "life"})[1]["picture"] == ""
 
 
-def test_every_picture_is_drawn(scene: dict[str, Any]) -> None:
+def test_every_picture_is_drawn(scene: dict[str, Any], drawn: None) -> None:
     from qsbearing.app.drawn import PANELS
 
     for name in PANELS:

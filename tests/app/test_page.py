@@ -68,7 +68,7 @@ def write(browser: Browser, field: str, text: str) -> None:
     browser.value(f"{field}.blur()")
 
 
-def test_a_dragged_slider_shows_what_run_prints(page: Browser, address: str, tmp_path: Path) -> None:
+def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, address: str, tmp_path: Path) -> None:
     before, load, drawing = (
         page.value(KEY),
         float(page.value(f"{LOAD}.value")),

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -38,16 +39,22 @@ from tests.documents.page import Page
 pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
 
 
+LONG = ("bearing_design", "code_aster_spheres")
+"""Ten seconds each: here among the heavy tests, and in the release gate at each level."""
+NAMES = [pytest.param(name, marks=[pytest.mark.heavy] if name in LONG else []) for name in ALL]
+Book = tuple[Callable[[str], records.Record], Path]
+
+
 @pytest.fixture(scope="module")
-def book(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, records.Record], Path]:
-    """The whole book, run once, and the folder that holds it."""
+def book(tmp_path_factory: pytest.TempPathFactory) -> Book:
+    """A case's record by its name, each run once, and the folder that holds them."""
     out = tmp_path_factory.mktemp("results")
-    return {entry["case"]: entry for entry in run_book((), out)}, out
+    return cache(lambda name: run_book([name], out)[0]), out
 
 
-@pytest.mark.parametrize("name", ALL)
-def test_the_case_passes_and_says_all_that_a_page_needs(name: str, book: Any) -> None:
-    entry = book[0][name]
+@pytest.mark.parametrize("name", NAMES)
+def test_the_case_passes_and_says_all_that_a_page_needs(name: str, book: Book) -> None:
+    entry = book[0](name)
     assert entry["verdict"] == "pass", [row for row in entry["rows"] if row["verdict"] == "fail"]
     assert set(entry) - {"counter_example"} == set(records.FIELDS)
     assert entry["kind"] in "MCB"
@@ -58,11 +65,11 @@ def test_the_case_passes_and_says_all_that_a_page_needs(name: str, book: Any) ->
     assert records.read_all(book[1])[name] == json.loads(records.text(entry)) == entry
 
 
-@pytest.mark.parametrize("name", ALL)
-def test_shipped_records_are_what_a_run_finds(name: str, book: Any) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_shipped_records_are_what_a_run_finds(name: str, book: Book) -> None:
     shipped = records.read_all(records_store.FOLDER)[name]
     assert shipped["provenance"]["dirty"] is False
-    assert list(differences(comparable(shipped), comparable(book[0][name]))) == []
+    assert list(differences(comparable(shipped), comparable(book[0](name)))) == []
 
 
 def comparable(entry: records.Record) -> records.Record:
@@ -85,9 +92,9 @@ def differences(one: Any, other: Any, at: str = "") -> Iterator[str]:
         yield f"{at}: {one} and {other}"
 
 
-def test_a_second_run_finds_the_same_numbers_and_draws_the_same_picture(book: Any) -> None:
+def test_a_second_run_finds_the_same_numbers_and_draws_the_same_picture(book: Book, drawn: None) -> None:
     name = "gmn_rigidities"
-    first, again = book[0][name], run_book([name])[0]
+    first, again = book[0](name), run_book([name])[0]
     assert records.text(comparable(first)) == records.text(comparable(again))
     assert picture.svg(first) == picture.svg(again)
 
@@ -267,7 +274,11 @@ def test_every_case_has_an_error_planted() -> None:
     assert {name for name, _ in PLANTED} == set(ALL)
 
 
-@pytest.mark.parametrize(("name", "plant"), PLANTED, ids=lambda value: getattr(value, "__name__", value))
+@pytest.mark.parametrize(
+    ("name", "plant"),
+    [pytest.param(*each, marks=[pytest.mark.heavy] if each[0] == "code_aster_spheres" else []) for each in PLANTED],
+    ids=lambda value: getattr(value, "__name__", value),
+)
 def test_a_planted_error_is_seen(
     name: str, plant: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -338,10 +349,11 @@ def test_an_error_in_the_compiled_source_is_seen(name: str, tmp_path: Path) -> N
 # --------------------------------------------------------------------------------------------------- pages and command
 
 
-def test_the_page_says_what_the_records_hold(book: Any, undrawn: None) -> None:
+def test_the_page_says_what_the_records_hold(book: Book) -> None:
     """And what documents are wanted."""
+    entries = [book[0](name) for name in ALL if name not in LONG]
     text = Page.of(write_book(book[1]).read_text(encoding="utf-8")).text
-    for entry in book[0].values():
+    for entry in entries:
         for item in [entry["title"], entry["summary"], *entry["missing"], *entry["does_not_show"]]:
             assert as_read(item) in text
         assert all(row["why_tolerance"].removeprefix("a finding").removeprefix(": ") in text for row in entry["rows"])

@@ -59,6 +59,7 @@ def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body():
     assert 0.0 < part < 1e-3
 
 
+@pytest.mark.heavy  # the release gate judges these rows at each level
 def test_the_model_is_right():
     for rows in (elastic_ring.compliance_rows, elastic_ring.opposed_rows, elastic_ring.load_rows):
         found = rows(Level.QUICK)

@@ -90,6 +90,7 @@ def rows_of(label):
     return judged((Solved(label, scenes.solve("", label, product_scenes.scenes()[label])),))
 
 
+@pytest.mark.heavy  # the release gate judges these rows at each level
 @pytest.mark.parametrize("label", product_scenes.scenes())
 def test_every_effect_and_choice_is_judged_and_right(label):
     rows = rows_of(label)
@@ -99,6 +100,7 @@ def test_every_effect_and_choice_is_judged_and_right(label):
         assert passing(rows) >= MOTION | INERTIA
 
 
+@pytest.mark.heavy  # likewise
 @pytest.mark.parametrize("label", product_scenes.sets())
 def test_sets_are_judged_and_right(label):
     rows = list(set_rows(label, scenes.solve_set(label, product_scenes.sets()[label]), label))

@@ -235,7 +235,7 @@ def test_no_control_character_of_the_command_line_is_printed(command: list[str],
 
 
 @pytest.mark.parametrize("name", ["\x1b[31mred", "\u202eabc", "line\nbreak", "$\\frac$"])
-def test_a_file_of_any_name_is_solved_and_drawn(name: str, tmp_path: Path) -> None:
+def test_a_file_of_any_name_is_solved_and_drawn(name: str, tmp_path: Path, drawn: None) -> None:
     """The bearing is called after its file, in the table and in the picture's title."""
     path, picture = tmp_path / f"{name}.toml", tmp_path / "out.svg"
     path.write_text(as_text(GOOD), encoding="utf-8")

@@ -271,7 +271,7 @@ def test_a_set_has_a_panel_for_each_row_to_one_scale() -> None:
     hybrid = dataclasses.replace(bearing, ball_material=qs.SILICON_NITRIDE, name="hybrid")
     rows = qs.Row(bearing, 0.0), qs.Row(hybrid, 0.02, "-x"), qs.Row(bearing, 0.04), qs.Row(bearing, 0.06, "-x")  # type: ignore[arg-type]
     operation = qs.Operation(10_000 * qs.rpm, axial_load=np.array([0.0, 900.0]), radial_load_y=500.0, moment_z=0.0)
-    for count in (1, 2, 3, 4):
+    for count in (1, 3, 4):
         of = qs.BearingSet(rows[:count], operation, qs.Preload(rigid=400.0) if count > 1 else None, **EFFECTS)
         solution = qs.solve_set(of)
         assert solution.converged[1]

@@ -23,7 +23,7 @@ LIMIT = 10.0 if COMPILED else 120.0
 HANGING = 300.0
 """Seconds after which an example that has not come back ends everything: compiled code cannot be interrupted."""
 
-few = settings(max_examples=40 if COMPILED else 3, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=20 if COMPILED else 3, suppress_health_check=[HealthCheck.too_slow])
 many = settings(parent=few, max_examples=1000 if COMPILED else 10)
 
 

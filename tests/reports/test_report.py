@@ -18,6 +18,7 @@ from qsbearing.readings.asked import take_asked
 from qsbearing.studies.chooser.explain import explain
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
+from tests.drawing import drawing
 
 SCENE = """
 [bearing]
@@ -61,7 +62,8 @@ def call(*arguments: str) -> Result:
 def spindle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("report")
     (folder / "Spindle.toml").write_text(SCENE)
-    result = call(str(folder / "Spindle.toml"), "--out", str(folder / "out"))
+    with drawing():
+        result = call(str(folder / "Spindle.toml"), "--out", str(folder / "out"))
     assert result.exit_code == 0, result.output
     return folder
 
@@ -124,7 +126,7 @@ def test_the_input_says_where_its_numbers_are_from(spindle: Path) -> None:
     assert rows["lubricant.oil_temperature_C"][:2] == ["45", "°C"]
 
 
-def test_a_material_of_the_scene_is_not_the_catalogue_s(tmp_path: Path, undrawn: None) -> None:
+def test_a_material_of_the_scene_is_not_the_catalogue_s(tmp_path: Path) -> None:
     table = "[bearing.ball_material]\nelastic_modulus_GPa = 315\npoisson_ratio = 0.26\ndensity_kg_m3 = 3200\n"
     text = f'[bearing]\nname = "B218"\n{table}[operation]\naxial_load_N = 1000\n'
     (tmp_path / "hybrid.toml").write_text(text)
@@ -135,7 +137,7 @@ def test_a_material_of_the_scene_is_not_the_catalogue_s(tmp_path: Path, undrawn:
     assert "No curve over the speed" in page_of(tmp_path, "hybrid").text
 
 
-def test_each_number_of_a_material_has_its_own_source(b218: Path, tmp_path: Path, undrawn: None) -> None:
+def test_each_number_of_a_material_has_its_own_source(b218: Path, tmp_path: Path) -> None:
     """The source of the bearing gives no thermal expansion; a maker's density is no source of elastic constants."""
     rows = input_of(b218, "b218")
     assert "Wang" in rows["ball_material.density_kg_m3"][2]
@@ -230,7 +232,7 @@ def value_of(folder: Path, name: str) -> dict[str, str]:
     return dict(next(t for t in page_of(folder, name).tables if t[0] == ["key result", "value"])[1:])
 
 
-def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp_path: Path, undrawn: None) -> None:
+def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp_path: Path) -> None:
     found, solution = value_of(unequal, "unequal"), qs.solve(qs.load_scene(unequal / "unequal.toml"))
 
     def numbers(key: str) -> list[float]:
@@ -270,7 +272,7 @@ def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp
     assert found[names[1]].endswith("h: a1 0.64")
 
 
-def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path, undrawn: None) -> None:
+def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path) -> None:
     """On page 1 and in what `run` prints: basic life before modified life, aISO, and that it is at its limit."""
     text = '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 9000\naxial_load_N = 3000\n[readings.life]\n'
     (tmp_path / "light.toml").write_text(f"{text}viscosity_ratio = 3\ncontamination_factor = 0.9\n")
@@ -318,7 +320,7 @@ def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, b218: Pa
     assert "Ball-pass frequencies" not in plain.text
 
 
-def test_effects_chosen_by_tolerance_are_said(tmp_path: Path, undrawn: None) -> None:
+def test_effects_chosen_by_tolerance_are_said(tmp_path: Path) -> None:
     asked = 'effects = "auto"\ntolerance = 0.02\n'
     text = f'{asked}[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 500\naxial_load_N = 9000\n'
     (tmp_path / "slow.toml").write_text(text)
@@ -368,7 +370,7 @@ def test_its_file_is_read_as_that_of_any_command(name: str, content: bytes | Non
     assert not (tmp_path / "out").exists()
 
 
-def test_no_name_or_comment_steers_a_terminal_or_hides_text(tmp_path: Path, undrawn: None) -> None:
+def test_no_name_or_comment_steers_a_terminal_or_hides_text(tmp_path: Path) -> None:
     """Also: a byte order mark, a file of many lines, one of long ones, and a ring that nothing loads."""
     scene = tmp_path / "a\x1b[31m\u202eb.toml"
     lines = PLAIN.replace("1000", "0") + "# \u202ex" + "x" * 5_000 + "\n" + "# a\n" * 5_000
@@ -384,7 +386,7 @@ def test_no_name_or_comment_steers_a_terminal_or_hides_text(tmp_path: Path, undr
     assert "x" * 201 not in page
 
 
-def test_the_report_of_another_file_is_not_replaced(tmp_path: Path, undrawn: None) -> None:
+def test_the_report_of_another_file_is_not_replaced(tmp_path: Path) -> None:
     """My.toml and my.toml would be one report; of the same file it is made anew, and of one that is gone."""
     other, out = tmp_path / "sub" / "my.toml", tmp_path / "out"
     other.parent.mkdir()
@@ -456,7 +458,7 @@ W_per_K = 3
 """
 
 
-def test_a_heat_balance_is_reported_with_its_stability(tmp_path: Path, undrawn: None) -> None:
+def test_a_heat_balance_is_reported_with_its_stability(tmp_path: Path) -> None:
     """Temperatures are results, not given; where all balls are alike there is one number for each raceway."""
     (tmp_path / "hot.toml").write_text(HEATED)
     assert call(str(tmp_path / "hot.toml"), "--out", str(tmp_path)).exit_code == 0
@@ -489,7 +491,7 @@ inner.shaft = "solid"
 """
 
 
-def test_elastic_rings_are_drawn_and_what_they_touch_has_its_key(tmp_path: Path, undrawn: None) -> None:
+def test_elastic_rings_are_drawn_and_what_they_touch_has_its_key(tmp_path: Path) -> None:
     (tmp_path / "elastic.toml").write_text(ELASTIC)
     assert call(str(tmp_path / "elastic.toml"), "--out", str(tmp_path)).exit_code == 0
     assert input_of(tmp_path, "elastic")["elastic_rings.inner.shaft"][0] == "solid"

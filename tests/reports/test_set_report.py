@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -24,6 +25,7 @@ from qsbearing.results.remarks import every_remark, together
 from qsbearing.systems.heat.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
+from tests.drawing import drawing
 from tests.systems.sets.arrangements import PAIR_FILE
 
 PAIR = (
@@ -82,7 +84,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     into = tmp_path_factory.mktemp("sets")
     for name, text in SETS.items():
         (into / f"{name}.toml").write_text(text)
-        result = call(str(into / f"{name}.toml"), "--out", str(into / "out"))
+        with drawing() if name == "pair" else nullcontext():
+            result = call(str(into / f"{name}.toml"), "--out", str(into / "out"))
         assert result.exit_code == 0, result.output
     return into
 
@@ -268,7 +271,7 @@ def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeyp
     assert np.max(loads[1]) > factor  # type: ignore[operator]
 
 
-def test_sets_without_a_preload_speed_or_load(tmp_path: Path, undrawn: None) -> None:
+def test_sets_without_a_preload_speed_or_load(tmp_path: Path) -> None:
     rows = PAIR.partition("[operation]")[0]
     tandem = report_of(tmp_path, rows.replace('"-x"', '"+x"') + "[operation]\naxial_load_N = 800\n")
     assert "All rows carry in +x: no row presses another" in tandem.text

@@ -28,7 +28,7 @@ def rows_of(page: Page, *heading: str) -> list[list[str]]:
     return found[1:]
 
 
-def test_it_opens_with_the_life_and_goes_on_with_the_worst_point(tmp_path: Path, undrawn: None) -> None:
+def test_it_opens_with_the_life_and_goes_on_with_the_worst_point(tmp_path: Path) -> None:
     page = report_of(tmp_path, guide_s_file())
     solution = qs.solve(qs.load_scene(tmp_path / "cycle.toml"))
     found = take_asked(solution)["spectrum"]
@@ -44,7 +44,7 @@ def test_it_opens_with_the_life_and_goes_on_with_the_worst_point(tmp_path: Path,
     assert float(operation["speed_rpm"]) == pytest.approx(solution.scene.operation.speed[worst] / qs.rpm)
 
 
-def test_that_of_a_set_has_the_life_of_each_row_and_of_all(tmp_path: Path, undrawn: None) -> None:
+def test_that_of_a_set_has_the_life_of_each_row_and_of_all(tmp_path: Path) -> None:
     page = report_of(tmp_path, PAIR.format(own="").replace("[operation]", "[operation]\naxial_load_N = 0"))
     lives = rows_of(page, "row", "bearing", "h")
     assert [row[0] for row in lives] == ["1", "2", "all"]

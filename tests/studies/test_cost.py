@@ -297,7 +297,7 @@ def measured(monkeypatch: pytest.MonkeyPatch, full_record: dict[str, Any]) -> di
     return found
 
 
-def test_the_folder_is_filled_whole(tmp_path: Path, measured: dict[str, Any]) -> None:
+def test_the_folder_is_filled_whole(tmp_path: Path, measured: dict[str, Any], drawn: None) -> None:
     assert call("cost", "b218", "--out", tmp_path / "new").exit_code == 0
     pictures = [f"{name}.png" for name in figures.PICTURES]
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(["cost.json", *pictures])

@@ -198,7 +198,7 @@ def test_rank_correlation_knows_only_the_order() -> None:
     assert np.isnan(rank_correlation(x, np.ones(50)))
 
 
-def test_one_command_draws_a_bearing_against_speed(tmp_path: Path) -> None:
+def test_one_command_draws_a_bearing_against_speed(tmp_path: Path, drawn: None) -> None:
     arguments = [
         "sweep",
         "b218",

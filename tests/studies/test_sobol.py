@@ -78,7 +78,7 @@ def test_points_without_a_solution_are_counted() -> None:
 VARY = ["--vary", "axial_load_N=normal(8000,100)", "--vary", "free_contact_angle_deg=normal(40,0.3)"]
 
 
-def test_the_command_prints_writes_and_draws_them(tmp_path: Path) -> None:
+def test_the_command_prints_writes_and_draws_them(tmp_path: Path, drawn: None) -> None:
     given = ["sweep", "b218", *VARY, "--sobol", "64"]
     done = CliRunner().invoke(cli, [*given, "--out", str(tmp_path / "a.nc"), "--plot", str(tmp_path / "a.png")])
     assert done.exit_code == 0, done.output

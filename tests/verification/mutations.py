@@ -22,6 +22,7 @@ import subprocess
 import sys
 import tempfile
 import tokenize
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -48,7 +49,7 @@ CHECKS = {
     "fem_check/elements": ("patch_test", "half_space_contacts"),
     "fem_check/independent": ("solution_contacts", "solution_parts"),
     "fem_check/solids": ("patch_test",),
-    "fem_check/checks": ("solution_contacts",),
+    "fem_check/checks": ("solution_parts", "solution_contacts"),
     "fem_check": ("patch_test",),
 }
 """By the beginning of a file's path, the longest first."""
@@ -73,10 +74,10 @@ class Mutation:
         return "".join(lines)
 
 
-def candidates() -> list[Mutation]:
-    """Every operator and number of both packages outside texts."""
+def candidates(files: Iterable[Path]) -> list[Mutation]:
+    """Every operator and number of these files outside texts."""
     found = []
-    for path in sorted(file for package in PACKAGES for file in (ROOT / package).rglob("*.py")):
+    for path in files:
         name = path.relative_to(ROOT).as_posix()
         for token in tokenize.generate_tokens(io.StringIO(path.read_text(encoding="utf-8")).readline):
             (line, column), text = token.start, token.string
@@ -100,7 +101,7 @@ def is_code(mutation: Mutation) -> bool:
 
 def drawn(count: int, seed: int) -> list[Mutation]:
     """So many of them."""
-    every = candidates()
+    every = candidates(sorted(file for package in PACKAGES for file in (ROOT / package).rglob("*.py")))
     random.Random(seed).shuffle(every)
     return list(islice(filter(is_code, every), count))
 
@@ -182,7 +183,13 @@ def main() -> None:
     asked.add_argument("--seed", type=int, default=1)
     given = asked.parse_args()
     some = drawn(given.count, given.seed)[: given.first]
-    record: dict[str, Any] = {"seed": given.seed, "count": given.count, "found": [], "survivors": {}}
+    record: dict[str, Any] = {
+        "seed": given.seed,
+        "count": given.count,
+        "seconds": SECONDS,
+        "found": [],
+        "survivors": {},
+    }
     if RECORD.is_file():
         kept = json.loads(RECORD.read_text(encoding="utf-8"))
         record = kept if (kept["seed"], kept["count"]) == (given.seed, given.count) else record

@@ -48,6 +48,14 @@ _OF_MATERIAL = {
     "elastic_modulus_GPa": "elastic_modulus", "poisson_ratio": "poisson_ratio", "density_kg_m3": "density",
     "thermal_expansion_per_K": "thermal_expansion_coefficient_plus",
 }  # fmt: skip
+_SEATS = (
+    ("shaft", "bore", 1.0, ("shaft", "bearing_bore"), "shaft_tolerance_class",
+     "shaft_bore_diameter_mm", "shaft_inner_diameter"),
+    ("housing", "outside", -1.0, ("casing_bore", "bearing_outer"), "casing_bore_tolerance_class",
+     "housing_outside_diameter_mm", "casing_outer_diameter"),
+)  # fmt: skip
+"""Of each seat: what of the bearing it is fitted to, the sign of interference, whose limits make it, and its wall."""
+_ENDS = ("minimum", "maximum")
 _DIRECTIONS = {"positive": 1.0, "negative": -1.0, "both_directions": 1.0}
 NO_DIRECTION = "no_direction"
 
@@ -210,41 +218,27 @@ def _first_azimuth(reader: Reader, part: Component | None, turn: NDArray, table:
 
 def _expansion(reader: Reader, bearing: Component, part: Component | None, of: Table) -> Table:
     """The tables ring_expansion and ball_expansion within [effects]; none where the model tells of neither."""
-    found = Table()
-    rings = Table()
-    temperatures = {
-        f"{side}_ring_temperature_C": reader.number(bearing, f"mean_operating_temperature_{side}_ring")
-        for side in ("inner", "outer")
-    }
-    has_fit = False
-    for seat, hole, ring, own, other, word in (
-        ("shaft", False, "bore", "shaft", "bearing_bore", "shaft_tolerance_class"),
-        ("housing", True, "outside", "casing_bore", "bearing_outer", "casing_bore_tolerance_class"),
-    ):
-        limits = [
-            [reader.positive(bearing, f"{end}_{body}_diameter") for end in ("minimum", "maximum")]
-            for body in (own, other)
-        ]
-        fit = reader.word(bearing, word)
-        if all(each is not None for pair in limits for each in pair):
-            seat_mean, ring_mean = (0.5 * float(sum(each for each in pair if each)) for pair in limits)
-            interference = ring_mean - seat_mean if hole else seat_mean - ring_mean
+    found, rings = Table(), Table()
+    for seat, ring, sign, bodies, word, key, wall in _SEATS:
+        limits = [reader.positive(bearing, f"{end}_{body}_diameter") for body in bodies for end in _ENDS]
+        known, fit = [each for each in limits if each is not None], reader.word(bearing, word)
+        if len(known) == len(limits):
+            interference = sign * 0.5 * (sum(known[:2]) - sum(known[2:]))
             rings.put(_KEYS[f"{seat}_interference_um"], interference, "the mean of the limits in the model")
-            has_fit = True
         elif fit in fit_names(seat) and f"{ring}_diameter_mm" in of:
             rings.set(f"{seat}_fit", fit, "the mean of its limits is used")
             rings.set("tolerance_class", reader.word(bearing, "bearing_tolerance_class") or "P0")
-            has_fit = True
-        elif fit:
-            found.note("", f"{word} {fit}: not known here, the seat is left out")
-    if not has_fit and not any(each is not None for each in temperatures.values()):
+        else:
+            if fit:
+                found.note("", f"{word} {fit}: not known here, the seat is left out")
+            continue
+        rings.put(_KEYS[key], reader.positive(bearing, wall))
+    for side in ("inner", "outer"):
+        rings.put(
+            _KEYS[f"{side}_ring_temperature_C"], reader.number(bearing, f"mean_operating_temperature_{side}_ring")
+        )
+    if not rings:
         return found
-    for name, value in temperatures.items():
-        rings.put(_KEYS[name], value)
-    if f"{'shaft'}_interference_um" in rings or "shaft_fit" in rings:
-        rings.put(_KEYS["shaft_bore_diameter_mm"], reader.positive(bearing, "shaft_inner_diameter"))
-    if "housing_interference_um" in rings or "housing_fit" in rings:
-        rings.put(_KEYS["housing_outside_diameter_mm"], reader.positive(bearing, "casing_outer_diameter"))
     rings.put(_KEYS["reference_temperature_C"], *_reference_temperature(reader))
     found["ring_expansion"] = rings
     balls = {reader.number(each, "mean_operating_temperature") for each in elements_of(reader, part)} - {None}

@@ -194,7 +194,7 @@ class HotSet:
         bodies = {
             name: replace(body, temperature=temperatures[name])
             for name, body in bodies.items()
-            if body is not None and name in temperatures
+            if body is not None and name in temperatures and getattr(body, "sections", True)  # a rigid shaft has none
         }
         own = {name: value for name, value in temperatures.items() if name not in bodies}  # rows take theirs from these
         rows = []

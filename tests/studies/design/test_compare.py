@@ -81,7 +81,7 @@ def test_the_job_is_shown_and_what_changes_its_sign_has_no_percentage(job: Path)
     assert "speed_rpm" in shown and "axial_load_N" in shown
 
 
-def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path) -> None:
+def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path, drawn: None) -> None:
     picture, table = tmp_path / "a.svg", tmp_path / "a.csv"
     names = ("b218", "7210C", "7210C_hybrid", "turbopump25")
     result = run("compare", *names, "--at", job, "--plot", picture, "--csv", table)

@@ -264,7 +264,7 @@ def test_it_prints_the_remarks_that_run_gives_of_what_is_found(tmp_path: Path, i
 @pytest.mark.parametrize(
     "vary", [["rigid_N=10:2000"], ["rigid_N=10:2000:log", "speed_rpm=1000:20000"], ["ball_count=12:14"]]
 )
-def test_the_command_draws_and_ends_as_it_says(file: Path, tmp_path: Path, vary: list[str]) -> None:
+def test_the_command_draws_and_ends_as_it_says(file: Path, tmp_path: Path, vary: list[str], drawn: None) -> None:
     options = [word for each in vary for word in ("--vary", each)]
     picture = tmp_path / "region.svg"
     limits = ("--limit", f"{PRESSURE}<=1500", "--maximise", STIFF, "--points", "64")

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.systems.heat import solve as solving
 from tests.systems.heat.spindle import AMBIENT, pair
 from tests.verification.campaign.spindles import wrong_of
 
@@ -89,10 +91,19 @@ def test_growth_presses_the_pair(solution: qs.SetSolution) -> None:
     assert pressed(solution) == pytest.approx(pressed(cold) * (1.0 + warm[0]) + apart, rel=1e-9)
 
 
-def test_files_run_heat_and_report(tmp_path: Path) -> None:
-    """One file: text, JSON, speeds, report."""
+def test_files_run_heat_and_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One file: text, JSON, speeds, report; its curve over speed is followed once for the last two."""
     from qsbearing.files.scene_tables import input_tables
 
+    follow = solving.follow_speeds
+    followed: list[Any] = []
+
+    def once(heated: Any, until: float) -> Any:
+        if not followed:
+            followed.append(follow(heated, until))
+        return followed[0]
+
+    monkeypatch.setattr(solving, "follow_speeds", once)
     of = spindle()
     path = tmp_path / "spindle.json"
     path.write_text(json.dumps({"version": qs.__version__, "input": input_tables(of)}))

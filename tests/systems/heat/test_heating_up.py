@@ -75,7 +75,7 @@ def test_above_the_fold_it_heats_up_to_the_limit(tmp_path: Path) -> None:
     assert np.all(np.diff(found["transient"]["temperatures_C"]["inner_ring"]) >= 0.0)
 
 
-def test_the_command_shows_the_fold_and_draws_it(tmp_path: Path) -> None:
+def test_the_command_shows_the_fold_and_draws_it(tmp_path: Path, drawn: None) -> None:
     picture = tmp_path / "heat.png"
     result = run(tmp_path, heated(), "--plot", picture)
     assert result.exit_code == 0, result.output

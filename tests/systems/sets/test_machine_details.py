@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from tests.systems.heat.spindle import pair
 from tests.systems.sets import timoshenko
 from tests.systems.sets.arrangements import S6210C
 from tests.systems.sets.test_elastic_shaft import BENDING, NU, SECTION, SHAFT, SHEAR, E, bare, spindle
@@ -182,6 +183,15 @@ def test_a_rigid_shaft_carries_its_loads_where_they_act() -> None:
     loaded = qs.Shaft(loads=(qs.ShaftLoad(-0.07, radial_y=-400.0),))
     one, other = (qs.solve_set(spindle(each)).row_loads for each in (hung, loaded))
     assert one == pytest.approx(other, rel=1e-12)
+
+
+def test_a_rigid_shaft_with_loads_gets_as_warm_as_one_loaded_at_its_reference() -> None:
+    there = qs.solve_set(pair())
+    operation = {"speed_rpm": 5000, "axial_load_N": 60, "moment_z_Nm": 0}
+    found = qs.solve_set(pair(operation=operation, shaft={"loads": [{"position_mm": 25.0, "radial_y_N": 100}]}))
+    assert there.thermal is not None and found.thermal is not None
+    assert found.thermal.temperatures["shaft"] == pytest.approx(there.thermal.temperatures["shaft"], rel=1e-8)
+    assert found.row_loads == pytest.approx(there.row_loads, rel=1e-6, abs=1e-6)
 
 
 def test_errors_of_weight_cones_and_alignment_are_named_at_once() -> None:

@@ -64,7 +64,7 @@ def test_points_without_equilibrium_stay(tmp_path: Path) -> None:
     assert np.isnan(found["row_1_axial_load"][0]).all()
 
 
-def test_the_command_sweeps_a_set(tmp_path: Path) -> None:
+def test_the_command_sweeps_a_set(tmp_path: Path, drawn: None) -> None:
     pytest.importorskip("matplotlib")
     path, out, picture = written(tmp_path, PAIR_FILE), tmp_path / "out.nc", tmp_path / "out.png"
     options = ["--vary", "speed_rpm=0:12000:4", "--vary", "rigid_N=240,720", "--out", str(out), "--plot", str(picture)]

@@ -24,7 +24,7 @@ from tests.verification.campaign.summary import quantile, summarise
 
 compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
 
-COUNTS = {"wild": 200, "realistic": CHUNK + 250, "mounted": 100}
+COUNTS = {"wild": 75, "realistic": CHUNK + 100, "mounted": 50}
 """The release gate asks more, at its quick level too. Realistic scenes: two chunks, of which the second is compared."""
 FEW = GROUP if COMPILED else 4
 
