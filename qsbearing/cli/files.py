@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import warnings
 from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from qsbearing.cli.output import refuse, refuse_all
+from qsbearing.cli.output import note, refuse, refuse_all
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -140,8 +141,19 @@ def picture_bytes(picture: Figure, target: str) -> bytes:
     from io import BytesIO
 
     data = BytesIO()
-    picture.savefig(data, format=ending(target)[1:])
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        picture.savefig(data, format=ending(target)[1:])
+    lacking = [each for each in said if str(each.message).startswith("Glyph")]  # in matplotlib's words, one for each
+    if lacking:
+        note(BOXES.format(where=target))
+    for each in said:
+        if each not in lacking:
+            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
     return data.getvalue()
+
+
+BOXES = "letters that no font here has are boxes in {where}"
 
 
 def draw(results: xarray.Dataset, target: str, **chosen: Any) -> bytes:

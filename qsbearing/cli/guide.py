@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -18,10 +19,12 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Read the guide: topics, a page, or all as HTML.")
 @click.argument("topic", required=False)
-@click.option("--html", "target", metavar="DIR", help="Write the whole guide to DIR/guide.html, a single file.")
-@click.option("--open", "is_opened", is_flag=True, help="Open that file in the browser, at TOPIC if one is named.")
+@click.option(
+    "--html", "target", metavar="DIR", help="Write the guide to DIR: guide.html, a page for each topic, search."
+)
+@click.option("--open", "is_opened", is_flag=True, help="Open it in the browser, at TOPIC if one is named.")
 def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
-    """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or write the whole guide as HTML.
+    """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or write all as HTML pages.
 
     Exit codes: 0 done, 2 bad input.
     """
@@ -38,7 +41,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
         if not text:
             refuse(f"no section {section} in the topic {page}; `qsbearing guide {page}` prints it all")
     if target is not None or is_opened:
-        _write(topic and topic.replace("#", "-"), target, is_opened)
+        _write(topic, target, is_opened)
     elif text:
         from rich.markdown import Markdown
 
@@ -102,15 +105,22 @@ def _list(pages: dict[str, Page]) -> None:
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     what = "--html needs" if target is not None else "--open needs"
     check_installed(what, ("jinja2", "markdown_it", "mdit_py_plugins"), "report")
-    from qsbearing.documents.guide import document
-    from qsbearing.documents.html import html
+    from qsbearing.documents.guide import HOME, documents, file_of
+    from qsbearing.documents.pages import pages
     from qsbearing.model.version import __version__
 
-    path = (folder(target) if target is not None else _own_folder()) / "guide.html"
-    fill({path: lambda found: html(found).encode()}, lambda: document(__version__, lists=LISTS))
-    print_wrote([path])
+    into = folder(target) if target is not None else _own_folder()
+    made = pages(documents(__version__, lists=LISTS), HOME)
+    fill({into / name: partial(_file, name) for name in made}, lambda: made)
+    print_wrote([into / HOME])
     if is_opened:
-        click.launch(path.resolve().as_uri() + (f"#{topic}" if topic else ""))
+        page, _, section = (topic or "").partition("#")
+        place = f"#{page}-{section}" if section else ""
+        click.launch((into / (file_of(page) if page else HOME)).resolve().as_uri() + place)
+
+
+def _file(name: str, made: dict[str, str]) -> bytes:
+    return made[name].encode()
 
 
 def _own_folder() -> Path:

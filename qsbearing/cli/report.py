@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.files import check_installed, fill, folder
+from qsbearing.cli.files import BOXES, check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import load_scene_or_set, solve
 
@@ -56,7 +56,11 @@ def report(scene: str, out: str) -> None:
     from qsbearing.documents.pdf import pdf
 
     folder(out)
-    forms = {page: lambda found: html(found).encode(), page.with_suffix(".pdf"): pdf}
+    printed = page.with_suffix(".pdf")
+    forms = {
+        page: lambda found: html(found).encode(),
+        printed: lambda found: pdf(found, lacking=lambda: note(BOXES.format(where=printed))),
+    }
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
     fill(forms, lambda: replace(make(), made_from=made_from))
     print_wrote(forms)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from io import BytesIO
 from typing import Any
 
@@ -26,7 +27,9 @@ def picture(figure: Any, alt: str, caption: str = "", width: float | None = None
     import matplotlib
 
     found = BytesIO()
-    with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}):
+    with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}), warnings.catch_warnings():
+        # A letter that its font lacks is a box; the words around the picture have it.
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")
         figure.savefig(found, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
     if width is None:
         width = width_of(found.getvalue())

@@ -13,6 +13,8 @@ from qsbearing.documents.markdown import Links, sections
 from qsbearing.documents.model import Document, Section, anchor_of
 
 FOLDER = Path(__file__).parents[1] / "guide"
+HOME = "guide.html"
+"""The file of the first page, where each has one."""
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
 
@@ -70,7 +72,7 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
         found[path.stem] = Page(path.stem, title.strip() or path.stem, path, lists or {})
     if FIRST in found:
         named = [FIRST, *re.findall(r"\]\((\w+)\.md", found[FIRST].text)]
-        order = {topic: place for place, topic in reversed(list(enumerate(named)))}
+        order = {topic: place for place, topic in enumerate(named)}  # the last place: lists follow pictures
         found = dict(sorted(found.items(), key=lambda each: order.get(each[0], len(order))))
     return found
 
@@ -87,6 +89,8 @@ def meant_by(word: str, pages: Mapping[str, Page]) -> str:
     has_word = re.compile(rf"\b{re.escape(plain)}", re.IGNORECASE).search
     places: list[str] = []
     for page in pages.values():
+        if page.topic == FIRST:  # which leads to all others
+            continue
         headings = re.findall(r"^## (.*)", page.text, re.MULTILINE)
         if has_word(page.title):
             places.append(page.topic)
@@ -100,13 +104,38 @@ def document(version: str, folder: Path = FOLDER, lists: Lists | None = None) ->
     pages = topics(folder, lists)
     found: list[Section] = []
     for page in pages.values():
-        found += sections(page.text, folder, _links(page, pages), page.topic)
+        found += sections(page.text, folder, _links(page, pages, True), page.topic)
     summary = f"How to use it, what it computes, and how far to trust it. Version {version}."
     return Document("qsbearing", "Guide", found, summary)
 
 
-def _links(page: Page, pages: dict[str, Page]) -> Links:
-    """Where the links of a page lead in the whole guide: to other sites and pages; files of the repository are none."""
+def documents(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Document]:
+    """Each page as a document of its own, by the name of its file; the first is `HOME`."""
+    pages = topics(folder, lists)
+    found: dict[str, Document] = {}
+    for page in pages.values():
+        (whole,) = sections(page.text, folder, _links(page, pages, False), page.topic)
+        kind = f"qsbearing {version}" if page.topic == FIRST else "qsbearing guide"
+        found[file_of(page.topic)] = Document(
+            page.title.replace("`", ""),
+            kind,
+            [each for each in whole.blocks if isinstance(each, Section)],
+            head=[each for each in whole.blocks if not isinstance(each, Section)],
+        )
+    return found
+
+
+def file_of(topic: str) -> str:
+    """The name of a page's file."""
+    return HOME if topic == FIRST else f"{topic}.html"
+
+
+def _links(page: Page, pages: dict[str, Page], in_one: bool) -> Links:
+    """Where the links of a page lead in the guide: to other sites and pages; files of the repository are none.
+
+    Args:
+        in_one: whether all pages are sections of one document, or documents of their own.
+    """
 
     def lead(link: str) -> str | None:
         if re.match(r"https?://|mailto:", link):
@@ -115,6 +144,9 @@ def _links(page: Page, pages: dict[str, Page]) -> Links:
         topic = Path(path).stem if path else page.topic
         if (path and Path(path).name != path) or topic not in pages:
             return None
-        return f"#{topic}-{place}" if place else f"#{topic}"
+        within = f"#{topic}-{place}" if place else ""
+        if in_one:
+            return within or f"#{topic}"
+        return within if within and topic == page.topic else file_of(topic) + within
 
     return lead

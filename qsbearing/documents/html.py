@@ -38,12 +38,16 @@ EQUAL = re.compile(r"(?<=\b\w) = (?=[+-]?\d)|(?<=\bF[arxyz]) = (?=[+-]?\d)")
 """Between a symbol and its value."""
 
 
-def html(document: Document) -> str:
-    """The page as text."""
+def html(document: Document, around: dict[str, Any] | None = None) -> str:
+    """The page as text.
+
+    Args:
+        around: of one of several pages: home, search, is_home, and the names and titles of those before and after.
+    """
     from markupsafe import Markup
 
     style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
-    return _rendered("page.html", document, style=style, script=script)
+    return _rendered("page.html", document, style=style, script=script, around=around)
 
 
 def part(blocks: Sequence[Block]) -> str:

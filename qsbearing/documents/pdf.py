@@ -6,6 +6,7 @@ import json
 import shutil
 import tempfile
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +16,13 @@ from qsbearing.documents.model import Document
 TEMPLATE = Path(__file__).parent / "templates" / "document.typ"
 
 
-def pdf(document: Document, strict: bool = False) -> bytes:
-    """The file's bytes.
+def pdf(document: Document, strict: bool = False, lacking: Callable[[], None] = lambda: None) -> bytes:
+    """The file's bytes. A letter that typst's own fonts lack is set in a font of the system.
 
     Args:
         document: what to set.
-        strict: whether a letter that no font has is an error, as the standard has it; else it is a box on the page.
+        strict: whether a letter that typst's own fonts lack is an error; else it is a box where no other font has it.
+        lacking: called where there are boxes.
 
     Raises:
         typst.TypstError: the document is not what the standard asks.
@@ -33,10 +35,16 @@ def pdf(document: Document, strict: bool = False) -> bytes:
         except typst.TypstError as error:
             if strict or "could not be displayed" not in str(error):
                 raise
-            return _compiled(document, Path(folder))
+        try:
+            return _compiled(document, Path(folder), ["ua-1"], with_system_fonts=True)
+        except typst.TypstError as error:
+            if "could not be displayed" not in str(error):
+                raise
+        lacking()
+        return _compiled(document, Path(folder), with_system_fonts=True)
 
 
-def _compiled(document: Document, folder: Path, standards: Any = None) -> bytes:
+def _compiled(document: Document, folder: Path, standards: Any = None, with_system_fonts: bool = False) -> bytes:
     import typst
 
     found = data(document)
@@ -45,7 +53,8 @@ def _compiled(document: Document, folder: Path, standards: Any = None) -> bytes:
     (folder / "document.json").write_text(json.dumps(found), encoding="utf-8")
     shutil.copyfile(TEMPLATE, folder / "main.typ")
     compiled, said = typst.compile_with_warnings(
-        folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=True, pdf_standards=standards or [],
+        folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=not with_system_fonts,
+        pdf_standards=standards or [],
     )  # fmt: skip
     for each in said:
         warnings.warn(f"typst: {each}", stacklevel=3)

@@ -24,6 +24,7 @@ from qsbearing.files import output_file
 from qsbearing.files.catalogue import find
 from qsbearing.files.csv_table import csv_bytes
 from qsbearing.systems.sets.row import Direction
+from tests.guide.pages import GUIDE
 
 COMBINED = """
 [bearing]
@@ -514,3 +515,15 @@ def test_an_old_terminal_gets_question_marks_and_no_traceback(tmp_path: Path) ->
     result = CliRunner(charset="ascii").invoke(cli, ["run", str(file)])
     assert result.exit_code == 0
     assert result.stdout.startswith("Lager_?  angular contact")
+
+
+def test_letters_that_no_font_has_are_said_once(tmp_path: Path, drawn: None) -> None:
+    """A bearing is called after its file; in place of matplotlib's warning for each letter."""
+    text = (GUIDE / "ten_minutes.md").read_text(encoding="utf-8").partition("```toml\n")[2].partition("```")[0]
+    file = tmp_path / "軸受.toml"
+    file.write_text(text, encoding="utf-8")
+    picture = tmp_path / "drawn.png"
+    result = CliRunner().invoke(cli, ["run", str(file), "--plot", str(picture)])
+    assert result.exit_code == 0, result.output
+    assert result.stderr.count("letters that no font here has are boxes in") == 1
+    assert "Glyph" not in result.stderr and picture.exists()

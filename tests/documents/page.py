@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
 
@@ -25,14 +26,16 @@ class Page(HTMLParser):
     tables: list[list[list[str]]] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
     text: str = ""
+    beside: frozenset[str] = frozenset()
+    """Files of the same folder that it may lead to and load."""
 
     def __post_init__(self) -> None:
         super().__init__()
         self._open: list[str] = []
 
     @classmethod
-    def of(cls, html: str) -> Page:
-        page = cls()
+    def of(cls, html: str, beside: Iterable[str] = ()) -> Page:
+        page = cls(beside=frozenset(beside))
         page.feed(html)
         page.close()
         page.faults += [f"<{tag}> is never closed" for tag in page._open]
@@ -48,9 +51,9 @@ class Page(HTMLParser):
             self.names.append(str(own["id"]))
         for name in LOADING & set(own):
             target = str(own[name])
-            if not target.startswith(("data:", "#")):
+            if not target.startswith(("data:", "#")) and target not in self.beside:
                 self.faults.append(f"<{tag} {name}={target[:40]}> is loaded from elsewhere")
-        if tag == "link" or (tag == "script" and "src" in own):
+        if tag == "link" or (tag == "script" and own.get("src", "") not in {"", *self.beside}):
             self.faults.append(f"<{tag}> from elsewhere")
         if tag == "a" and not inside_svg:
             self.links.append(str(own.get("href")))
@@ -101,7 +104,7 @@ class Page(HTMLParser):
             if link.startswith("#"):
                 if link[1:] not in self.names:
                     self.faults.append(f"{link} leads nowhere")
-            elif not re.match("https://", link):
+            elif not re.match("https://", link) and link.partition("#")[0] not in self.beside:
                 self.faults.append(f"{link} leads out of the page")
         levels = [level for level, _ in self.headings]
         if levels[:1] != [1] or levels.count(1) != 1:

@@ -10,7 +10,7 @@ from click.testing import CliRunner, Result
 
 from qsbearing import __version__
 from qsbearing.cli import cli
-from qsbearing.documents.guide import FOLDER, document, topics
+from qsbearing.documents.guide import FOLDER, HOME, document, file_of, topics
 from qsbearing.documents.html import html
 from qsbearing.documents.markdown import sections
 from qsbearing.documents.model import Bullets, Code, Md, Paragraph, Picture, Section, Table
@@ -58,14 +58,21 @@ def test_a_section_is_printed_alone_and_a_wrong_one_refused() -> None:
     assert "no section hypothesis in the topic limits" in wrong.stderr
 
 
-def test_the_whole_guide_is_one_sound_page(tmp_path: Path) -> None:
-    result = call("--html", str(tmp_path / "new" / "folder"))
-    assert result.exit_code == 0
-    page = Page.of((tmp_path / "new" / "folder" / "guide.html").read_text(encoding="utf-8"))
-    assert page.faults == []
-    for topic in topics().values():
-        assert topic.topic in page.names
-    assert [path.name for path in (tmp_path / "new" / "folder").iterdir()] == ["guide.html"]
+def test_each_topic_is_a_sound_page(tmp_path: Path) -> None:
+    """And all lead home, to their neighbours and through the search."""
+    into = tmp_path / "new" / "folder"
+    assert call("--html", str(into)).exit_code == 0
+    names = [file_of(topic) for topic in topics()]
+    assert names[0] == HOME
+    assert {path.name for path in into.iterdir()} == {*names, "search.js"}
+    for number, name in enumerate(names):
+        text = (into / name).read_text(encoding="utf-8")
+        assert Page.of(text, [*names, "search.js"]).faults == []
+        assert (f'href="{HOME}">Guide' in text) == (name != HOME)
+        assert [other for other in names if f'href="{other}" rel="' in text] == [
+            *names[max(number - 1, 0) : number],
+            *names[number + 1 : number + 2],
+        ]
 
 
 def test_the_whole_guide_is_a_pdf() -> None:

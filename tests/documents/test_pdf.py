@@ -153,7 +153,11 @@ def test_a_letter_that_no_font_has_is_said() -> None:
 
     with pytest.raises(typst.TypstError, match="could not be displayed"):
         pdf(spoilt, strict=True)
-    assert pdf(spoilt).startswith(b"%PDF")
+    said: list[bool] = []
+    assert pdf(spoilt, lacking=lambda: said.append(True)).startswith(b"%PDF")
+    private = document(Paragraph("\U0010fffd"))
+    assert pdf(private, lacking=lambda: said.append(True)).startswith(b"%PDF")
+    assert said[-1:] == [True]
 
 
 def test_many_remarks_leave_no_page_empty_and_a_picture_keeps_its_introduction() -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fem_check.report.evidence import Evidence
-from fem_check.report.missing import missing
+from fem_check.report.evidence import Evidence, missing
 from fem_check.report.rows import as_read
 from qsbearing.documents.model import Cell, Paragraph, Section, Table
 

@@ -37,6 +37,7 @@ B218_KEYS = {
 }
 STATIC: dict[str, Any] = {"effects": ()}
 INNER_CONTROL = {"control": INNER}
+ONLY_GYROSCOPIC = {"effects": ("gyroscopic_moment",), "shares": qs.MomentShares.HARRIS}
 ONE_BALL = {"ball_count": 1.0, "kind": qs.BearingKind.DEEP_GROOVE}
 
 # With all channels held every ball is for itself, and where it lies is seen from the displacement alone.
@@ -53,6 +54,15 @@ LOST = HELD | {"axial_displacement_um": -232.0}
 """At speed all balls lie on the outer raceway, and have only just lost the inner one."""
 SLIPPING = {"axial_load_N": 2e3}
 """At 9600 rpm the balls' gyroscopic moment asks the inner raceway for more friction than load."""
+UNPRESSED = {
+    "free_contact_angle_deg": 10.5,
+    "axial_load_N": 100.0,
+    "radial_displacement_y_um": 0.0,
+    "radial_displacement_z_um": 0.0,
+    "moment_y_Nm": 5.0,
+}
+"""A moment that leaves balls without load; where both raceways share the gyroscopic moment, the outer one, which no
+centrifugal force presses, is asked for friction."""
 
 
 def one_scene(
@@ -60,6 +70,7 @@ def one_scene(
     control: qs.RacewayControl = OUTER,
     hertz_angle: qs.HertzAngle = qs.HertzAngle.FREE,
     kind: qs.BearingKind = qs.BearingKind.ANGULAR_CONTACT,
+    shares: qs.MomentShares = qs.MomentShares.CONTROLLING,
     **values: float,
 ) -> Group:
     """A B218 of steel, or what differs from it, by the keys of a scene file."""
@@ -77,7 +88,7 @@ def one_scene(
         kind,
         effects,
         control if effects else None,
-        qs.MomentShares.CONTROLLING if "gyroscopic_moment" in effects else None,
+        shares if "gyroscopic_moment" in effects else None,
         hertz_angle,
         qs.HertzForm.EXACT,
         qs.TiltLever.GROOVE_CENTRE,
@@ -114,6 +125,11 @@ def refused(**values: Any) -> tuple[Group, qs.Solution]:
         pytest.param(
             INNER_CONTROL | SLIPPING | {"speed_rpm": 9600.0},
             "friction above the load, an equilibrium",
+            marks=compiled_only,
+        ),
+        pytest.param(
+            INNER_CONTROL | UNPRESSED | ONLY_GYROSCOPIC | {"speed_rpm": 6000.0},
+            "friction without load, an equilibrium",
             marks=compiled_only,
         ),
     ],
