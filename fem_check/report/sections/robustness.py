@@ -76,9 +76,9 @@ def _mutations(kept: Kept | None) -> list[Block]:
     same = sum(each.get("is_equivalent", False) for each in told)
     words = (
         f"Of {kept.data['count']} changes of one operator or digit, drawn from the code of both packages, {len(found)} "
-        f"were made. The tests of the module, then quick checks, each at most {kept.data['seconds']} s, saw {seen} of "
-        f"them ({100.0 * seen / len(found):.0f} %), {by_check} of these by a check alone. Of the other {len(unseen)}, "
-        f"{same} make no difference to any result."
+        f"were made{'' if len(found) == kept.data['count'] else ', too few for a share'}. The tests of the module, then "
+        f"quick checks, each at most {kept.data['seconds']} s, saw {seen} of them, {by_check} by a check alone. Of the "
+        f"unseen ones {same} of {len(unseen)} make no difference to any result."
     )
     rows: list[list[Cell]] = [
         [f"{each['path']}:{each['line']}", each["text"], f"{each['old']} to {each['new']}", known.get("why", "")]
