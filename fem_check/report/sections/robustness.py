@@ -74,9 +74,10 @@ def _mutations(kept: Kept | None) -> list[Block]:
     unseen = [each for each in found if not each["seen_by"]]
     told = [survivors.get(f"{each['path']}:{each['line']}", {}) for each in unseen]
     same = sum(each.get("is_equivalent", False) for each in told)
+    few = "" if len(found) == kept.data["count"] else ", too few for a share"
     words = (
         f"Of {kept.data['count']} changes of one operator or digit, drawn from the code of both packages, {len(found)} "
-        f"were made{'' if len(found) == kept.data['count'] else ', too few for a share'}. The tests of the module, then "
+        f"were made{few}. The tests of the module, then "
         f"quick checks, each at most {kept.data['seconds']} s, saw {seen} of them, {by_check} by a check alone. Of the "
         f"unseen ones {same} of {len(unseen)} make no difference to any result."
     )
