@@ -13,34 +13,45 @@ from typing import Any
 from qsbearing.app import drawn
 from qsbearing.app.inputs import ON_PAGE, addable, fields
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Remark
+from qsbearing.documents.model import Remark, Table
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.files.scene_or_set import is_set
+from qsbearing.files.file_keys import IN_FILE
+from qsbearing.files.scene_file import document_of
+from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS
 from qsbearing.model.solution.solution import Solution
-from qsbearing.reports.key_results import key_results
-from qsbearing.results import report
+from qsbearing.remarks.wording import Words
+from qsbearing.reports.key_results import key_results, key_results_of_set
+from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark, message
 from qsbearing.studies.chooser.choose import solve
+from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chooser.explain import explain
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
 
 Tables = dict[str, Any]
 Answer = dict[str, Any]
 TOLERANCE = 0.01
 """The relative change above which an effect is said to be needed."""
+SECTION = "section"
+"""The picture that comes with the key results."""
+OF_SET = (
+    "A set of rows: this page changes what [operation] gives, speed and loads of the shaft, and the preload. Rows, "
+    "shaft and effects are as the file has them: to change these, change the file and open it again."
+)
 
 
 def start(source: str) -> Answer:
-    """What the page begins with: a scene by file or catalogue name, and the names of the catalogue."""
+    """What the page begins with: a scene or set by file or catalogue name, and the names of the catalogue."""
     document, _, label = document_of(source)
     names = [entry.name for entry in catalogue.entries()]
     names += sorted({entry.name for entry in spindle_bearings().values()} - set(names))
@@ -48,41 +59,60 @@ def start(source: str) -> Answer:
 
 
 def opened(text: str, label: str) -> Answer:
-    """The scene of a file's text."""
+    """The scene or set of a file's text."""
     return checked(tables_of(text, Path(label or "scene")), label)
 
 
 def checked(document: Tables, label: str) -> Answer:
-    """The tables of a scene with every default in them, and the fields of the page."""
-    return shown(input_tables(_scene(document, label)))
+    """The tables of a scene or set with every default in them, and the fields of the page."""
+    return shown(input_tables(_read(document, label)))
 
 
 def shown(document: Tables) -> Answer:
-    """Tables as they are, and their fields."""
-    return {"document": document, "fields": fields(document), "addable": addable(document)}
+    """Tables as they are, their fields, and what else is to know of these."""
+    note = OF_SET if is_set(document) else ""
+    return {"document": document, "fields": fields(document), "addable": addable(document), "note": note}
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, its key results and warnings, and the section."""
-    solution = solve(_scene(document, label))
-    found = taken(solution)
-    key = key_results(solution, found) if solution.converged else Remark(message(solution), "fail")
+    """How the case ended, its key results and warnings; of a bearing the section; and the names of the pictures to ask for."""
+    solution = _solution(document, label)
+    found = _taken(solution)
+    names = list(drawn.panels(solution)) if solution.converged else []
     return {
-        "is_solved": bool(solution.converged), "key": part([key]),
-        "warnings": part(blocks(every_remark(solution, found), words=ON_PAGE)), **pictured(document, label, "section"),
-    }  # fmt: skip
+        "is_solved": bool(solution.converged),
+        "key": part(_key_results(solution, found) if solution.converged else [Remark(message(solution), "fail")]),
+        "warnings": part(blocks(every_remark(solution, found), words=_words(solution))),
+        "picture": drawn.drawn(SECTION, solution) if SECTION in names else "",
+        "pictures": [name for name in names if name != SECTION],
+    }
+
+
+def _words(solution: Solution | SetSolution) -> Words:
+    """How remarks name fields: of a set as the file does, in which what they advise is changed."""
+    return ON_PAGE if isinstance(solution, Solution) else IN_FILE
+
+
+def _key_results(solution: Solution | SetSolution, found: Any) -> list[Table]:
+    is_one = isinstance(solution, Solution)
+    return [key_results(solution, found)] if is_one else key_results_of_set(solution, found)
 
 
 def pictured(document: Tables, label: str, name: str) -> Answer:
     """One picture; empty where there is no solution."""
-    if name not in drawn.PANELS:
+    solution = _solution(document, label)
+    panel = drawn.panels(solution).get(name)
+    if panel is None:
         raise SceneFileError("page", [FileErrorDetail("", "no such picture")])
-    solution = solve(_scene(document, label))
-    return {"picture": drawn.drawn(name, solution) if solution.converged else "", "alt": drawn.PANELS[name].alt}
+    return {"picture": drawn.drawn(name, solution) if solution.converged else "", "alt": panel.alt}
 
 
 def detailed(document: Tables, label: str) -> Answer:
-    """What each effect and choice changes, and whether it can be switched; and all tables of the solution."""
+    """What each effect and choice changes, and whether it can be switched, of a set nothing; and all tables of the
+    solution."""
+    if is_set(document):
+        of_set = _solution(document, label)
+        return {"tables": part(set_report.tables(of_set, _taken(of_set)) if of_set.converged else []), "effects": []}
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
     tables = [*report.tables(solution), *readings_tables(found, scene)] if solution.converged else []
@@ -112,12 +142,13 @@ def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:
 
 
 def saved(document: Tables, label: str) -> Answer:
-    """The scene as the text of a file, and as the command that solves it."""
+    """The scene or set as the text of a file, and as the command that solves it."""
     import tomli_w
 
-    scene = _scene(document, label)
-    name = "".join(letter if letter.isalnum() else "_" for letter in scene.bearing.name.lower()) or "scene"
-    text = tomli_w.dumps(input_tables(scene))
+    of = _read(document, label)
+    own = of.name if isinstance(of, BearingSet) else of.bearing.name
+    name = "".join(letter if letter.isalnum() else "_" for letter in own.lower()) or "scene"
+    text = tomli_w.dumps(input_tables(of))
     command = f"cat > {name}.toml <<'END'\n{text}END\nqsbearing run {name}.toml\n"
     return {"file": f"{name}.toml", "text": text, "command": command}
 
@@ -128,9 +159,26 @@ def _named(document: Tables, label: str) -> Solution:
     return solution if solution.choice is None else solve(replace(solution.scene, tolerance=None))
 
 
+def _solution(document: Tables, label: str) -> Solution | SetSolution:
+    of = _read(document, label)
+    return solve_set(of) if isinstance(of, BearingSet) else solve(of)
+
+
+def _taken(solution: Solution | SetSolution) -> Any:
+    """What is asked to be read off; of a set by row."""
+    return taken(solution) if isinstance(solution, Solution) else [taken(row) for row in solution.rows]
+
+
 def _scene(document: Tables, label: str) -> Scene:
-    for is_another, what in ((is_set(document), "a set of rows"), ("spectrum" in document, "several operating points")):
-        if is_another:
-            cause = "`qsbearing run` and `qsbearing report` take it; this page shows one bearing at one operating point"
-            raise SceneFileError(label or "scene", [FileErrorDetail("", f"is {what}", cause=cause)])
-    return scene_of(document, label or "scene", label)
+    """One whose effects can be switched."""
+    found = _read(document, label)
+    if isinstance(found, BearingSet):
+        raise SceneFileError(label or "set", [FileErrorDetail("", "is a set of rows", cause=OF_SET)])
+    return found
+
+
+def _read(document: Tables, label: str) -> Scene | BearingSet:
+    if "spectrum" in document:
+        cause = "`qsbearing run` and `qsbearing report` take it; this page shows one operating point"
+        raise SceneFileError(label or "scene", [FileErrorDetail("", "is several operating points", cause=cause)])
+    return scene_or_set_of(document, label or "scene", label)

@@ -14,6 +14,7 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.model.scene.scene import SPEED_PARAMETER_MAX
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm, rpm, um
+from qsbearing.pictures import contact_angles, deformed_shaft, load_distribution
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
@@ -23,9 +24,11 @@ from qsbearing.readings.asked import take_asked
 from qsbearing.readings.rating_life import HOUR
 from qsbearing.reports.curves import finish, mark_stiffness
 from qsbearing.studies.chooser.choose import solve
+from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 POINTS = 31
 TOP, LOW = 1.5, 0.02
@@ -46,6 +49,13 @@ class Panel(NamedTuple):
     projection: str | None = None
     room: tuple[float, float, float, float] = (0.15, 0.15, 0.82, 0.74)
     """Left, bottom, width, height of the axes, as parts of the picture."""
+
+
+class PanelOfSet(NamedTuple):
+    """One picture of all rows together."""
+
+    draw: Callable[[SetSolution], Figure]
+    alt: str
 
 
 def _of_point(draw: Callable[..., None]) -> Callable[[Axes, Solution], None]:
@@ -113,19 +123,39 @@ PANELS = {
         room=(0.08, 0.12, 0.9, 0.78),
     ),
 }
+OF_SET = {
+    "loads": PanelOfSet(load_distribution, "Contact loads of all balls around each row."),
+    "angles": PanelOfSet(contact_angles, "Contact angles of every ball of each row by its azimuth."),
+    "shaft": PanelOfSet(deformed_shaft, "The shaft as drawn and as it bends, with rows, loads and points."),
+}
 
 
-def drawn(name: str, solution: Solution) -> str:
-    """One of `PANELS` as SVG that stands within a page."""
+def panels(solution: Solution | SetSolution) -> dict[str, Panel] | dict[str, PanelOfSet]:
+    """The pictures that a solution has, by name."""
+    if isinstance(solution, Solution):
+        return PANELS
+    bends = solution.set.shaft is not None and solution.set.shaft.sections
+    return {name: panel for name, panel in OF_SET.items() if name != "shaft" or bends}
+
+
+def drawn(name: str, solution: Solution | SetSolution) -> str:
+    """One of `panels` as SVG that stands within a page."""
     from matplotlib import rc_context
-    from matplotlib.figure import Figure
 
-    panel, data = PANELS[name], BytesIO()
+    data = BytesIO()
     with DRAWING, rc_context({"svg.fonttype": "none", "svg.hashsalt": name}):
-        figure = Figure(figsize=panel.size)
-        axes = figure.add_axes(panel.room, projection=panel.projection)
-        panel.draw(axes, solution)
-        if name == "angles":
-            axes.legend(fontsize=8, frameon=False)
+        figure = OF_SET[name].draw(solution) if isinstance(solution, SetSolution) else _figure(name, solution)
         figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
     return inlined(data.getvalue(), f"{name}-")
+
+
+def _figure(name: str, solution: Solution) -> Figure:
+    from matplotlib.figure import Figure
+
+    panel = PANELS[name]
+    figure = Figure(figsize=panel.size)
+    axes = figure.add_axes(panel.room, projection=panel.projection)
+    panel.draw(axes, solution)
+    if name == "angles":
+        axes.legend(fontsize=8, frameon=False)
+    return figure

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from qsbearing.files.file_keys import find, spelled
+from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.material import BY_NAME
 from qsbearing.model.scene.keys import MATERIALS, SEAT_MATERIALS
@@ -22,11 +23,21 @@ FARTHEST = 1e30
 """Of a slider."""
 ROOM = 20.0
 """The reference temperature [C]."""
+OF_SET = ("operation", "preload")
+"""The tables of a set that the page has fields for; what lies in its rows and its shaft is changed in the file."""
 
 
 def fields(document: dict[str, Any]) -> list[FieldOfPage]:
     """A field for every number and word of these tables, in their order; of a number with the ends of its slider."""
-    return [_field(path, value) for path, value in _leaves(document) if path != ("bearing", "name")]
+    return [
+        _field(path, value)
+        for path, value in _leaves(document)
+        if path != ("bearing", "name") and _is_shown(document, path)
+    ]
+
+
+def _is_shown(document: dict[str, Any], path: tuple[str, ...]) -> bool:
+    return path[0] in OF_SET or not is_set(document)
 
 
 def _leaves(table: dict[str, Any], before: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -85,11 +96,11 @@ def addable(document: dict[str, Any]) -> list[FieldOfPage]:
         {
             "path": key.path,
             "unit": key.unit,
-            "replaces": [each.split(".") for each in key.replaces],
+            "replaces": keys.replaced(key, document),
             "value": ROOM if key.unit == "C" else 0.0,
         }
         for key in keys.ALL.values()
-        if _fits(document, key.path)
+        if _is_shown(document, key.path) and _fits(document, key.path)
     ]
 
 

@@ -20,7 +20,8 @@ from qsbearing.cli.output import note, refuse
 @click.option("--open", "is_opened", is_flag=True, help="Open the page in the browser.")
 def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """Serve a page on this computer that shows SCENE, a file or a bearing of the catalogue: its numbers as sliders and
-    fields, its effects as switches, and the resulting contacts, stiffness and life.
+    fields, its effects as switches, and the resulting contacts, stiffness and life. Of a set of rows, a file with
+    [[rows]], speed, loads and preload are fields.
 
     The address that is printed has a token, without which nobody reads the scene.
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from qsbearing.files import paths
 from qsbearing.files.file_keys import numbers, sections
+from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.usual_words import usual
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
@@ -114,6 +115,12 @@ def known(name: str) -> StudyKey:
     key = find(name)
     assert key is not None, name
     return key
+
+
+def replaced(key: StudyKey, document: dict[str, Any]) -> list[tuple[str, ...]]:
+    """The paths that a key stands in place of in this document: a set's preload leaves the shaft its axial channel."""
+    others = [tuple(each.split(".")) for each in key.replaces]
+    return [other for other in others if not is_set(document) or other[:-1] == key.path[:-1]]
 
 
 def problem(name: str, document: dict[str, Any]) -> tuple[str, ...]:

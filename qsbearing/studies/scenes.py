@@ -263,10 +263,7 @@ def _scene(study: Study, values: dict[str, NDArray]) -> Scene | BearingSet:
 
 def _put(document: dict[str, Any], key: keys.StudyKey, value: NDArray) -> None:
     paths.put(document, key.path, _plain(value))
-    for each in key.replaces:
-        other = tuple(each.split("."))
-        if is_set(document) and other[:-1] != key.path[:-1]:
-            continue  # a set's preload leaves the shaft its axial channel
+    for other in keys.replaced(key, document):
         paths.take_out(document, other)
 
 

@@ -186,7 +186,8 @@ def test_what_is_no_question_is_refused(
     ("text", "said"),
     [
         ("bearing = 3", "is not a table"),
-        ("[[rows]]\nposition_mm = 0\n[bearing]\nname = 'b218'", "is a set of rows"),
+        ("[[rows]]\nposition_mm = 0\n[bearing]\nname = 'b218'", "row 1.carries"),
+        ("[[spectrum]]\nshare = 1\n[bearing]\nname = 'b218'", "is several operating points"),
         ("[bearing]\nname = '/etc/passwd'", "is not in the catalogue"),
         ("[bearing", "is not TOML"),
         ("", "is empty"),

@@ -2,7 +2,7 @@
 // The scene is the page's own: the server is told it with each question and keeps nothing.
 const $ = id => document.getElementById(id);
 const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
-const PICTURES = ["angles", "loads", "stiffness", "life", "ellipses"];
+const PICTURES = ["angles", "loads", "stiffness", "life", "ellipses", "shaft"];
 const MAIN = ["section", "key", "warnings"], SLOW = [...PICTURES, "effects", "tables"], PATIENCE = 150;
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
 let shown = null, waits = 0;  // the input that the results on the page are of; a timer
@@ -52,6 +52,8 @@ async function take(question, given) {
 
 function show(found) {
   const groups = new Map();
+  $("note").textContent = found.note;
+  $("entry").disabled = found.note !== "";  // rows may have bearings of their own
   for (const field of found.fields) {
     const title = field.path.slice(0, -1).join(", ").replaceAll("_", " ") || "scene";
     if (!groups.has(title)) groups.set(title, []);
@@ -172,13 +174,12 @@ async function solve() {
       fresh(MAIN);
       $("of").textContent = "";
       $("name").textContent = now.document.bearing?.name ?? (now.label || "Bearing");
-      $("section").innerHTML = found.picture;
+      Object.assign($("section"), {innerHTML: found.picture, hidden: found.picture === ""});
       for (const id of ["key", "warnings"]) $(id).innerHTML = found[id];
-      if (!found.is_solved) {
-        for (const id of PICTURES) $(id).replaceChildren();
-        fresh(PICTURES);
-      }
-      rest(turn, found.is_solved);
+      const others = PICTURES.filter(id => !found.pictures.includes(id));
+      for (const id of others) $(id).replaceChildren();
+      fresh(others);
+      rest(turn, found.pictures);
     }
     await new Promise(done => requestAnimationFrame(done));
   }
@@ -186,9 +187,9 @@ async function solve() {
 }
 
 // What takes longer follows when nothing moves.
-async function rest(mine, isSolved) {
+async function rest(mine, pictures) {
   await new Promise(done => setTimeout(done, 60));
-  for (const name of isSolved ? PICTURES : []) {
+  for (const name of pictures) {
     if (mine !== turn) return;
     const found = await ask("picture", {...now, name});
     if (found.errors || mine !== turn) return;
@@ -200,6 +201,7 @@ async function rest(mine, isSolved) {
   if (mine !== turn || found.errors) return;
   $("tables").innerHTML = found.tables;
   $("effects").tBodies[0].replaceChildren(...found.effects.map(effectOf));
+  $("effects").closest("section").hidden = found.effects.length === 0;
   fresh(["tables", "effects"]);
 }
 
