@@ -75,7 +75,7 @@ def shown(document: Tables) -> Answer:
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, its key results and warnings; of a bearing the section; and the names of the pictures to ask for."""
+    """How the case ended, key results, warnings, of a bearing the section, and the names of the pictures to ask for."""
     solution = _solution(document, label)
     found = _taken(solution)
     names = list(drawn.panels(solution)) if solution.converged else []

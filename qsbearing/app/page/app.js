@@ -50,10 +50,13 @@ async function take(question, given) {
   return true;
 }
 
+const isSet = () => "rows" in now.document;
+
 function show(found) {
   const groups = new Map();
   $("note").textContent = found.note;
-  $("entry").disabled = found.note !== "";  // rows may have bearings of their own
+  $("entry").disabled = isSet();  // rows may have bearings of their own
+  $("effects").closest("section").hidden = isSet();
   for (const field of found.fields) {
     const title = field.path.slice(0, -1).join(", ").replaceAll("_", " ") || "scene";
     if (!groups.has(title)) groups.set(title, []);
@@ -173,7 +176,7 @@ async function solve() {
       for (const id of SLOW) $(id).classList.add("stale");
       fresh(MAIN);
       $("of").textContent = "";
-      $("name").textContent = now.document.bearing?.name ?? (now.label || "Bearing");
+      $("name").textContent = (!isSet() && now.document.bearing?.name) || now.label || "Bearing";
       Object.assign($("section"), {innerHTML: found.picture, hidden: found.picture === ""});
       for (const id of ["key", "warnings"]) $(id).innerHTML = found[id];
       const others = PICTURES.filter(id => !found.pictures.includes(id));
@@ -201,7 +204,6 @@ async function rest(mine, pictures) {
   if (mine !== turn || found.errors) return;
   $("tables").innerHTML = found.tables;
   $("effects").tBodies[0].replaceChildren(...found.effects.map(effectOf));
-  $("effects").closest("section").hidden = found.effects.length === 0;
   fresh(["tables", "effects"]);
 }
 
