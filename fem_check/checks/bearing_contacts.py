@@ -246,7 +246,7 @@ def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict
     values = {race: approaches.get(race, (1.0, 0.0)) for race in RACES}
     whole = load(source)
     of = solve_set(source, whole) if isinstance(whole, qsbearing.BearingSet) else None
-    for moved in (None, *RACES):
+    for moved in (None, *(race for race, (_, doubt) in values.items() if doubt)):
         inner, outer = (value + (doubt if race == moved else 0.0) for race, (value, doubt) in values.items())
         first = next(iter(contacts.values())).solution
         if of is None:

@@ -404,10 +404,9 @@ def _support_note(series: dict[str, Any]) -> str:
         return ""
     return (
         f"With the outside diameter free, against the model's rigid rings: {_spans(series[str(OuterSupport.FREE)])} "
-        "Which is right is "
-        "for the designer to say: a tight fit in a stiff housing is near the rigid case, where the model holds within "
-        "the rows above; a loose or thin housing lets the outer ring grow. That softens the bearing axially and takes "
-        "preload away, far more than anything that Hertz leaves out, and it turns the contact angle."
+        "The designer must decide which seat applies: a tight fit in a stiff housing is near the rigid case, where the "
+        "model holds within the rows above; a loose or thin housing lets the outer ring grow. That softens the bearing "
+        "axially and takes preload away, far more than anything that Hertz leaves out, and it turns the contact angle."
     )
 
 

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from fem_check.checks import ALL
-from fem_check.release import drift, integrity, known
+from fem_check.release import drift, integrity
 from fem_check.rows.agreement import Level
-from fem_check.running import runner
+from fem_check.running import known, runner
 
 Record = dict[str, Any]
 

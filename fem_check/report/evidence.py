@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -36,6 +37,8 @@ class Kept:
     """Of its file, from the folder of records or the repository."""
     data: dict[str, Any]
     command: str
+    digest: str = ""
+    """sha256 of the file."""
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -83,6 +86,8 @@ class Evidence:
     errata: Kept | None = None
     hard_cases: Kept | None = None
     campaigns: list[Kept] = field(default_factory=list)
+    recomputed: list[Kept] = field(default_factory=list)
+    """Campaigns of spindles and of elastic rings, whose solutions are computed a second time; they have no limit."""
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
@@ -94,7 +99,7 @@ class Evidence:
         """Every record."""
         yield from self.checks.values()
         yield from self.book.values()
-        yield from self.campaigns
+        yield from (*self.campaigns, *self.recomputed)
         others = (
             self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
             self.auto_accuracy, self.scipy, self.mutations, self.gate,
@@ -117,13 +122,17 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     if not entries:
         raise records_store.RecordError(f"no records in {records}: run `fem-check run --out {records}` first")
     checks = {
-        name: Kept(
-            f"{label}/{each['level']}/{name}.json", each, records_store.command_of(name, each["level"], each["scene"])
+        name: _kept(
+            f"{label}/{each['level']}/{name}.json",
+            records_store.path_of(name, each["level"], records),
+            records_store.command_of(name, each["level"], each["scene"]),
+            each,
         )
         for name, each in entries.items()
     }
     gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
-    campaigns = [kept for name, kept in gate.items() if name.startswith("campaign/")]
+    campaigns = {each.data["envelope"]: each for each in _campaigns("")}
+    campaigns |= {each.data["envelope"]: each for name, each in gate.items() if name.startswith("campaign/")}
     return Evidence(
         records,
         checks,
@@ -134,7 +143,8 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
         _elsewhere("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
         gate.get("hard_cases/table")
         or _elsewhere("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
-        campaigns or _campaigns(),
+        list(campaigns.values()),
+        _campaigns("recomputed"),
         _elsewhere(
             "qsbearing/studies/cost/records/b218_combined.json",
             "qsbearing cost tests/verification/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
@@ -163,26 +173,34 @@ def _load(path: Path) -> dict[str, Any]:
     return found
 
 
+def _kept(name: str, path: Path, command: str, data: dict[str, Any] | None = None) -> Kept:
+    """A file with its sha256."""
+    return Kept(name, data or _load(path), command, hashlib.sha256(path.read_bytes()).hexdigest())
+
+
 def _elsewhere(name: str, command: str) -> Kept | None:
     """A record of the repository, where the repository or what an installed package carries of it has one."""
-    for root in (REPOSITORY, CARRIED):
-        if (root / name).is_file():
-            return Kept(name, _load(root / name), command)
-    return None
+    paths = [root / name for root in (REPOSITORY, CARRIED) if (root / name).is_file()]
+    return _kept(name, paths[0], command) if paths else None
 
 
-def _campaigns() -> list[Kept]:
-    """The latest record of each envelope."""
-    found = []
+def _campaigns(under: str) -> list[Kept]:
+    """The records of random scenes in a folder, which the repository or an installed package has."""
     for root in (REPOSITORY, CARRIED):
-        for path in sorted((root / "tests" / "verification" / "campaign" / "records").glob("*.json")):
-            data = _load(path)
-            command = f"python -m tests.verification.campaign --envelope {data['envelope']}"
-            command = f"{command} --count {data['count']} --seed {data['seed']}"
-            found.append(Kept(f"tests/verification/campaign/records/{path.name}", data, f"{command} --record"))
-        if found:
-            break
-    return found
+        paths = sorted((root / CAMPAIGNS / under).glob("*.json"))
+        if paths:
+            return [_kept(path.relative_to(root).as_posix(), path, _again(_load(path))) for path in paths]
+    return []
+
+
+CAMPAIGNS = "tests/verification/campaign/records"
+
+
+def _again(data: dict[str, Any]) -> str:
+    module = "python -m tests.verification.campaign"
+    if "campaign" in data:
+        return f"{module}.{data['campaign']} {data['count']} {data['seed']}"
+    return f"{module} --envelope {data['envelope']} --count {data['count']} --seed {data['seed']} --record"
 
 
 def _cost(records: Path) -> Kept | None:
@@ -190,7 +208,8 @@ def _cost(records: Path) -> Kept | None:
     if found is None:
         return None
     level = found["level"]
-    return Kept(f"{_label(records)}/cost/{level}.json", found, f"fem-check cost --level {level}")
+    name = f"cost/{level}.json"
+    return _kept(f"{_label(records)}/{name}", records / name, f"fem-check cost --level {level}", found)
 
 
 def published(records: Path) -> dict[str, Kept]:
@@ -199,7 +218,9 @@ def published(records: Path) -> dict[str, Kept]:
     for path in sorted((records / "book").glob("*.json")):
         data = _load(path)
         if {"case", "verdict", "rows"} <= set(data):
-            found[data["case"]] = Kept(f"{_label(records)}/book/{path.name}", data, f"fem-check book {data['case']}")
+            found[data["case"]] = _kept(
+                f"{_label(records)}/book/{path.name}", path, f"fem-check book {data['case']}", data
+            )
     return found
 
 
@@ -212,8 +233,8 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
     paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
     names = [path.relative_to(folder).as_posix() for path in paths]
     return {
-        name.removesuffix(".json"): Kept(
-            f"{label}/gate/{level}/{name}", _load(path), f"python -m fem_check release --level {level}"
+        name.removesuffix(".json"): _kept(
+            f"{label}/gate/{level}/{name}", path, f"python -m fem_check release --level {level}"
         )
         for name, path in zip(names, paths, strict=True)
     }

@@ -1,4 +1,4 @@
-"""The report as files, all or none: an HTML page, a PDF without the table of every row, the rows as CSV and JSON."""
+"""The report as files, all or none: an HTML page, a PDF, and every row as CSV and JSON."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def write_book(records: Path) -> Path:
     """
     path = folder_of(records) / "book.html"
     found = Evidence(records, {}, book=published(records))
-    sections = [book.computed(found), book.measured(found)]
+    sections = book.sections(found, whole=True)
     said = "Published cases: standards, catalogues, other programs, and measurements."
     records_store.replace(path, html(Document("The validation book", "qsbearing", sections, said)).encode())
     return path

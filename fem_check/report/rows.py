@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from math import inf
 from typing import Any
 
 from fem_check.rows import row_text
-from qsbearing.documents.model import Badge, Cell, Group, Table
+from qsbearing.documents.model import Badge, Cell, Table
 
 Row = dict[str, Any]
 
@@ -16,8 +17,6 @@ SHORT = {
     "max_shear_depth": "depth of τmax", "axial_displacement": "axial displacement",
 }  # fmt: skip
 STATUS = {"pass": "pass", "fail": "fail", "finding": "finding"}
-ORDER = ("fail", "pass", "finding", "refused")
-"""The verdict of several rows is the first of these that one of them has."""
 
 
 def quantity(name: str) -> str:
@@ -50,179 +49,97 @@ def badge(word: str) -> Badge:
     return Badge(word, STATUS.get(word, "missing"))
 
 
-def verdict(rows: Iterable[Row]) -> str:
-    """Of several rows."""
-    found = {row["verdict"] for row in rows}
-    return next((word for word in ORDER if word in found), "finding")
-
-
 def counts(rows: Sequence[Row]) -> dict[str, int]:
     """How many rows have each verdict."""
     return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
 
 
-HEADINGS = ("quantity", "reference", "found", "deviation, %", "tolerance", "verdict")
-ALIGN = "lrrrrl"
-MOST_ROWS = 100
-"""Of one table's rows that are shown one by one."""
-LONGEST_NAME = 80
-"""Of a case in a column beside its quantities."""
-NOTES = "notes"
+def difference(row: Row) -> str:
+    """What was found against the reference, with its uncertainty and unit."""
+    said = row_text.difference(row)
+    if row["uncertainty_percent"] is None:  # nothing says to which digit it is known
+        size = (row["found"] - row["reference"]) * row_text.in_unit(row)[0]
+        said = short(size) if not row["reference"] or row_text.is_absolute(row) else short(row["deviation_percent"])
+    unit = row_text.difference_unit(row)
+    return f"{said}{'' if unit in ('', '°') else ' '}{unit}"
 
 
-def cells(row: Row) -> list[Cell]:
-    """The cells of a row below `HEADINGS`."""
-    told = row_text.of_row(row)
-    return [
-        _headed(row["quantity"], row_text.in_unit(row)[1]) + _worst_at(row),
-        told.reference,
-        told.found,
-        row_text.deviation(row),
-        told.tolerance,
-        badge(row["verdict"]),
-    ]
+def short(value: float) -> str:
+    """With its sign, to two digits, or three of a number from ten to a thousand."""
+    return row_text.number(value, 3 if 10.0 <= abs(value) < 1000.0 else 2, signed=True)
 
 
-def _worst_at(row: Row) -> str:
-    """Where the quantity is worst, without the name of the case, which stands beside it."""
-    case = re.sub(r"^nearest of \d+: ", "", row["case"])
-    place = re.sub(r":\s*(?=[,:]|$)", "", quantity(as_read(row.get("worst_at") or "").replace(as_read(case), "")))
-    return f" (worst at {place.strip()})" if place.strip() else ""
+def largest(rows: Iterable[Row]) -> str:
+    """The largest difference of some rows in the unit that readers see, without its uncertainty; empty for no row."""
+    row = max(rows, key=_size, default=None)
+    return "" if row is None else difference(row | {"uncertainty_percent": None})
 
 
-def _headed(name: str, unit: str) -> str:
-    return quantity(as_read(name)) + (f", {unit}" if unit else "")
+def used(row: Row) -> float:
+    """Share of its tolerance that deviation and uncertainty take; of a row without one 0, and infinite of one that is
+    refused."""
+    if row["found"] is None:
+        return inf
+    reach = abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)
+    tolerance = row["tolerance_percent"]
+    return float(reach / tolerance) if tolerance else (inf if tolerance == 0.0 and reach else 0.0)
 
 
-def _difference_headed(row: Row) -> str:
-    """Head of a column of `row_text.difference`."""
-    return _headed(row["quantity"], row_text.difference_unit(row))
-
-
-def agreement(rows: Sequence[Row], caption: str = "") -> list[Table]:
-    """The rows as tables, the source and the reason of each as its footnotes.
-
-    Cases that have the same quantities side by side share one table, with deviations in its cells. Where cases have
-    several rows, or long names, the name is a row above them. More than `MOST_ROWS` rows are condensed, and the
-    caption says so.
-    """
-    if len(rows) > MOST_ROWS:
-        caption = f"{caption} (of {len(rows)} rows; all are in the CSV file)"
-        rows = _condensed(rows)
-    cases: dict[str, list[Row]] = {}
+def worst(rows: Sequence[Row], most: int = 5) -> list[tuple[int, Row]]:
+    """Of each quantity the worst row and of how many it is; failures first, then at most three findings, the largest,
+    then the rows nearest to their tolerances."""
+    alike: dict[tuple[str, bool], list[Row]] = {}
     for row in rows:
-        cases.setdefault(row["case"], []).append(row)
-    shapes: dict[tuple[str, ...], list[str]] = {}
-    for case, own in cases.items():
-        shapes.setdefault(tuple(map(_difference_headed, own)), []).append(case)
-    found: list[Table] = []
-    alone: list[str] = []
-    for heads, names in shapes.items():
-        if len(names) >= 3 and len(heads) >= 2:
-            beside = [(name, cases[name]) for name in names]
-            found += [_side_by_side(heads, beside, caption), *_parts_of(beside, caption)]
-        else:
-            alone += names
-    return ([_row_by_row([(name, cases[name]) for name in alone], caption)] if alone else []) + found
+        alike.setdefault((row["quantity"], row["tolerance_percent"] is None), []).append(row)
+    each = [(len(same), max(same, key=_badness)) for same in alike.values()]
+    failing = [pair for pair in each if pair[1]["verdict"] in ("fail", "refused")]
+    findings = sorted(
+        (pair for pair in each if pair[1]["verdict"] == "finding"), key=lambda pair: -abs(pair[1]["deviation_percent"])
+    )
+    judged = sorted((pair for pair in each if pair[1]["verdict"] == "pass"), key=lambda pair: -used(pair[1]))
+    room = max(3, most - len(judged))
+    return [*failing, *findings[:room], *judged][:most]
 
 
-def _row_by_row(cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
-    notes = _Notes()
-    lines: list[list[Cell] | Group] = []
-    are_many = sum(len(rows) for _, rows in cases) >= 2 * len(cases)
-    if are_many or any(len(name) > LONGEST_NAME for name, _ in cases):
-        for name, rows in cases:
-            lines += [Group(as_read(name)), *([*cells(row), notes.of([row])] for row in rows)]
-        return Table((*HEADINGS, NOTES), lines, f"{ALIGN}l", caption, stack=True, notes=notes.listed)
-    lines += [[as_read(name), *cells(row), notes.of([row])] for name, rows in cases for row in rows]
-    return Table(("case", *HEADINGS, NOTES), lines, f"l{ALIGN}l", caption, stack=True, notes=notes.listed)
+def _badness(row: Row) -> tuple[bool, float, float]:
+    return row["verdict"] in ("fail", "refused"), used(row), _size(row)
 
 
-def _condensed(rows: Sequence[Row]) -> list[Row]:
-    """Of three rows or more that are judged alike those that do not pass, or else the one that uses most of its
-    tolerance; of as many findings none."""
-
-    def used(row: Row) -> float:
-        return float((abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)) / row["tolerance_percent"])
-
-    alike: dict[tuple[Any, ...], list[Row]] = {}
-    for row in rows:
-        alike.setdefault((row["quantity"], row["unit"], row["why_tolerance"]), []).append(row)
-    found = []
-    for same in alike.values():
-        failing = [row for row in same if row["verdict"] in ("fail", "refused")]
-        if len(same) < 3:
-            found += same
-        elif failing:
-            found += failing
-        elif same[0]["tolerance_percent"] is not None:
-            nearest = max(same, key=used)
-            found.append(nearest | {"case": f"nearest of {len(same)}: {nearest['case']}"})
-    return found
+def _size(row: Row) -> float:
+    if row["found"] is None:
+        return inf
+    return float(abs(row["found"] - row["reference"] if row_text.is_absolute(row) else row["deviation_percent"]))
 
 
-def _side_by_side(heads: Sequence[str], cases: Sequence[tuple[str, list[Row]]], caption: str) -> Table:
-    title = f"{caption}: deviation ± its uncertainty" if caption else "Deviation ± uncertainty"
+HEADINGS = ("quantity", "worst of", "deviation ± 95 %", "limit", "where", "verdict")
+
+
+def table(rows: Sequence[tuple[int, Row]], caption: str = "") -> Table:
+    """Rows, each the worst of so many."""
     lines: list[list[Cell]] = []
-    notes = _Notes()
-    for name, rows in cases:
-        lines.append([as_read(name), *map(row_text.difference, rows), badge(verdict(rows)), notes.of(rows)])
-    headings = ("case", *heads, "verdict", NOTES)
-    return Table(headings, lines, "l" + "r" * len(heads) + "ll", title, stack=True, notes=notes.listed)
+    for count, row in rows:
+        name, unit = quantity(as_read(row["quantity"])), row_text.in_unit(row)[1]
+        if row["found"] is None:
+            lines.append([name, str(count), "", "", as_read(row["case"]), badge(row["verdict"])])
+            continue
+        told = row_text.of_row(row)
+        what = difference(row) if told.deviation or not row["reference"] else f"{told.found} {unit}"
+        place = row.get("worst_at") or ""
+        where = place if row["case"] in place else ", ".join(filter(None, (row["case"], place)))
+        lines.append([name, str(count), what, told.tolerance, quantity(as_read(where)), badge(row["verdict"])])
+    return Table(HEADINGS, lines, "llllll", caption, stack=True)
 
 
-_PART = re.compile(r"([^,:\d]+) ([+-]\d\S* ± \S+) ([^\s,]+)(?:, |$)")
+def reasons(rows: Iterable[Row]) -> list[list[Cell]]:
+    """A line for each reason: its quantities, their limits, the reason."""
+    found: dict[str, dict[str, dict[str, None]]] = {}
+    for row in rows:
+        why = as_read(row["why_tolerance"] or "").removeprefix("a finding").removeprefix(": ")
+        entry = found.setdefault(why, {"quantity": {}, "limit": {}})
+        entry["quantity"][quantity(as_read(row["quantity"]))] = None
+        entry["limit"][row_text.of_row(row).tolerance or "none"] = None
+    return [[", ".join(entry["quantity"]), _several(list(entry["limit"])), why] for why, entry in found.items()]
 
 
-def _parts(row: Row) -> list[tuple[str, str]]:
-    """Name with unit and value of each part that the reason of a finding lists; empty if it says anything else."""
-    why = as_read(row["why_tolerance"] or "").removeprefix("a finding: ")
-    found = _PART.findall(why) if row["verdict"] == "finding" else []
-    return [(f"{name}, {unit}", value) for name, value, unit in found] if not _PART.sub("", why) else []
-
-
-def _parts_of(cases: Sequence[tuple[str, list[Row]]], caption: str) -> list[Table]:
-    """The parts of deviations side by side: a row of each quantity, or of each case if these have others."""
-    every = [_parts(row) for _, rows in cases for row in rows]
-    names = [[name for name, _ in parts] for parts in every]
-    if not all(every):
-        return []
-    lines: list[list[Cell] | Group] = []
-    if all(each == names[0] for each in names):
-        headings = ["quantity", *names[0]]
-        for case, rows in cases:
-            lines.append(Group(as_read(case)))
-            lines += [[_headed(row["quantity"], ""), *(value for _, value in _parts(row))] for row in rows]
-    else:
-        headings = ["case", *(name for row in cases[0][1] for name, _ in _parts(row))]
-        lines += [[as_read(case), *(value for row in rows for _, value in _parts(row))] for case, rows in cases]
-    title = f"{caption}: parts of the deviation" if caption else "Parts of the deviation"
-    return [Table(headings, lines, caption=title, stack=True)]
-
-
-class _Notes:
-    """Footnotes of a table, in the order in which its rows need them."""
-
-    def __init__(self) -> None:
-        self.marks: dict[str, str] = {}
-
-    def of(self, rows: Sequence[Row]) -> str:
-        """The marks of what the rows rest on: where each reference is from, and why its tolerance."""
-        texts = [f"Reference: {as_read(row['reference_source'])}" for row in rows]
-        for row in rows:
-            why = re.sub("^a finding(: |$)", "", as_read(row["why_tolerance"] or ""))
-            if why and not _parts(row):
-                texts.append(f"{_LABELS.get(row['verdict'], 'Tolerance')}: {why}")
-        return " ".join(self.marks.setdefault(text, _mark(len(self.marks))) for text in dict.fromkeys(texts))
-
-    @property
-    def listed(self) -> list[tuple[str, str]]:
-        return [(mark, text) for text, mark in self.marks.items()]
-
-
-_LABELS = {"finding": "Finding", "refused": "Refused"}
-
-
-def _mark(number: int) -> str:
-    """a, b, ..., z, aa, ab, ..."""
-    return (chr(ord("a") + number // 26 - 1) if number >= 26 else "") + chr(ord("a") + number % 26)
+def _several(limits: Sequence[str]) -> str:
+    return ", ".join(limits) if len(limits) <= 4 else f"{limits[0]}, ... ({len(limits)} limits)"

@@ -81,10 +81,13 @@ _MOST_DECIMALS = 6
 """Smaller uncertainties are those of rounding, and are written with a power of ten."""
 
 
-def passes_through_zero(row: Row) -> bool:
+def is_absolute(row: Row) -> bool:
     """Whether a per cent of the reference would mislead: a displacement at speed is zero at some load, and what a ring
-    adds to it, 9 µm, is then any per cent. A displacement that is judged has its tolerance in per cent."""
-    return bool(row["quantity"].endswith("displacement") and row["unit"] == "m" and row["tolerance_percent"] is None)
+    adds to it, 9 µm, is then any per cent; an angle's zero is arbitrary. A displacement that is judged has a tolerance
+    in per cent."""
+    return row["unit"] == "deg" or (
+        row["quantity"].endswith("displacement") and row["unit"] == "m" and row["tolerance_percent"] is None
+    )
 
 
 def own_difference(row: Row) -> tuple[str, str]:
@@ -108,15 +111,16 @@ def of_row(row: Row) -> RowText:
         if row["uncertainty_percent"]:
             found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
         return RowText("0", found or "", "", "", limit)
-    if passes_through_zero(row):
-        deviation, uncertainty = (f"{each} {unit}" if each else "" for each in own_difference(row))
     limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
+    if is_absolute(row):
+        deviation, uncertainty = (f"{each} {unit}" if each else "" for each in own_difference(row))
+        limit = limit and f"{number(0.01 * tolerance * abs(row['reference']) * factor, 2)} {unit}"
     return RowText(reference or "", found or "", deviation, uncertainty, limit)
 
 
 def difference_unit(row: Row) -> str:
     """Of `difference`."""
-    return in_unit(row)[1] if row["reference"] == 0.0 or passes_through_zero(row) else "%"
+    return in_unit(row)[1] if row["reference"] == 0.0 or is_absolute(row) else "%"
 
 
 def difference(row: Row) -> str:
@@ -124,7 +128,7 @@ def difference(row: Row) -> str:
     told = of_row(row)
     if row["reference"] == 0.0:
         return told.found
-    deviation, uncertainty = own_difference(row) if passes_through_zero(row) else (told.deviation, told.uncertainty)
+    deviation, uncertainty = own_difference(row) if is_absolute(row) else (told.deviation, told.uncertainty)
     return deviation + (f" ± {uncertainty}" if uncertainty else "")
 
 
@@ -132,7 +136,7 @@ def deviation(row: Row) -> str:
     """Deviation ± its uncertainty: per cent, unless a unit stands behind it; nothing of a reference that is zero."""
     if row["found"] is None or row["reference"] == 0.0:
         return ""
-    return difference(row) + (f" {in_unit(row)[1]}" if passes_through_zero(row) else "")
+    return difference(row) + (f" {in_unit(row)[1]}" if is_absolute(row) else "")
 
 
 def span(loads: tuple[float, ...]) -> str:

@@ -70,7 +70,7 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
         case model.Section():
             return {
                 "is": "section", "title": runs(block.title), "name": block.name, "level": level,
-                "blocks": _blocks(block.blocks, level + 1, counted),
+                "whole": block.is_whole, "blocks": _blocks(block.blocks, level + 1, counted),
             }  # fmt: skip
         case model.Paragraph():
             return {"is": "paragraph", "text": runs(block.text)}

@@ -47,7 +47,11 @@ def runs_of(tokens: Any) -> list[Run]:
                 {"text": forms(token.content)["text"], "styles": [], "href": href, "math": forms(token.content)}
             )
         elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
-            content = token.content if token.content else " "
+            content = token.content
+            if not content:  # before a mark that begins a line there is an empty text
+                if token.type == "text":
+                    continue
+                content = " "
             kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
             if found and "math" not in found[-1] and found[-1]["styles"] == kinds and found[-1]["href"] == href:
                 found[-1]["text"] += content

@@ -162,6 +162,8 @@ class Section:
     title: str
     blocks: Sequence[Block]
     anchor: str = ""
+    is_whole: bool = False
+    """Whether all of it stands on one page of paper, which it must not be longer than."""
 
     @property
     def name(self) -> str:

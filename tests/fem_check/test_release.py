@@ -13,9 +13,10 @@ from click.testing import CliRunner, Result
 
 from fem_check.checks import ALL
 from fem_check.cli import cli
-from fem_check.release import drift, gate, known, manifest, steps, tree
+from fem_check.release import drift, gate, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
 from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.running import known
 from qsbearing.results import provenance
 from tests.verification.campaign.envelope import ENVELOPES
 

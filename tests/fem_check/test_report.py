@@ -21,13 +21,12 @@ from click.testing import CliRunner
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
-from fem_check.report.rows import agreement, as_read, quantity
+from fem_check.report.rows import as_read, quantity, table, worst
 from fem_check.report.sections import tolerances
 from fem_check.rows.agreement import Row
-from fem_check.rows.row_text import UNITS, passes_through_zero
 from fem_check.running import records_store
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Document, Group
+from qsbearing.documents.model import Document
 from qsbearing.documents.pdf import pdf
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
@@ -35,8 +34,10 @@ from tests.documents.test_pdf import fonts
 from tests.drawing import drawing
 
 ROOT = Path(__file__).parents[2]
-PAGES = 45
+PAGES = 22
 """At most, on paper."""
+SCREENS = 60
+"""Likewise, of 1280 x 900."""
 SMALL = ("patch_test", "manufactured_solution", "body_size")
 
 
@@ -89,57 +90,21 @@ def drawn_whole() -> Document:
 
 
 @pytest.mark.heavy
-def test_the_page_with_its_pictures_is_sound(drawn_whole: Document) -> None:
-    assert Page.of(html(drawn_whole)).faults == []
-
-
-def test_every_row_of_the_records_stands_in_the_table(read: Page) -> None:
-    """Read back from the page, each number is the record's, to the digits shown."""
-    found = evidence.read()
-    table = next(table for table in read.tables if table[0][:2] == ["check", "case"])
-    kept = [(name, row) for each in (found.checks, found.book) for name, k in each.items() for row in k.data["rows"]]
-    assert len(kept) == len(table) - 1 > 400
-    for (name, row), cells in zip(kept, table[1:], strict=True):
-        check, case, what, reference, value, difference, tolerance, verdict = cells
-        deviation = difference.split(" ± ")[0]
-        assert (check, case, verdict) == (name, as_read(row["case"]), row["verdict"])
-        assert what.startswith(quantity(as_read(row["quantity"])))
-        factor = UNITS.get(row["unit"], (1.0, ""))[0]
-        assert float(value.split(" ± ")[0]) == pytest.approx(row["found"] * factor, rel=1e-5, abs=1e-300)
-        assert float(reference) == pytest.approx(row["reference"] * factor, rel=1e-5, abs=1e-300)
-        assert (tolerance == "") == (row["tolerance_percent"] is None)
-        if row["reference"] == 0.0:
-            assert deviation == ""
-            continue
-        if passes_through_zero(row):
-            assert float(deviation) == pytest.approx((row["found"] - row["reference"]) * factor, rel=0.06)
-            assert difference.endswith(f" {UNITS[row['unit']][1]}")
-            continue
-        last_digit = 0.1 * (row["uncertainty_percent"] or 0.0)
-        assert float(deviation) == pytest.approx(row["deviation_percent"], rel=0.06, abs=max(last_digit, 1e-300))
-
-
-def test_a_column_says_the_unit_of_its_own_cells() -> None:
-    """Cases side by side: per cent of a reference, but of a reference that is zero a difference in the row's unit."""
-    columns = {"load": ("N", 200.0, 203.0), "rms deviation": ("1", 0.0, 0.006), "angle": ("deg", 0.0, 0.02)}
-    rows = [
-        Row(case, name, unit, reference, "source", found, None, None, "why").as_dict()
-        for case in "abc"
-        for name, (unit, reference, found) in columns.items()
-    ]
-    (table,) = agreement(rows, "Agreement")
-    assert table.headings[1:4] == ("load, %", "rms deviation", "angle, °")
-    assert table.rows[0][1:4] == ["+1.5", "0.006", "0.02"]
-    assert "per cent" not in table.caption
-    rows[1]["reference"] = 1.0  # what is per cent in one case and a difference in the others shares no column
-    rows_and_names = 9 + 3
-    assert [len(each.rows) for each in agreement(rows)] == [rows_and_names]
+@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+def test_the_page_with_its_pictures_is_sound_and_short(drawn_whole: Document, tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(html(drawn_whole), encoding="utf-8")
+    assert Page.of(path.read_text(encoding="utf-8")).faults == []
+    with Browser() as browser:
+        browser.open(path, width=1280)
+        assert browser.value("document.documentElement.scrollHeight") <= SCREENS * 900
+        assert layout_faults(browser, path) == []
 
 
 def test_every_record_is_named_with_its_command(read: Page) -> None:
     for kept in evidence.read().all():
-        assert kept.name in read.text
-        assert kept.command in read.text
+        assert kept.name.removeprefix("fem_check/records/") in read.text
+        assert re.sub("^(fem-check book) .*", r"\1", kept.command) in read.text
 
 
 @pytest.mark.heavy
@@ -156,8 +121,9 @@ def test_the_pdf_holds_its_fonts_and_says_the_verdict(shipped: Document) -> None
     assert all(held.values())
     first = re.sub(r"\s", "", reader.pages[0].extract_text())
     assert "Validationreport" in first or "VALIDATIONREPORT" in first
-    assert re.sub(r"\s", "", "rows of agreement, each one quantity compared with its reference") in first
-    assert "Reproducing this report" in reader.pages[1].extract_text()
+    assert "Releasedby" in first, "page 1 ends with who releases it"
+    assert re.search(r"Arethe.*p\.\d+", first), "a question names its page"
+    assert "Contents" in reader.pages[1].extract_text()
 
 
 def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:
@@ -169,70 +135,28 @@ def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> Non
     table = list(csv.DictReader(StringIO(files.csv_of(told["rows"]).decode())))
     assert [row["why_tolerance"] for row in table] == [row["why_tolerance"] for row in kept]
     assert float(table[0]["found"]) == kept[0]["found"]
-    assert f"Of {len(kept)} rows of agreement" in validation.verdict(found).text
 
 
-def test_levels_of_evidence_count_every_row_once(page: str) -> None:
-    table = next(table for table in Page.of(page).tables if table[0][0] == "level of evidence")
-    *levels, every = [[int(cell) for cell in line[2:6]] for line in table[1:]]
-    assert [sum(column) for column in zip(*levels, strict=True)] == every
-    assert every[0] == sum(every[1:])
-    assert every[0] == len(files.as_data(evidence.read())["rows"])
+def row(name: str, found: float, tolerance: float | None, case: str = "case", **others: Any) -> dict[str, Any]:
+    return Row(case, name, "1", 1.0, "a reference", found, 0.01, tolerance, "a reason", **others).as_dict()
 
 
-def test_footnotes_are_the_rows_own() -> None:
-    """Each row's marks lead to its source and to the reason of its tolerance."""
-    rows = [
-        Row(f"case {number}", "load", "N", 1.0, source, 1.0, None, tolerance, why).as_dict()
-        for number, (source, tolerance, why) in enumerate(
-            (
-                ("a book", 1.0, "printed digits"),
-                ("a book", None, "a finding: `not` known by 2 um"),
-                ("a chart", 1.0, "printed digits"),
-            )
-        )
-    ]
-    (table,) = agreement(rows, "Agreement")
-    texts = dict(table.notes)
-    assert [{texts[mark] for mark in line[-1].split()} for line in table.rows] == [
-        {"Reference: a book", "Tolerance: printed digits"},
-        {"Reference: a book", "Finding: not known by 2 µm"},
-        {"Reference: a chart", "Tolerance: printed digits"},
-    ]
+def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
+    rows = [row(name, 1.0 + 1e-4 * n, 5.0, f"case {n}") for name in "abcdef" for n in range(3)]
+    rows += [row("g", 1.01, 0.5), row("h", 1.2, None), row("h", 0.7, None)]
+    found = worst(rows)
+    assert [(count, each["quantity"]) for count, each in found[:2]] == [(1, "g"), (2, "h")]
+    assert found[1][1]["found"] == 0.7
+    assert len(found) == 5
+    assert {each["case"] for _, each in found[2:]} == {"case 2"}
+    shown = table(found).rows[0]
+    assert shown[:4] == ["g", "1", "+1.000 ± 0.010 %", "0.5 %"]
 
 
-def test_the_name_of_a_case_with_several_rows_is_above_them() -> None:
-    rows = [
-        Row(case, name, "m", 1.0, "a book", 1.0, 0.1, 1.0, "a reason", worst_at=worst).as_dict()
-        for case in ("a ball of 10 um", "a ring")
-        for name, worst in (("max_pressure", f"max_shear_stress: {case}"), ("approach", case), ("load", "Q = 5 N"))
-    ]
-    one, two, *_ = agreement([*rows, *(row | {"quantity": f"{row['quantity']} again"} for row in rows[:1])])[0].rows
-    assert one == Group("a ball of 10 µm")
-    assert two[0] == "p0, µm (worst at τmax)", "the case is named above"
-    (table,) = agreement([row | {"case": "x" * 90, "quantity": f"{n}"} for n, row in enumerate(rows[:1])])
-    assert isinstance(table.rows[0], Group), "long names leave no width for numbers"
-    (table,) = agreement(rows[:1])
-    assert not isinstance(table.rows[0], Group)
-
-
-def test_parts_of_deviations_are_a_table() -> None:
-    """Where the reason of each finding side by side lists them; else the reasons are footnotes."""
-    why = "a finding: gap's shape +0.1 ± 0.2 %, finite bodies and mesh -1.287 ± 0.180 %"
-    rows = [
-        Row(case, name, "1", 1.0, "a book", 1.1, 0.1, None, why).as_dict()
-        for case in ("one", "two", "three")
-        for name in ("max_pressure", "approach")
-    ]
-    beside, parts = agreement(rows)
-    assert [text for _, text in beside.notes] == ["Reference: a book"]
-    assert list(parts.headings) == ["quantity", "gap's shape, %", "finite bodies and mesh, %"]
-    assert parts.rows[:2] == [Group("one"), ["p0", "+0.1 ± 0.2", "-1.287 ± 0.180"]]
-    rows = [row | {"why_tolerance": why.replace("gap", row["quantity"])} for row in rows]
-    assert [len(row) for row in agreement(rows)[1].rows] == [5, 5, 5], "a row for each case, if its quantities differ"
-    rows[0]["why_tolerance"] = "a finding: in 3 cases: the ball adds +3 ± 1 %"
-    (beside,) = agreement(rows)
-    assert "Finding: in 3 cases: the ball adds +3 ± 1 %" in [text for _, text in beside.notes]
+def test_an_angle_is_no_per_cent() -> None:
+    """Its deviation and its limit are degrees, and it is rounded to its uncertainty."""
+    angle = row("inner angle", 40.4321, 0.25) | {"unit": "deg", "reference": 40.0, "deviation_percent": 1.08025}
+    assert table([(1, angle)]).rows[0][2:4] == ["+0.4321 ± 0.0040°", "0.1 °"]
 
 
 def test_a_material_is_its_bodys_and_a_sentence_stays_one() -> None:
@@ -251,27 +175,6 @@ def test_thousands_and_owners_are_read_in_one_style() -> None:
     assert quantity(as_read("ball material.elastic_modulus")) == "ball's elastic modulus"
 
 
-def test_of_a_long_table_the_rows_nearest_to_their_tolerance_are_shown() -> None:
-    """Or all that fail; and that they are not all is said."""
-    rows = [
-        Row(f"case {n}", quantity, "1", 1.0, "a reference", 1.0 + 1e-4 * n, 0.01, tolerance, "a reason").as_dict()
-        for n in range(25)
-        for quantity, tolerance in (("a", 0.5), ("b", 0.22 if n < 23 else 0.1), ("c", None), ("d", 5.0))
-    ]
-    assert len(agreement(rows)[0].rows) == 25
-    rows.append(Row("alone", "limit", "1", 1.0, "a reference", 1.0, 0.0, 1.0, "another reason").as_dict())
-    (table,) = agreement(rows, "Agreement")
-    assert table.caption == "Agreement (of 101 rows; all are in the CSV file)"
-    assert [(line[1], line[0]) for line in table.rows] == [
-        ("a", "nearest of 25: case 24"),
-        ("d", "nearest of 25: case 24"),
-        ("b", "case 22"),
-        ("b", "case 23"),
-        ("b", "case 24"),
-        ("limit", "alone"),
-    ]
-
-
 def test_the_same_records_are_the_same_report(drawn: None) -> None:
     """Pictures too, but for those of the book and of costs."""
     found = without_the_rest(evidence.read())
@@ -285,7 +188,7 @@ def test_what_is_missing_is_said(records: Path) -> None:
     change(records, "body_size", lambda entry: entry.pop("provenance"))
     text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
     assert "Check patch_test is not on record here" in text
-    assert "not on record: patch_test, half_space_contacts, load_power_law" in text
+    assert "Not on record: patch_test, half_space_contacts, load_power_law" in text
     assert "the validation book" in text
     assert "commit, date and machine not recorded" in text
 
@@ -313,7 +216,7 @@ def test_a_failing_row_is_the_verdict(records: Path) -> None:
     change(records, "patch_test", spoil)
     document = validation.document(without_the_rest(evidence.read(records)))
     assert "Fail: patch_test" in Page.of(html(document)).text
-    assert "Pass:" not in Page.of(html(document)).text
+    assert "May be used" not in Page.of(html(document)).text
 
 
 def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> None:
@@ -323,7 +226,7 @@ def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> No
     campaigns = [dataclasses.replace(found.campaigns[0], data=missed)]
     text = Page.of(html(validation.document(dataclasses.replace(without_the_rest(found), campaigns=campaigns)))).text
     lost = missed["classes"]["not_converged"]
-    assert f"Not met: {lost} of {missed['count']:,} {missed['envelope']} random scenes did not converge" in text
+    assert f"Missed: {lost} of {missed['count']:,} {missed['envelope']} random scenes did not converge" in text
 
 
 def test_changes_since_other_records_are_told(records: Path, tmp_path: Path) -> None:
@@ -353,9 +256,11 @@ def test_commits_that_differ_are_said(records: Path) -> None:
     for name, commit in zip(SMALL, ("a", "b", "a"), strict=True):
         change(records, name, lambda entry, commit=commit: entry.update(provenance=at | {"commit": commit * 40}))
     found = without_the_rest(evidence.read(records))
-    found = dataclasses.replace(found, reference=None, relations=None, errata=None, auto_accuracy=None, scipy=None)
+    found = dataclasses.replace(
+        found, reference=None, relations=None, errata=None, auto_accuracy=None, scipy=None, recomputed=[]
+    )
     text = Page.of(html(validation.document(found))).text
-    assert "The records come from 2 commits." in text
+    assert "the records come from 2 commits" in text
     assert "a" * 12 in text
     assert "b" * 12 in text
 
@@ -431,35 +336,14 @@ def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> No
     )
     with Browser() as browser:
         browser.open(path, width=1280)
-        assert browser.value("document.querySelectorAll('.table .badge').length") > 1000
+        assert browser.value("document.querySelectorAll('.table .badge').length") > 100
         assert browser.value(cut) == []
         wider = (
             "[...document.querySelectorAll('.table')].filter(t => t.scrollWidth > t.clientWidth).map(t => t.ariaLabel)"
         )
         assert browser.value(wider) == []
         browser.open(path, width=768)
-        assert browser.value(wider) == [browser.value("[...document.querySelectorAll('.table')].at(-1).ariaLabel")]
-
-
-@pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
-def test_rows_are_sorted_and_filtered_in_a_browser(page: str, tmp_path: Path) -> None:
-    path = tmp_path / "report.html"
-    path.write_text(page, encoding="utf-8")
-    every_row = "document.querySelector('#every-row').closest('section')"
-    shown = f"[...{every_row}.querySelectorAll('tbody tr')].filter(r => !r.hidden)"
-    with Browser() as browser:
-        browser.open(path)
-        every = browser.value(f"{shown}.length")
-        browser.click(f"{every_row}.querySelector('.tools input')")
-        browser.type("bearing_sector angle")
-        some = browser.value(f"{shown}.map(r => r.textContent)")
-        assert 0 < len(some) < every
-        assert all("bearing_sector" in text and "angle" in text for text in some)
-        browser.click(f"{every_row}.querySelectorAll('th button')[5]")
-        cells = browser.value(f"{shown}.map(r => r.cells[5].textContent)")
-        deviations = [float(text.split()[0]) for text in cells if text]
-        assert deviations == sorted(deviations)
-        assert layout_faults(browser, path) == []
+        assert browser.value(f"{wider}.filter(name => name.startsWith('What may'))") == []
 
 
 def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
@@ -480,58 +364,25 @@ def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
     assert "4,321" in page.text
     assert "gate/quick/hard_cases/table.json" in page.text
     assert "benchmarks: no time" in page.text
-    assert ["benchmarks", "2.0", "error"] in [row for table in page.tables for row in table]
+    assert "1 of 2 steps made their records" in page.text
 
 
 def test_records_without_a_commit_are_named(records: Path) -> None:
     """Beside others that state theirs."""
     change(records, "patch_test", lambda entry: entry.pop("provenance", None))
     text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
-    assert re.search(r"of \d+ records do not name their commit", text)
+    assert re.search(r"and \d+ of \d+ do not name theirs", text)
     assert "quick/patch_test.json" in text.split("do not name their commit")[1][:600]
 
 
 def test_what_is_no_measurement_is_not_called_validation(read: Page) -> None:
     assert "Validation of Hertz" not in read.text
     assert "Limits of Hertz and of rigid rings, by finite elements" in read.text
-    assert "cases computed by others, 2 measurements; 2 counter-examples, not expected to be met" in read.text
-
-
-def test_the_sector_is_a_finding(read: Page) -> None:
-    """Displacement, ellipse and pressure stand beside loads and angles, and no tolerance is said to be met."""
-    table = next(table for table in read.tables if table[0][:2] == ["claim", "on record"])
-    _, found, verdict, _ = next(line for line in table if line[0].startswith("One ball between elastic rings"))
-    assert verdict == "finding"
-    moved = [
-        1e6 * (row["found"] - row["reference"])
-        for row in evidence.read().checks["bearing_sector"].data["rows"]
-        if "outside diameter rigid" in row["case"] and row["quantity"] == "axial_displacement"
-        if row["verdict"] == "finding"
-        if row["reference"]
-    ]
-    assert f"axial displacement {max(moved, key=abs):+.2g} µm" in found
-    for name in ("load", "angle", "a ", "b ", "p0"):
-        assert name in found
-
-
-def test_the_contact_at_the_edge_and_the_parts_of_a_solution_are_claims(read: Page) -> None:
-    """What each compares is named, with its largest deviation."""
-    kept = evidence.read().checks
-    table = next(table for table in read.tables if table[0][:2] == ["claim", "on record"])
-    lines = {line[0]: line[1:3] for line in table}
-    found, verdict = lines["A contact cut off by its groove's edge is as the reading overrun says."]
-    assert verdict == "pass"
-    rows = kept["contact_at_the_edge"].data["rows"]
-    for name in ("load over the uncut contact's", "load loss", "intensity", "largest pressure over p0"):
-        worst = max(abs(row["deviation_percent"]) for row in rows if row["quantity"].endswith(name))
-        assert f"{name} {worst:.2g} %" in found
-    found, verdict = next(lines[claim] for claim in lines if claim.startswith("Batches, motion"))
-    judged = sum(row["tolerance_percent"] is not None for row in kept["solution_parts"].data["rows"])
-    assert (found, verdict) == (f"{judged} of {judged} rows pass", "pass")
+    assert "Counter-example: agreement is not expected." in read.text
 
 
 def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
-    text = read.text[read.text.index("The report formats records") : read.text.index("Table 1. Claims")]
+    text = read.text[read.text.index("nothing is recomputed") : read.text.index("Last release run")]
     before, _, after = text.partition("In a checkout of the repository")
     assert "python -m tests.verification.reference.table" in after
     assert "fem-check book" in before

@@ -13,13 +13,13 @@ from fem_check.report.rows import quantity
 def load_series(entry: Entry) -> Figure:
     """Deviation from Hertz over the load, one mesh."""
     series = entry["pictures"]["load_series"]
-    figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     axes.set_prop_cycle(color=COLOURS)
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max_shear_stress"):
         ratio = np.asarray(series[name]) / np.asarray(series[f"hertz_{name}"])
         axes.semilogx(series["load_N"], 100.0 * (ratio - 1.0), marker="o", markersize=3, label=quantity(name))
     axes.axhline(0.0, **HERTZ)
-    axes.set(xlabel="load, N", ylabel="finite elements over Hertz, minus 1, %", title="one mesh, loads over decades")
+    axes.set(xlabel="load, N", ylabel="deviation from Hertz, %")
     axes.legend(fontsize=8)
     return figure
 
@@ -27,7 +27,7 @@ def load_series(entry: Entry) -> Figure:
 def body_size(entry: Entry) -> Figure:
     """Approach of clamped boxes over their size."""
     series = entry["pictures"]["body_size"]
-    figure, axes = plt.subplots(figsize=(6.0, 3.4), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     inverse = 1.0 / np.asarray(series["size"])
     axes.plot(inverse, 1e6 * np.asarray(series["approach"]), "o", color="#d55e00", label="clamped boxes")
     axes.plot([0.0], [1e6 * series["limit"]], "s", color="#d55e00", label="their limit")
@@ -41,7 +41,7 @@ def body_size(entry: Entry) -> Figure:
 def convergence(entry: Entry) -> Figure:
     """Errors over element size."""
     series = entry["pictures"]["convergence"]
-    figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     for index, name in enumerate(("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")):
         colour = COLOURS[index]
         label = quantity(name)
@@ -52,7 +52,6 @@ def convergence(entry: Entry) -> Figure:
     axes.set(
         xlabel="element size over semi-axis",
         ylabel="error, %",
-        title="solid: mean over positions; dotted: worst single position",
     )
     axes.legend(fontsize=8)
     return figure
@@ -61,7 +60,7 @@ def convergence(entry: Entry) -> Figure:
 def true_geometry(entry: Entry) -> Figure:
     """The true contact and the gap's shape alone, over Hertz, against the load."""
     series = entry["pictures"]["true_geometry"]
-    figure, grid = plt.subplots(2, 2, figsize=(8.4, 6.0), sharex=True, layout="constrained")
+    figure, grid = plt.subplots(2, 2, figsize=(8.4, 4.0), sharex=True, layout="constrained")
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
     for axes, name in zip(grid.ravel(), names, strict=True):
         for race, part in series.items():
@@ -79,19 +78,18 @@ def true_geometry(entry: Entry) -> Figure:
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
         axes.set_xscale("log")
         axes.axhline(0.0, **HERTZ)
-        axes.set(title=quantity(name), ylabel="deviation from Hertz, %")
+        axes.set(title=quantity(name), ylabel="off Hertz by, %")
     for axes in grid[1]:
         load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=8)
-    figure.suptitle("On true bodies; their own compliance, which moves the approach alone, left out", fontsize=10)
     return figure
 
 
 def conformity(entry: Entry) -> Figure:
     """Worst deviation over load for each groove."""
     series = entry["pictures"]["conformity"]
-    figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     axes.set_prop_cycle(color=COLOURS)
     for coefficient, curve in series["curves"].items():
         worst = np.max(np.abs(np.asarray(list(curve.values()))), axis=0)
@@ -100,8 +98,7 @@ def conformity(entry: Entry) -> Figure:
         axes.axhline(limit, color="black", linewidth=0.8, linestyle=":")
     load_axis(axes, series["load_N"])
     axes.set(
-        ylabel="worst of approach, a, b, p0: off Hertz by, %",
-        title="B218 inner, groove radius varied",
+        ylabel="off Hertz by, %",
     )
     axes.legend(fontsize=8)
     return figure

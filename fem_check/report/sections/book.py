@@ -1,16 +1,18 @@
-"""The validation book: published cases, measured, catalogued, or computed by others; a page for each."""
+"""The validation book: published cases, measured, catalogued, or computed by others."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from fem_check.book import picture
 from fem_check.book.not_yet import NOT_YET
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
-from fem_check.report.rows import agreement, as_read, badge
+from fem_check.report.questions import is_counter_example
+from fem_check.report.rows import as_read, badge, reasons, table, used, worst
 from qsbearing.documents.drawing import width_of
-from qsbearing.documents.model import Block, Bullets, Facts, Paragraph, Picture, Remark, Section, Table
+from qsbearing.documents.model import Block, Bullets, Cell, Facts, Md, Paragraph, Picture, Remark, Section, Table
 
 COMPUTED = (
     "Results that others have computed and published: standards with their worked examples, catalogues, programs. "
@@ -20,19 +22,94 @@ MEASURED = (
     "Physical measurements. Each case names the data that its publication leaves out, and the numbers that were "
     "fitted, predicted, or chosen after seeing the data."
 )
+LISTS = {
+    "missing": "Not given by the source",
+    "fitted": "Fitted",
+    "predicted": "Predicted",
+    "chosen_after_seeing": "Chosen after seeing the data",
+    "does_not_show": "Not shown by this case",
+}
+LONGEST = 12
+"""Points that a page shows one by one."""
 
 
-def computed(evidence: Evidence) -> Section:
-    """Standards, catalogues, other programs."""
-    cases = [_page(name, kept) for name, kept in evidence.book.items() if kept.data["kind"] != "M"]
-    blocks: list[Block] = [Paragraph(COMPUTED), *_overview(evidence, measured=False), *cases, *_scipy(evidence.scipy)]
-    return Section("Other programs, standards, catalogues", blocks, "computed-by-others")
+def sections(evidence: Evidence, whole: bool = False) -> list[Section]:
+    """What others computed, in a table but for counter-examples, and what was measured, a card each.
+
+    Args:
+        whole: a page of each case instead, with inputs, sources, every row, and the reasons of limits.
+    """
+    records = evidence.book.values()
+    measured = [kept for kept in records if kept.data["kind"] == "M"]
+    computed = [kept for kept in records if kept.data["kind"] != "M"]
+    if whole:
+        first: list[Block] = list(map(_page, computed))
+        last: list[Block] = [*map(_page, measured), _not_yet()]
+    else:
+        first = [*_overview(computed), *(_card(kept) for kept in computed if is_counter_example(kept.data))]
+        last = list(map(_card, measured))
+    first = [Paragraph(COMPUTED), *first] if computed else [missing("The validation book", "fem-check book")]
+    found = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
+    return [*found, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else found
 
 
-def measured(evidence: Evidence) -> Section:
-    """Measurements."""
-    cases = [_page(name, kept) for name, kept in evidence.book.items() if kept.data["kind"] == "M"]
-    return Section("Measurements", [Paragraph(MEASURED), *_overview(evidence, measured=True), *cases, _not_yet()])
+def _overview(records: Sequence[Kept]) -> list[Block]:
+    """A line for each case: its result, and the row nearest to its limit."""
+    expected = [kept for kept in records if not is_counter_example(kept.data)]
+    lines: list[list[Cell]] = []
+    for kept in expected:
+        row = max(kept.data["rows"], key=used)
+        near = table([(1, row)]).rows[0]
+        what, limit = (str(near[column]) for column in (2, 3))  # type: ignore[index]
+        name = f"{as_read(row['quantity'])}: {what} of {limit}" if limit else ""
+        lines.append([kept.data["title"], as_read(kept.data["summary"]), name, badge(kept.data["verdict"])])
+    good = sum(kept.data["verdict"] == "pass" for kept in expected)
+    words = Md(
+        f"**{good} of {len(expected)} published cases are met within their limits.** `fem-check book` writes a page "
+        "with each case whole: inputs, sources, picture, every row."
+    )
+    headings = ("case", "result", "nearest to its limit", "verdict")
+    shown = Table(headings, lines, "llll", "Calculations of others", stack=True)
+    return [Remark(words, "pass" if good == len(expected) else "fail"), shown]
+
+
+def _card(kept: Kept) -> Section:
+    entry = kept.data
+    shown = [_answer(entry), *_picture(entry, 0.5), table(worst(entry["rows"]))]
+    return Section(entry["title"], [*shown, *_lists(entry), kept.trace], _anchor(entry))
+
+
+def _anchor(entry: dict[str, Any]) -> str:
+    return f"book-{entry['case'].replace('_', '-')}"
+
+
+def _answer(entry: dict[str, Any]) -> Remark:
+    """The result; of a counter-example that it is one: to meet it would be no success."""
+    summary = as_read(entry["summary"])
+    if is_counter_example(entry):
+        return Remark(Md(f"**Counter-example: agreement is not expected.** {summary}"), "finding")
+    return Remark(Md(f"**{summary}**"), entry["verdict"])
+
+
+def _page(kept: Kept) -> Section:
+    entry = kept.data
+    blocks: list[Block] = [
+        _answer(entry),
+        Paragraph(as_read(entry["question"])),
+        Facts([("Kind", entry["kind_text"]), *(("Source", as_read(source)) for source in entry["sources"])]),
+    ]
+    if entry["inputs"]:
+        inputs = [[as_read(str(cell)) for cell in each] for each in entry["inputs"]]
+        blocks.append(Table(("input", "value", "from"), inputs, "lll", "Inputs", stack=True))
+    blocks += [*_lists(entry), *_picture(entry, 1.0), table([(1, row) for row in entry["rows"]], "Agreement")]
+    blocks.append(Table(("quantity", "limit", "reason"), reasons(entry["rows"]), "lll", "Limits", stack=True))
+    points = entry.get("points")
+    if points and len(points["rows"]) <= LONGEST:
+        rows = [[_cell(value) for value in row] for row in points["rows"]]
+        blocks.append(Table(points["columns"], rows, "l" + "r" * (len(points["columns"]) - 1), points["caption"]))
+    elif points:
+        blocks.append(Paragraph(f"{points['caption'].rstrip('.')}: {len(points['rows'])} points, in the record."))
+    return Section(entry["title"], [*blocks, kept.trace], _anchor(entry))
 
 
 def _not_yet() -> Section:
@@ -44,60 +121,17 @@ def _not_yet() -> Section:
     )
 
 
-def _overview(evidence: Evidence, measured: bool) -> list[Block]:
-    if not evidence.book:
-        return [missing("The validation book", "fem-check book")]
-    rows = [
-        [kept.data["title"], as_read(kept.data["summary"]), badge(kept.data["verdict"])]
-        for kept in evidence.book.values()
-        if (kept.data["kind"] == "M") == measured
-    ]
-    caption = f"{'Measurements' if measured else 'Calculations of others'}, and the result of each case"
-    return [Table(("case", "result", "verdict"), rows, "lll", caption, stack=True)] if rows else [Remark("No case.")]
-
-
-def _page(name: str, kept: Kept) -> Section:
-    entry = kept.data
-    blocks: list[Block] = [Remark(as_read(f"{entry['question']} {entry['summary']}"), entry["verdict"])]
-    blocks.append(Facts([("Kind", entry["kind_text"]), *(("Source", as_read(source)) for source in entry["sources"])]))
-    if entry["inputs"]:
-        inputs = [[as_read(str(cell)) for cell in each] for each in entry["inputs"]]
-        blocks.append(Table(("input", "value", "from"), inputs, "lll", f"{entry['title']}. Inputs", stack=True))
-    blocks += _lists(entry)
-    blocks += _picture(kept)
-    blocks += agreement(entry["rows"], f"{entry['title']}. Agreement")
-    points = entry.get("points")
-    if points and len(points["rows"]) <= LONGEST:
-        rows = [[_cell(value) for value in row] for row in points["rows"]]
-        blocks.append(Table(points["columns"], rows, "l" + "r" * (len(points["columns"]) - 1), points["caption"]))
-    elif points:
-        blocks.append(Paragraph(f"{points['caption'].rstrip('.')}: {len(points['rows'])} points, in the record."))
-    return Section(entry["title"], [*blocks, kept.trace], f"book-{name.replace('_', '-')}")
-
-
-LONGEST = 12
-"""Points that a page shows one by one."""
-
-LISTS = {
-    "missing": "Not given by the source",
-    "fitted": "Fitted",
-    "predicted": "Predicted",
-    "chosen_after_seeing": "Chosen after seeing the data",
-    "does_not_show": "Not shown by this case",
-}
-
-
 def _lists(entry: dict[str, Any]) -> list[Block]:
     items = [f"{heading}: {as_read('; '.join(entry[key]))}" for key, heading in LISTS.items() if entry.get(key)]
     return [Bullets(items)] if items else []
 
 
-def _picture(kept: Kept) -> list[Block]:
-    told = kept.data.get("picture")
+def _picture(entry: dict[str, Any], most: float) -> list[Block]:
+    told = entry.get("picture")
     if not told:
         return []
-    drawn = picture.svg(kept.data)
-    return [Picture(drawn, told["alt"], told["caption"], "svg", width_of(drawn, INCHES))]
+    drawn = picture.svg(entry)
+    return [Picture(drawn, told["alt"], told["caption"], "svg", min(most, width_of(drawn, INCHES)))]
 
 
 def _cell(value: Any) -> str:
@@ -107,15 +141,14 @@ def _cell(value: Any) -> str:
 
 
 def _scipy(kept: Kept | None) -> list[Block]:
-    """The same equations left to a library's root finder."""
+    """The same equations by a library's root finder."""
     if kept is None or "against_scipy" not in kept.data:
         return []
     found = kept.data["against_scipy"]
     rows = [
-        ["scipy.optimize.root, all unknowns at once", str(found["scipy_right"]), f"{found['scipy_ms']['median']:g}"],
-        ["qsbearing.solve", str(found["solve_right"]), f"{found['solve_ms']['median']:g}"],
+        [name, f"{found[f'{key}_right']} of {found['points']}", f"{found[f'{key}_ms']['median']:g}"]
+        for name, key in (("scipy.optimize.root, all unknowns at once", "scipy"), ("qsbearing.solve", "solve"))
     ]
-    words = f"The same equations, {found['points']} random operating points of B218, left to a library's root finder."
-    headings = ("solved by", f"right, of {found['points']}", "median time, ms")
-    table = Table(headings, rows, caption="A library's root finder and this solver")
-    return [Section("A library's root finder", [Paragraph(words), table, kept.trace])]
+    words = f"{found['points']} random operating points of B218, compared with scipy.optimize.root."
+    table = Table(("solved by", "right", "median time, ms"), rows)
+    return [Section("scipy.optimize.root", [Paragraph(words), table, kept.trace], is_whole=True)]

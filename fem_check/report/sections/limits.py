@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import re
-
-from fem_check.report.evidence import Evidence
-from qsbearing.documents.model import Bullets, Md, Section
-
-SECTOR = "bearing_sector"
+from qsbearing.documents.model import Bullets, Section
 
 LIMITS = (
     "Rings are rigid but for their contacts unless the effect elastic_rings describes them. A loose or thin housing "
-    "lets the outer ring grow: see [the sector with its outside diameter free](#check-bearing-sector), where that "
-    "matters more than all else.",
+    "lets the outer ring grow, which then matters more than all else.",
     "Raceway control is a hypothesis, and so is the friction that carries the gyroscopic moment; each result gives "
     "the friction coefficient that it needs.",
-    "No lubricant film, cage force or friction loss acts on the balls; temperatures are given, not computed.",
+    "No lubricant film, cage force or friction loss acts on the balls. Temperatures are computed where a scene has "
+    "[thermal], from its own conductances; no measured temperature was compared.",
     "Contacts are elastic: pressures beyond yield are computed and warned of, not refused.",
     "At speed a solution may not be unique, and convergence is not proved; a case that is not solved says so.",
     "Finite elements are no measurement. No published measurement was found that has contact angles at speed together "
@@ -24,7 +19,6 @@ LIMITS = (
 )
 
 
-def section(evidence: Evidence) -> Section:
+def section() -> Section:
     """Known limits."""
-    limits = LIMITS if SECTOR in evidence.checks else [re.sub(r"\[(.*?)\]\(#.*?\)", r"\1", each) for each in LIMITS]
-    return Section("Known limits", [Bullets([Md(each) for each in limits])])
+    return Section("Known limits", [Bullets(LIMITS)])

@@ -16,23 +16,36 @@ SHOWN = 60
 """Rows shown, the largest changes first."""
 
 Row = dict[str, Any]
+Key = tuple[str, str, str]
+Rows = dict[Key, Row]
+
+
+def summary(now: Evidence, before: Evidence | None) -> str:
+    """In a sentence."""
+    if before is None:
+        return "Not compared: no earlier release's records were given (fem-check report --previous DIR)."
+    old, new = _rows(before), _rows(now)
+    moved, turned = _moved(old, new)
+    of = next(iter(before.checks.values()))
+    return (
+        f"Against the records in {before.folder.name} ({of.made_with}): {len(old.keys() & new.keys())} rows in "
+        f"both, {len(moved)} of them found otherwise by more than {SAME:g}, {len(turned)} with another verdict."
+    )
+
+
+def _moved(old: Rows, new: Rows) -> tuple[list[tuple[Key, float]], set[Key]]:
+    """Rows of both that differ with their changes, the largest first; those whose verdict differs."""
+    both = old.keys() & new.keys()
+    changed = sorted(((key, _change(old[key], new[key])) for key in both), key=lambda each: (-each[1], each[0]))
+    turned = {key for key in both if old[key]["verdict"] != new[key]["verdict"]}
+    return [(key, change) for key, change in changed if change > SAME or key in turned], turned
 
 
 def section(now: Evidence, before: Evidence) -> Section:
     """Rows that differ, checks that came or went."""
     old, new = _rows(before), _rows(now)
-    changed = sorted(
-        ((key, _change(old[key], new[key])) for key in old.keys() & new.keys()), key=lambda each: (-each[1], each[0])
-    )
-    turned = {key for key in old.keys() & new.keys() if old[key]["verdict"] != new[key]["verdict"]}
-    moved = [(key, change) for key, change in changed if change > SAME or key in turned]
-    of = next(iter(before.checks.values()))
-    blocks: list[Block] = [
-        Paragraph(
-            f"Against the records in {before.folder.name} ({of.made_with}): {len(old.keys() & new.keys())} rows in "
-            f"both, {len(moved)} of them found otherwise by more than {SAME:g}, {len(turned)} with another verdict."
-        )
-    ]
+    moved, _ = _moved(old, new)
+    blocks: list[Block] = [Paragraph(summary(now, before))]
     for heading, gone in (("No longer there:", old.keys() - new.keys()), ("New:", new.keys() - old.keys())):
         if gone:
             tally = {name: sum(key[0] == name for key in gone) for name in sorted({key[0] for key in gone})}
@@ -45,7 +58,7 @@ def section(now: Evidence, before: Evidence) -> Section:
     return Section("Against the previous release", blocks, "previous")
 
 
-def _rows(evidence: Evidence) -> dict[tuple[str, str, str], Row]:
+def _rows(evidence: Evidence) -> Rows:
     """By check and level, case, quantity: one level is not compared with another."""
     named = [(f"{name}, {kept.data['level']}", kept) for name, kept in evidence.checks.items()]
     return {
@@ -62,7 +75,7 @@ def _change(old: Row, new: Row) -> float:
     return change if math.isfinite(change) else math.inf
 
 
-def _line(key: tuple[str, str, str], old: Row, new: Row, change: float) -> list[Cell]:
+def _line(key: Key, old: Row, new: Row, change: float) -> list[Cell]:
     now: Badge = badge(new["verdict"])
     found = (number(old["found"]), number(new["found"]), f"{100.0 * change:.2g}")
     return [key[0], key[1], quantity(key[2]), *found, badge(old["verdict"]), now]

@@ -12,9 +12,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, PRELOAD, SHAFT_LOAD, Key
 from qsbearing.model.scene.scene import Scene
@@ -32,6 +34,8 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 MOST = 20
 """Bearings: of more no table is read."""
+OF_JOB = ("operation", "effects", "tolerance", "readings")
+"""What a set takes from the job; its shaft, the loads on it and its preload are its own."""
 SHOWN = (
     *MAIN, "ring_effective_stiffness_tilt_z", "outer_required_friction_max", "centrifugal_force_max", "balls_off_inner",
     "inner_film_film_parameter_min", "outer_film_film_parameter_min",
@@ -91,7 +95,8 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
     """Solve several bearings under the same operating conditions.
 
     Args:
-        sources: scenes by file, catalogue name, or tables; only the bearing of each is used.
+        sources: scenes by file, catalogue name, or tables; only the bearing of each is used, of a set all but its
+            operation, effects and readings.
         at: a scene file, or tables, whose operation, preload, effects and readings are used for all bearings, its own
             bearing left out; None: the first source. If it is a set, each bearing in turn is that of its rows.
 
@@ -139,10 +144,13 @@ def solved(job: Job) -> Comparison:
     """All of them solved."""
     solutions = [solve_set(each) if isinstance(each, BearingSet) else choose(each) for each in job.made]
     bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
-    labels = _labels([bearing.name for bearing in bearings], job.files)
+    sets = [each for each in job.made if isinstance(each, BearingSet)]
+    of_sets = _inputs_of_sets(sets) if len(sets) == len(job.made) else ()
+    are_sets_alike = not any(line.name.startswith(("rows.", "shaft.", "spacers.")) for line in of_sets)
+    labels = _labels([bearing.name if are_sets_alike else "" for bearing in bearings], job.files)
     statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
     conditions = _conditions(job.made[0])
-    lines = _inputs(bearings), _results(solutions)
+    lines = _inputs(bearings) if are_sets_alike else of_sets, _results(solutions)
     return Comparison(labels, statuses, *lines, job.where, conditions, tuple(solutions))
 
 
@@ -172,6 +180,9 @@ def _read(source: Source, errors: list[FileErrorDetail]) -> tuple[dict[str, Any]
 
 
 def _with_bearing(job: dict[str, Any], document: dict[str, Any], file: str, label: str) -> Scene | BearingSet:
+    if "rows" in document:
+        own = {name: table for name, table in document.items() if name not in (*OF_JOB, "vary", "study")}
+        return scene_or_set_of(copy.deepcopy(own | {name: job[name] for name in OF_JOB if name in job}), file, label)
     merged = copy.deepcopy({name: table for name, table in job.items() if name not in ("bearing", "vary", "study")})
     if "bearing" in document:
         merged["bearing"] = copy.deepcopy(document["bearing"])
@@ -196,6 +207,20 @@ def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
             values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
             lines.append(Line(f"{side}.{key.name}", key.unit, values))
     return tuple(line for line in lines if len(set(line.values)) > 1)
+
+
+def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Line, ...]:
+    """The numbers of sets in which these differ, by their paths in a file."""
+    tables = [input_tables(each) for each in sets]
+    names = dict.fromkeys(path for table in tables for path in paths.numbers_of(table))
+    lines = []
+    for path in names:
+        values = [paths.value_at(table, path) for table in tables]
+        if any(value != values[0] for value in values) and path[0] not in OF_JOB:
+            key = paths.key_at(path)
+            numbers = tuple(np.nan if value is None else float(value) for value in values)
+            lines.append(Line(".".join(path), key.unit if key else "", numbers))
+    return tuple(lines)
 
 
 def main_results(solution: Solution | SetSolution) -> dict[str, Result]:

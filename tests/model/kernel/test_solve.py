@@ -349,7 +349,7 @@ def jones_choice(solution: qs.Solution) -> NDArray:
 )
 def test_control_by_each_ball_is_jones_s_choice(effects: tuple, hertz_angle: str) -> None:
     """Where the solver calls the choice consistent, it is the one of the criterion evaluated on the answer."""
-    count = fewer(60, 3)
+    count = fewer(30, 3)
     operation = random_operation(count, 5)
     rpm = np.linspace(800.0, 4000.0, count)
     seen: set[str] = set()

@@ -34,6 +34,34 @@ def run(*arguments: object) -> Result:
     return result
 
 
+SETS = """
+bearing.name = "7210C"
+rows = [{position_mm = 0, carries = "+x"}, {position_mm = 60, carries = "-x"}]
+operation = {speed_rpm = 3000, radial_load_y_N = 500, moment_z_Nm = 0}
+preload.rigid_N = 300
+"""
+
+
+def test_sets_are_compared_as_they_are(tmp_path: Path) -> None:
+    """Each with its own rows and preload, under the first one's operation."""
+    other = SETS.replace("= 60", "= 90").replace("rigid_N = 300", "rigid_N = 400").replace("= 3000", "= 9000")
+    for name, text in (("short", SETS), ("long", other)):
+        (tmp_path / f"{name}.toml").write_text(text)
+    found = qs.compare([tmp_path / "short.toml", tmp_path / "long.toml"])
+    assert found.labels == ("short", "long")
+    assert {line.name: line.values for line in found.inputs} == {
+        "rows.2.position_mm": (60.0, 90.0),
+        "preload.rigid_N": (300.0, 400.0),
+    }
+    alone = qs.solve_set(qs.load_set(tmp_path / "long.toml"))
+    assert float(alone.set.operation.speed) == pytest.approx(9000 * qs.rpm)
+    (tmp_path / "slow.toml").write_text(other.replace("= 9000", "= 3000"))
+    alone = qs.solve_set(qs.load_set(tmp_path / "slow.toml"))
+    loads = {line.name: line.values[1] for line in found.results}
+    assert loads["row_1_axial_load"] == pytest.approx(alone.axial_loads[0], rel=1e-9)
+    assert "rows.2.position_mm" in run("compare", tmp_path / "short.toml", tmp_path / "long.toml").stdout
+
+
 def test_each_bearing_does_the_same_job(job: Path) -> None:
     found = qs.compare(["b218", "7210C", "7210C_hybrid"], job)
     assert found.labels == ("B218", "7210C", "7210C_hybrid")

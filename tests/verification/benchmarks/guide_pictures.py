@@ -91,6 +91,33 @@ def deformed_spindle() -> Figure:
     return deformed_shaft(qs.solve_set(set_of(tomllib.loads(file), "spindle.toml", "spindle")))
 
 
+def span_of_pairs() -> Figure:
+    """Stiffness at the spindle's tool against the distance of its pairs, for shafts of three diameters."""
+    file = next(block.text for block in blocks(GUIDE / "spindle.md") if block.language == "toml")
+    distances = np.linspace(50.0, 220.0, 35)
+    figure = figure_of_size(5.2, 3.4)
+    axes = figure.subplots()
+    for diameter, style in ((50, "-"), (60, "--"), (70, ":")):
+        tables = tomllib.loads(file)
+        tables["shaft"]["sections"][1]["outer_diameter_mm"] = diameter
+        of = set_of(tables, "spindle.toml")
+        rear = (
+            dataclasses.replace(row, position=(distances + at) * qs.mm)
+            for at, row in zip((0, 20), of.rows[2:], strict=True)
+        )
+        found = qs.solve_set(dataclasses.replace(of, rows=(*of.rows[:2], *rear)))
+        stiffness = found.points["tool"].effective_stiffness[:, 1] * qs.um
+        axes.plot(distances, stiffness, style, color=STYLE["outer"]["color"], label=f"{diameter} mm")
+        best = int(np.argmax(stiffness))
+        axes.plot(distances[best], stiffness[best], "o", color=GREY, markersize=4)
+    axes.set_xlabel("distance of the pairs, mm", fontsize=9)
+    axes.set_ylabel("stiffness at the tool, N/µm", fontsize=9)
+    axes.set_ylim(bottom=0.0)
+    plain(axes)
+    axes.legend(frameon=False, fontsize=9)
+    return figure
+
+
 def svg(figure: Figure) -> str:
     """A figure as SVG: no date and a fixed salt, so that the same picture is the same file."""
     file = io.StringIO()
@@ -135,6 +162,7 @@ def main() -> None:
     (GUIDE / "coordinates.svg").write_text(svg(coordinate_drawing()), encoding="utf-8")
     (GUIDE / "spindle.svg").write_text(svg(spindle.picture(spindle.read())), encoding="utf-8")
     (GUIDE / "deformed_shaft.svg").write_text(svg(deformed_spindle()), encoding="utf-8")
+    (GUIDE / "span.svg").write_text(svg(span_of_pairs()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 

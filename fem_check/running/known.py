@@ -31,5 +31,5 @@ def objections(record: dict[str, Any]) -> list[str]:
         envelope, seed, chunk, index = name.split("/")
         is_drawn = (envelope, int(seed)) == (record["envelope"], record["seed"])
         if is_drawn and int(chunk) * _CHUNK + int(index) < record["count"] and name not in lost:
-            found.append(f"{name} is known as not converged and is solved now: take it from fem_check/release/known.py")
+            found.append(f"{name} is known as not converged and is solved now: take it from fem_check/running/known.py")
     return found

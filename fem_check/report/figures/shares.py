@@ -1,0 +1,38 @@
+"""How much of its limit each row takes, by quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from textwrap import shorten
+
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+from fem_check.report.figures.style import FOUND, HERTZ, Entry
+from fem_check.report.rows import as_read, quantity, used
+
+MOST = 8
+"""Quantities shown, those nearest to their limits."""
+
+
+def drawable(rows: Sequence[Entry]) -> dict[str, list[float]]:
+    """Shares by quantity; of a row that takes none there is no point."""
+    found: dict[str, list[float]] = {}
+    for row in rows:
+        if 0.0 < used(row) < float("inf"):
+            found.setdefault(quantity(as_read(row["quantity"])), []).append(used(row))
+    return dict(sorted(found.items(), key=lambda each: max(each[1]))[-MOST:])
+
+
+def draw(entry: Entry) -> Figure:
+    """A line of points for each quantity, on a logarithmic axis that ends past the limit."""
+    shares = drawable(entry["rows"])
+    figure, axes = plt.subplots(figsize=(5.0, 0.8 + 0.22 * len(shares)), layout="constrained")
+    for height, values in enumerate(shares.values()):
+        axes.plot(values, [height] * len(values), **(FOUND | {"markersize": 7}))
+    axes.axvline(1.0, **HERTZ)
+    axes.set_yticks(range(len(shares)), [shorten(name, 30, placeholder=" ...") for name in shares], fontsize=8)
+    axes.set(xscale="log", xlabel="deviation and uncertainty over the limit", ylim=(-0.6, len(shares) - 0.4))
+    axes.set_xlim(None, 2.0)
+    axes.grid(axis="y", color="0.9", linewidth=0.6)
+    return figure

@@ -1,0 +1,153 @@
+"""Page 1: may this version be used, how close to its limits, what is not in the model, and who says so."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+
+from fem_check.checks import ALL
+from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.questions import Question
+from fem_check.report.rows import as_read
+from fem_check.report.sections import previous, traceability
+from fem_check.running.known import NOT_CONVERGED
+from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Remark, Table
+from qsbearing.results import provenance
+
+BLANK = "\N{NO-BREAK SPACE}" * 34
+"""Room to write by hand."""
+
+
+def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence | None) -> list[Block]:
+    """All of it."""
+    return [
+        Facts(_facts(evidence)),
+        verdict(evidence, questions),
+        Table(
+            ("question", "answer", "worst error", "limit", "verdict", "see"),
+            [[q.text, q.answer, q.worst, q.limit, q.verdict, Md(f"[more](#{q.see})")] for q in questions],
+            "llllll", "What may be relied on", stack=True,
+        ),
+        Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
+        Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
+        Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
+        Paragraph(Md(f"**Waivers.** {_waivers(evidence)}")),
+        _traceability(evidence),
+        Table(
+            ("approval", "name", "date", "signature"),
+            [[f"{word} by", *[BLANK] * 3] for word in ("Prepared", "Reviewed", "Released")], "llll",
+        ),
+    ]  # fmt: skip
+
+
+def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
+    records = list(evidence.all())
+    version = traceability.listed(kept.version for kept in records)
+    dates = sorted(kept.provenance["date"][:10] for kept in records if kept.provenance)
+    commit = provenance.commit()
+    changed = " with changes that are not committed" if provenance.is_dirty() else ""
+    return [
+        ("Document", f"QSB-VR-{version}"),
+        ("Revision", f"records {traceability.digest(records)}"),
+        ("Version", version),
+        ("Commit of this report", f"{commit[:12]}{changed}" if commit else "an installed package"),
+        ("Evidence made", f"{dates[0]} to {dates[-1]}" if dates else traceability.NOT_RECORDED),
+        ("Level", level(evidence)),
+    ]
+
+
+def level(evidence: Evidence) -> str:
+    """Of the checks; records of several commits are never called a release."""
+    found = traceability.listed(kept.data["level"] for kept in evidence.checks.values())
+    return f"{found} settings, a mixed set of records: not a release" if traceability.is_mixed(evidence) else found
+
+
+def verdict(evidence: Evidence, questions: Sequence[Question]) -> Remark:
+    """Whether the version may be used, for what, and what is against it."""
+    groups = (*evidence.checks.items(), *evidence.book.items())
+    failed = [name for name, kept in groups if kept.data["verdict"] == "fail"]
+    missed = [each for each in questions if each.verdict.kind == "fail"]
+    absent = [name for name in ALL if name not in evidence.checks] + ([] if evidence.book else ["the validation book"])
+    may, not_for = ([each for q in questions if (each := getattr(q, name))] for name in ("may", "not_for"))
+    said = [f"May be used for {'; '.join(may)}."] if may and not failed else []
+    if not_for:
+        said.append(f"Not validated for {'; '.join(not_for)}.")
+    said += [f"Missed: {each.missed}." for each in missed if each.missed]
+    if absent:
+        said.append(f"Not on record: {', '.join(absent)}.")
+    if failed:
+        return Remark(Md(f"**Fail: {', '.join(failed)}.** {' '.join(said)}"), "fail")
+    if missed:
+        head = f"Not releasable as it stands: {len(missed)} of {len(questions)} questions missed"
+    elif absent:
+        head = "Not complete"
+    elif traceability.is_mixed(evidence):
+        head = "Usable within its limits, but not a release"
+    else:
+        head = "Usable within its limits"
+    if traceability.is_mixed(evidence):
+        head += f"; {traceability.origins(evidence)}"
+    status = "fail" if missed else "warning" if absent or traceability.is_mixed(evidence) else "pass"
+    return Remark(Md(f"**{head}.** {' '.join(said)}"), status)
+
+
+def _scope(evidence: Evidence) -> str:
+    """What was covered, from the records; what was not, in words."""
+    found = []
+    if kept := evidence.checks.get("conformity"):
+        found.append(f"groove radii of {_span(kept.data['pictures']['conformity']['curves'])} ball diameters")
+    if kept := evidence.checks.get("bearing_sector"):
+        scene, curves = kept.data["scene"].upper(), kept.data["pictures"]["bearing_sector"].values()
+        loads = chain.from_iterable(curve["load_N"] for states in curves for curve in states.values())
+        found.append(f"{scene} under thrust of {_span(loads)} N between elastic rings")
+    if evidence.reference:
+        found.append(f"{len(evidence.reference.data['cases'])} scenes with every effect against fifty digits")
+    covered = f"Covered: {'; '.join(found)}. " if found else ""
+    return (
+        f"{covered}Not covered: radial load and moments between elastic bodies in three dimensions; lubricant films "
+        "and cage forces on the balls; measured temperatures. Not covered means untested, not wrong."
+    )
+
+
+def _span(values: object) -> str:
+    numbers = sorted(map(float, values))  # type: ignore[call-overload]
+    return f"{numbers[0]:,g} to {numbers[-1]:,g}"
+
+
+def _coverage(evidence: Evidence) -> str:
+    kept = evidence.checks.get("convergence_order")
+    rows = [] if kept is None else kept.data["rows"]
+    share = next((row for row in rows if row["quantity"].startswith("share whose error exceeds")), None)
+    said = "an expanded uncertainty of the finite elements: meshes and positions of the contact's edge"
+    if share is None:
+        return f"{said}."
+    found, asked = (100.0 * (1.0 - value) for value in (share["found"], share["tolerance_percent"] / 100.0))
+    held = f"It held the true error in {found:.1f} % of cases (at least {asked:g} % needed)"
+    return f"{said}. {held}: {as_read(share['case'])}."
+
+
+def _traceability(evidence: Evidence) -> Table:
+    lines: list[list[Cell]] = []
+    for name, records in _groups(evidence):
+        tally = traceability.tally(records)
+        lines.append([name, str(len(records)), *map(str, tally)])
+    headings = ("evidence", "records", "at this commit", "older", "commit unknown")
+    return Table(headings, lines, "lrrrr", "Traceability")
+
+
+def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
+    checks, book = list(evidence.checks.values()), list(evidence.book.values())
+    others = [kept for kept in evidence.all() if kept not in checks and kept not in book]
+    return [("Finite elements", checks), ("Published cases", book), ("Fifty digits, scenes, cost, gate", others)]
+
+
+def _waivers(evidence: Evidence) -> str:
+    """Scenes of a campaign that did not converge and are excused by name, by their reason."""
+    lost = [name for kept in evidence.campaigns for name in kept.data["not_converged"] if name in NOT_CONVERGED]
+    if not lost:
+        return "None."
+    why: dict[str, list[str]] = {}
+    for name in lost:
+        why.setdefault(NOT_CONVERGED[name], []).append(name)
+    each = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in why.items())
+    return f"{len(lost)} scenes that do not converge are excused by name, to be signed for below: {each}."
