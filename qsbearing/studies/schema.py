@@ -42,7 +42,7 @@ def file_schema() -> dict[str, Any]:
         "additionalProperties": {"type": "object", "propertyNames": {"not": {"enum": [*RANGE_KEYS, *DISTRIBUTIONS]}}},
     }
     names = {"type": "string"}
-    study = {
+    study: dict[str, Any] = {
         "samples": {"type": "integer", "minimum": 1, "maximum": MOST_SAMPLES},
         "sampling": {"enum": [str(each) for each in Sampling]},
         "seed": {"type": "integer", "minimum": 0, "maximum": MOST_SAMPLES},
