@@ -257,7 +257,14 @@ def test_commits_that_differ_are_said(records: Path) -> None:
         change(records, name, lambda entry, commit=commit: entry.update(provenance=at | {"commit": commit * 40}))
     found = without_the_rest(evidence.read(records))
     found = dataclasses.replace(
-        found, reference=None, relations=None, errata=None, auto_accuracy=None, scipy=None, recomputed=[]
+        found,
+        reference=None,
+        relations=None,
+        errata=None,
+        auto_accuracy=None,
+        scipy=None,
+        mutations=None,
+        recomputed=[],
     )
     text = Page.of(html(validation.document(found))).text
     assert "the records come from 2 commits" in text

@@ -654,6 +654,7 @@ READING_VALUES = {
     "inner_open_diameter_mm": (112.0, 113.0),
     "outer_open_diameter_mm": (138.0, 139.0),
     "edge_radius_mm": (0.1, 0.2),
+    "pocket_clearance_mm": (0.2, 0.4),
 }
 TWO_POINTS = {"oil_temperature_C": 70.0, "viscosity_at_40C_mm2_s": 68.0, "viscosity_at_100C_mm2_s": 8.7}
 
