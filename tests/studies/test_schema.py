@@ -14,16 +14,19 @@ from typing import Any
 import jsonschema
 import pytest
 from click.testing import CliRunner
+from hypothesis import given
 
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.template import scene_template, set_template
 from qsbearing.studies.scenes import base_scene
 from qsbearing.studies.schema import file_schema
 from qsbearing.studies.study import Study
 from tests.guide import pages
+from tests.qsbearing.any_scene import bearings, few, operations
 
 SCHEMA = file_schema()
 VALID = jsonschema.Draft7Validator(SCHEMA)
@@ -133,6 +136,43 @@ def test_names_of_materials_are_known_in_any_letters(name: str) -> None:
     read(document)
     assert faults(document) == []
     assert faults(changed(SCENE, {"bearing.ball_material": f"{name}x"}))
+
+
+@few
+@given(bearings(), operations())
+def test_every_scene_to_the_ends_of_its_ranges_is_valid(bearing: dict[str, Any], operation: dict[str, Any]) -> None:
+    try:
+        scene = qs.Scene(qs.BallBearing(**bearing), qs.Operation(**operation))
+    except qs.SceneError:
+        return
+    document = json.loads(json.dumps(input_tables(scene)))
+    read(document)
+    assert faults(document) == []
+
+
+def numbers_of(table: Any, path: str = "") -> Iterator[tuple[str, float]]:
+    """Every number within tables, with its path."""
+    for name, value in table.items() if isinstance(table, dict) else enumerate(table):
+        if isinstance(value, dict | list):
+            yield from numbers_of(value, f"{path}{name}.")
+        elif not isinstance(value, str):
+            yield f"{path}{name}", value
+
+
+def test_what_is_accepted_of_changed_files_is_valid() -> None:
+    """Each number of two files removed, and scaled; the reader is the judge."""
+    accepted = 0
+    for text in (SCENE, SET):
+        for path, value in numbers_of(tomllib.loads(text)):
+            for new in (GONE, 0, -value, 1e-3 * value, 0.9 * value, 10.0 * value, 1e3 * value):
+                document = changed(text, {path: new})
+                try:
+                    read(document)
+                except qs.SceneError:
+                    continue
+                accepted += 1
+                assert faults(document) == [], (path, new)
+    assert accepted > 50
 
 
 # What is refused ------------------------------------------------------------------------------------------------------
