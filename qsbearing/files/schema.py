@@ -6,7 +6,7 @@ It never refuses what the reader accepts, so a rule that [vary] or [[spectrum]] 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import floor, log10
+from math import copysign, floor, inf, log10, nextafter
 from typing import Any
 
 from qsbearing.files import catalogue, thermal_keys
@@ -193,8 +193,8 @@ def _number(key: Key, note: str = "") -> Schema:
     """Of a key: a number in its range, and what it is."""
     found = dict(_NUMBER)
     if key.range is not None:
-        low, high = ((value - key.zero) / key.size for value in key.range)
-        found |= {"minimum": -_outward(-low), "maximum": _outward(high)}
+        low, high = (_bound(key, value, way) for value, way in zip(key.range, (-inf, inf), strict=True))
+        found |= {"minimum": low, "maximum": high}
     unit = printed_unit(key.unit)
     words = key.field.replace("_", " ").capitalize() + (f" [{unit}]" if unit else "")
     return _told(found, f"{words}: {note}" if note else words)
@@ -255,9 +255,15 @@ def _told(schema: Schema, description: str) -> Schema:
     return {"description": description, **schema} if description else dict(schema)
 
 
-def _outward(value: float) -> float:
-    """The next number of six digits that is not below this one."""
-    near = float(f"{value:.6g}")
-    if near >= value - _SLACK * abs(value):
-        return near
-    return float(f"{value + 10.0 ** (floor(log10(abs(value))) - 5):.6g}")
+def _bound(key: Key, value: float, way: float) -> float:
+    """The end of a range in the file's unit: of few digits, and not within any float that is read as inside."""
+    bound = (value - key.zero) / key.size
+    if not bound:
+        return 0.0
+    near = float(f"{bound:.6g}")
+    step = 10.0 ** (floor(log10(abs(bound))) - 5)
+    if (near - bound) * way < 0.0 and abs(near - bound) > _SLACK * abs(bound):
+        near = float(f"{bound + copysign(step, way):.6g}")
+    while (value - key.si(further := nextafter(near, way))) * copysign(1.0, way) >= 0.0:
+        near = further
+    return near
