@@ -94,8 +94,9 @@ def _words(solution: Solution | SetSolution) -> Words:
 
 
 def _key_results(solution: Solution | SetSolution, found: Any) -> list[Table]:
-    is_one = isinstance(solution, Solution)
-    return [key_results(solution, found)] if is_one else key_results_of_set(solution, found)
+    if isinstance(solution, Solution):
+        return [key_results(solution, found)]
+    return key_results_of_set(solution, found)
 
 
 def pictured(document: Tables, label: str, name: str) -> Answer:
@@ -110,8 +111,9 @@ def pictured(document: Tables, label: str, name: str) -> Answer:
 def detailed(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, and whether it can be switched, of a set nothing; and all tables of the
     solution."""
-    if is_set(document):
-        of_set = _solution(document, label)
+    of = _read(document, label)
+    if isinstance(of, BearingSet):
+        of_set = solve_set(of)
         return {"tables": part(set_report.tables(of_set, _taken(of_set)) if of_set.converged else []), "effects": []}
     solution = _named(document, label)
     scene, found = solution.scene, taken(solution)
