@@ -28,6 +28,7 @@ from qsbearing.cli.init import init
 from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
 from qsbearing.cli.run import run
+from qsbearing.cli.schema import schema
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
 from qsbearing.model.version import __version__
@@ -80,6 +81,7 @@ for command in (
     figures,
     cost,
     init,
+    schema,
     catalogue,
     report,
     guide,

@@ -160,6 +160,9 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
             parts["gravity"] = tuple(gravity)
     points = table.get("points", {})
     named = {}
+    if not isinstance(points, dict):
+        cause = "Write it as [shaft.points], positions below it, such as tool_mm = -70"
+        errors.append(FileErrorDetail("shaft.points", "is not a table", points, cause=cause))
     for name, value in points.items() if isinstance(points, dict) else ():
         if type(value) not in (int, float) or not name.endswith("_mm") or not np.isfinite(value):
             cause = "A position, such as tool_mm = -70"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -53,6 +54,23 @@ def set_template(entry: Entry) -> str:
     template = Template(Path(__file__).with_name("set_template.toml").read_text("utf-8"))
     width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
     return template.substitute(name=entry.name, description=entry.description, width=width)
+
+
+@cache
+def notes() -> dict[tuple[str, str], str]:
+    """What the templates say beside each key, by its table and name; of a table, name "", beside its heading."""
+    found: dict[tuple[str, str], str] = {}
+    folder, table = Path(__file__).parent, ""
+    scene = (folder / "template.toml").read_text("utf-8").replace("$readings", _readings())
+    for line in [*scene.splitlines(), *(folder / "set_template.toml").read_text("utf-8").splitlines()]:
+        setting, _, note = line.lstrip("# ").partition(" #")
+        key, equals, _ = setting.partition(" = ")
+        is_heading = setting.startswith("[")
+        if is_heading:
+            key, table = "", setting.strip("[] ").rpartition(".")[2]
+        if note and (is_heading or (equals and key.replace(".", "").isidentifier())):
+            found.setdefault((table, key), note.strip())
+    return found
 
 
 def _toml(value: Any) -> str:

@@ -30,7 +30,7 @@ from qsbearing.model.validation import (
 
 # Wide enough for a watch and a slewing ring; narrow enough to catch a length in the wrong unit.
 BALL_COUNT_RANGE = (1, 1000)
-_LENGTH_RANGES = {
+LENGTH_RANGES = {
     "ball_diameter": (5e-5, 1.0),
     "pitch_diameter": (1e-4, 20.0),
     "inner_groove_radius": (2.5e-5, 1.0),
@@ -39,6 +39,7 @@ _LENGTH_RANGES = {
 GROOVE_COEFFICIENT_MAX = 1.0
 LARGEST_USUAL_F = 0.6
 FREE_ANGLE_MAX = 85.0 * pi / 180.0
+FREE_ANGLES = (0.0, FREE_ANGLE_MAX)
 
 
 LARGEST_INTERFERENCE = 0.02
@@ -83,13 +84,13 @@ def bearing_errors(bearing: Any) -> list[ErrorDetail]:
         problem = "is not a whole number"
         errors.append(ErrorDetail("bearing.ball_count", problem, number, COUNT, BALL_COUNT_RANGE, where=broken))
     lengths: dict[str, NDArray] = {}  # those that are good by themselves
-    for name, (low, high) in _LENGTH_RANGES.items():
+    for name, (low, high) in LENGTH_RANGES.items():
         wrong = within(f"bearing.{name}", getattr(bearing, name), LENGTH, low, high)
         errors += wrong
         if not wrong:
             lengths[name] = np.asarray(getattr(bearing, name), float)
     angle = bearing.free_contact_angle
-    errors += within("bearing.free_contact_angle", angle, ANGLE, 0.0, FREE_ANGLE_MAX, "is outside its range")
+    errors += within("bearing.free_contact_angle", angle, ANGLE, *FREE_ANGLES, "is outside its range")
     errors += material_errors("bearing.ball_material", bearing.ball_material)
     errors += material_errors("bearing.ring_material", bearing.ring_material)
     errors += _interference_errors(bearing, errors)

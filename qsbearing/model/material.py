@@ -81,17 +81,30 @@ BY_NAME = {
 """The materials a scene file may name, by all that they are called, in small letters."""
 
 
+RANGES = {
+    "elastic_modulus": (1e9, 2e12),
+    "poisson_ratio": (0.0, 0.499),
+    "density": (100.0, 25000.0),
+    "thermal_expansion": (-1e-5, 1e-4),
+}
+"""Of each number of a material, in SI."""
+
+
 def material_errors(field: str, material: Material) -> list[ErrorDetail]:
     """Every error of a material in this field."""
     if not isinstance(material, Material):
         cause = "qs.STEEL, qs.SILICON_NITRIDE or qs.Material"
         return [ErrorDetail(field, "is not a material", material, cause=cause)]
-    expansion = material.thermal_expansion
+    given = material.thermal_expansion
     return [
-        *within(f"{field}.elastic_modulus", material.elastic_modulus, MODULUS, 1e9, 2e12),
-        *within(f"{field}.poisson_ratio", material.poisson_ratio, RATIO, 0.0, 0.499),
-        *within(f"{field}.density", material.density, DENSITY, 100.0, 25000.0),
-        *([] if expansion is None else within(f"{field}.thermal_expansion", expansion, EXPANSION, -1e-5, 1e-4)),
+        *within(f"{field}.elastic_modulus", material.elastic_modulus, MODULUS, *RANGES["elastic_modulus"]),
+        *within(f"{field}.poisson_ratio", material.poisson_ratio, RATIO, *RANGES["poisson_ratio"]),
+        *within(f"{field}.density", material.density, DENSITY, *RANGES["density"]),
+        *(
+            []
+            if given is None
+            else within(f"{field}.thermal_expansion", given, EXPANSION, *RANGES["thermal_expansion"])
+        ),
     ]
 
 

@@ -47,7 +47,8 @@ STRAIGHT = {"radial_displacement_y": 0.0, "radial_displacement_z": 0.0, "tilt_y"
 """A shaft that is neither moved sideways nor tilted."""
 
 # A radial load along y tilts the ring about z, and one along z about y.
-_TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, "radial_displacement_z": 3}
+TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, "radial_displacement_z": 3}
+"""The number of the channel whose load or displacement must be given with it, unless it is 0."""
 
 
 @dataclass(frozen=True)
@@ -100,12 +101,18 @@ class Operation:
         return Operation(**self.turning, **STRAIGHT)  # type: ignore[arg-type]
 
 
+# Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite. In SI.
+SPEEDS, AZIMUTHS = (-1e7, 1e7), (-2.0 * pi, 2.0 * pi)
+LOADS, DISPLACEMENTS, TILTS = (-1e8, 1e8), (-0.1, 0.1), (-0.2, 0.2)
+"""Forces and moments, displacements, tilts of a channel."""
+
+
 def operation_errors(operation: Operation) -> list[ErrorDetail]:
     """Every error of an operation."""
-    errors = within("operation.speed", operation.speed, SPEED, -1e7, 1e7)
+    errors = within("operation.speed", operation.speed, SPEED, *SPEEDS)
     if operation.outer_speed is not None:
-        errors += within("operation.outer_speed", operation.outer_speed, SPEED, -1e7, 1e7)
-    errors += within("operation.first_ball_azimuth", operation.first_ball_azimuth, ANGLE, -2.0 * pi, 2.0 * pi)
+        errors += within("operation.outer_speed", operation.outer_speed, SPEED, *SPEEDS)
+    errors += within("operation.first_ball_azimuth", operation.first_ball_azimuth, ANGLE, *AZIMUTHS)
     for channel in CHANNELS:
         load, displacement = getattr(operation, channel.load), getattr(operation, channel.displacement)
         if load is not None and displacement is not None:
@@ -113,19 +120,18 @@ def operation_errors(operation: Operation) -> list[ErrorDetail]:
             detail = "a channel has its load or its displacement, never both"
             cause = "Keep the one that is prescribed; the other is a result"
             errors.append(ErrorDetail(f"operation.{channel.load}", problem, cause=cause, detail=detail))
-        # Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite.
         if load is not None:
             quantity = MOMENT if channel.is_rotation else FORCE
-            errors += within(f"operation.{channel.load}", load, quantity, -1e8, 1e8)
+            errors += within(f"operation.{channel.load}", load, quantity, *LOADS)
         if displacement is not None:
-            quantity, limit = (ANGLE, 0.2) if channel.is_rotation else (LENGTH, 0.1)
-            errors += within(f"operation.{channel.displacement}", displacement, quantity, -limit, limit)
+            quantity, limits = (ANGLE, TILTS) if channel.is_rotation else (LENGTH, DISPLACEMENTS)
+            errors += within(f"operation.{channel.displacement}", displacement, quantity, *limits)
     return errors + _unstated_tilts(operation)
 
 
 def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
     errors = []
-    for field, number in _TILT_OF.items():
+    for field, number in TILT_OF.items():
         tilt = CHANNELS[number]
         value = getattr(operation, field)
         if (

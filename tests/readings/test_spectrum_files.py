@@ -195,6 +195,7 @@ def test_every_fault_at_once() -> None:
     assert "rpm" in fast["spectrum point 2.speed_rpm"]
     common = document(operation=document()["operation"] | {"outer_speed_rpm": 1e12})
     assert set(faults(common)) == {"operation.outer_speed_rpm"}
+    assert set(faults(document(readings=True))) == {"readings"}
     for wrong in ([], {"share": 1.0}, 3):
         assert set(faults(document(spectrum=wrong))) == {"[[spectrum]]"}
 

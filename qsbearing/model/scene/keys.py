@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from qsbearing.model.bearing_errors import BALL_COUNT_RANGE, FREE_ANGLES, LENGTH_RANGES
+from qsbearing.model.material import RANGES
+from qsbearing.model.operation import AZIMUTHS, DISPLACEMENTS, LOADS, SPEEDS, TILTS
+from qsbearing.model.scene.preload import PRELOADS
 from qsbearing.model.units import GPa, MPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um, zero_celsius
 from qsbearing.model.validation import (
     ANGLE,
@@ -35,6 +39,8 @@ class Key:
     """What other units it is given in; None where there are none."""
     zero: float = 0.0
     """The file's zero in SI."""
+    range: tuple[float, float] | None = None
+    """Which values its table accepts at all, in SI; None where that depends on others."""
 
     def si(self, value: Any) -> Any:
         """A value of the file in SI."""
@@ -46,12 +52,12 @@ class Key:
 
 
 BEARING = (
-    Key("ball_count", "ball_count", "balls"),
-    Key("ball_diameter_mm", "ball_diameter", "mm", mm, LENGTH),
-    Key("pitch_diameter_mm", "pitch_diameter", "mm", mm, LENGTH),
-    Key("inner_groove_radius_mm", "inner_groove_radius", "mm", mm, LENGTH),
-    Key("outer_groove_radius_mm", "outer_groove_radius", "mm", mm, LENGTH),
-    Key("free_contact_angle_deg", "free_contact_angle", "deg", deg, ANGLE),
+    Key("ball_count", "ball_count", "balls", range=BALL_COUNT_RANGE),
+    Key("ball_diameter_mm", "ball_diameter", "mm", mm, LENGTH, range=LENGTH_RANGES["ball_diameter"]),
+    Key("pitch_diameter_mm", "pitch_diameter", "mm", mm, LENGTH, range=LENGTH_RANGES["pitch_diameter"]),
+    Key("inner_groove_radius_mm", "inner_groove_radius", "mm", mm, LENGTH, range=LENGTH_RANGES["inner_groove_radius"]),
+    Key("outer_groove_radius_mm", "outer_groove_radius", "mm", mm, LENGTH, range=LENGTH_RANGES["outer_groove_radius"]),
+    Key("free_contact_angle_deg", "free_contact_angle", "deg", deg, ANGLE, range=FREE_ANGLES),
     Key("diametral_clearance_mm", "diametral_clearance", "mm", mm, LENGTH),
 )
 
@@ -87,36 +93,36 @@ IN_PLACE = (*(Key(name, name) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *D
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL = (
-    Key("elastic_modulus_GPa", "elastic_modulus", "GPa", GPa, MODULUS),
-    Key("poisson_ratio", "poisson_ratio"),
-    Key("density_kg_m3", "density", "kg/m3", kg_m3, DENSITY),
-    Key("thermal_expansion_per_K", "thermal_expansion", "1/K"),
+    Key("elastic_modulus_GPa", "elastic_modulus", "GPa", GPa, MODULUS, range=RANGES["elastic_modulus"]),
+    Key("poisson_ratio", "poisson_ratio", range=RANGES["poisson_ratio"]),
+    Key("density_kg_m3", "density", "kg/m3", kg_m3, DENSITY, range=RANGES["density"]),
+    Key("thermal_expansion_per_K", "thermal_expansion", "1/K", range=RANGES["thermal_expansion"]),
 )
 
 OPERATION = (
-    Key("speed_rpm", "speed", "rpm", rpm, SPEED),
-    Key("outer_speed_rpm", "outer_speed", "rpm", rpm, SPEED),
-    Key("axial_load_N", "axial_load", "N", N, FORCE),
-    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH),
-    Key("radial_load_y_N", "radial_load_y", "N", N, FORCE),
-    Key("radial_displacement_y_um", "radial_displacement_y", "um", um, LENGTH),
-    Key("radial_load_z_N", "radial_load_z", "N", N, FORCE),
-    Key("radial_displacement_z_um", "radial_displacement_z", "um", um, LENGTH),
-    Key("moment_y_Nm", "moment_y", "N m", Nm, MOMENT),
-    Key("tilt_y_mrad", "tilt_y", "mrad", mrad, ANGLE),
-    Key("moment_z_Nm", "moment_z", "N m", Nm, MOMENT),
-    Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE),
-    Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE),
+    Key("speed_rpm", "speed", "rpm", rpm, SPEED, range=SPEEDS),
+    Key("outer_speed_rpm", "outer_speed", "rpm", rpm, SPEED, range=SPEEDS),
+    Key("axial_load_N", "axial_load", "N", N, FORCE, range=LOADS),
+    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH, range=DISPLACEMENTS),
+    Key("radial_load_y_N", "radial_load_y", "N", N, FORCE, range=LOADS),
+    Key("radial_displacement_y_um", "radial_displacement_y", "um", um, LENGTH, range=DISPLACEMENTS),
+    Key("radial_load_z_N", "radial_load_z", "N", N, FORCE, range=LOADS),
+    Key("radial_displacement_z_um", "radial_displacement_z", "um", um, LENGTH, range=DISPLACEMENTS),
+    Key("moment_y_Nm", "moment_y", "N m", Nm, MOMENT, range=LOADS),
+    Key("tilt_y_mrad", "tilt_y", "mrad", mrad, ANGLE, range=TILTS),
+    Key("moment_z_Nm", "moment_z", "N m", Nm, MOMENT, range=LOADS),
+    Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE, range=TILTS),
+    Key("first_ball_azimuth_deg", "first_ball_azimuth", "deg", deg, ANGLE, range=AZIMUTHS),
 )
 
 SPECTRUM = (Key("share", "share"), Key("hours", "hours", "h"), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
 PRELOAD = (
-    Key("spring_N", "spring", "N", N, FORCE),
-    Key("rigid_N", "rigid", "N", N, FORCE),
-    Key("mounted_N", "mounted", "N", N, FORCE),
-    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH),
+    Key("spring_N", "spring", "N", N, FORCE, range=PRELOADS),
+    Key("rigid_N", "rigid", "N", N, FORCE, range=PRELOADS),
+    Key("mounted_N", "mounted", "N", N, FORCE, range=PRELOADS),
+    Key("axial_displacement_um", "axial_displacement", "um", um, LENGTH, range=DISPLACEMENTS),
 )
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
+from qsbearing.model.operation import DISPLACEMENTS, LOADS
 from qsbearing.model.validation import FORCE, LENGTH, ErrorDetail, Field, Sentence, raise_if_any, within
 
 KINDS = ("spring", "rigid", "mounted", "axial_displacement")
@@ -14,6 +15,9 @@ FORCES = ("spring", "rigid", "mounted")
 
 NOT_A_PRELOAD = f"qs.Preload(...) with one of {', '.join(KINDS)}"
 """What to write in its place."""
+
+PRELOADS = (0.0, LOADS[1])
+"""Of a force, in SI."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +70,8 @@ def preload_errors(preload: Preload) -> list[ErrorDetail]:
         return [ErrorDetail(first, problem, cause=cause)]
     (kind,) = given
     if kind == "axial_displacement":
-        return within(f"preload.{kind}", preload.axial_displacement, LENGTH, -0.1, 0.1)
-    errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, 0.0, 1e8)
+        return within(f"preload.{kind}", preload.axial_displacement, LENGTH, *DISPLACEMENTS)
+    errors = within(f"preload.{kind}", getattr(preload, kind), FORCE, *PRELOADS)
     if errors and isinstance(errors[0].value, float) and errors[0].value < 0.0:
         cause = Sentence(
             "A preload acts in +x; for -x, give {load} or {displacement} instead",

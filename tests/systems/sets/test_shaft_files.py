@@ -157,6 +157,8 @@ def test_a_shaft_without_sections_is_rigid_or_refused() -> None:
     assert read(pair + "[shaft]\nreference_position_mm = 3\n").shaft is None
     with pytest.raises(qs.SceneFileError, match="sections"):
         read(pair + "[shaft]\nstart_mm = 3\n")
+    with pytest.raises(qs.SceneFileError, match=r"shaft\.points.* is not a table"):
+        read(pair + "[shaft]\npoints = 3\n")
     loaded = read(pair + "[[shaft.loads]]\nposition_mm = 3\nradial_y_N = 4\n").shaft
     assert loaded == qs.Shaft(loads=(qs.ShaftLoad(3 * qs.mm, radial_y=4.0),))
 

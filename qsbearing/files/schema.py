@@ -1,0 +1,269 @@
+"""A JSON Schema (draft-07) of scene and set files, from the keys that reading, template and guide share; for editors.
+
+It never refuses what the reader accepts, so a rule that [vary] or [[spectrum]] can lift holds only without them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from math import copysign, floor, inf, log10, nextafter
+from typing import Any
+
+from qsbearing.files import catalogue, thermal_keys
+from qsbearing.files.effects_table import AUTO, BALL_EFFECTS
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
+from qsbearing.files.fits import CLASS, FITTED, classes, names
+from qsbearing.files.preload_class import CLASSES
+from qsbearing.files.table_checks import CHOICES_OF_FILES
+from qsbearing.files.template import notes
+from qsbearing.model.effects import ElasticRings
+from qsbearing.model.material import BY_NAME
+from qsbearing.model.operation import CHANNELS, TILT_OF
+from qsbearing.model.scene.keys import (
+    BALL_DEVIATIONS,
+    BEARING,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    EFFECTS,
+    IN_PLACE,
+    MAKES_SET,
+    MATERIAL,
+    MATERIALS,
+    OPERATION,
+    PRELOAD,
+    RATINGS,
+    RING_COMPLIANCES,
+    SEAT_MATERIALS,
+    SEATS,
+    SET_NUMBERS,
+    SPECTRUM,
+    Key,
+)
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.readings.asked import READINGS
+from qsbearing.systems.sets.row import Direction
+
+Schema = dict[str, Any]
+DRAFT = "http://json-schema.org/draft-07/schema#"
+STUDY_LIFTS = {"anyOf": [{"required": ["vary"]}, {"required": ["spectrum"]}]}
+"""Tables that may give, or take away, what another table lacks or has."""
+_WORD: Schema = {"type": "string"}
+_NUMBER: Schema = {"type": "number"}
+
+
+def _ref(name: str) -> Schema:
+    return {"$ref": f"#/definitions/{name}"}
+
+
+_MATERIAL = _ref("material")
+_SLACK = 1e-12
+"""Between a bound in SI and its decimal number in a file's unit (a float's rounding is 1e-16)."""
+
+
+def scene_schema() -> Schema:
+    """Of a file of one bearing or of a set; a study's tables are added in `qsbearing.studies.schema`."""
+    definitions = {
+        "material": _material(),
+        "bearing": _bearing(),
+        "preload": closed(_numbers(PRELOAD, "preload")),
+        "readings": closed({name: _reading(name) for name in reading_tables()}),
+        **{name: _effect_table(name) for name in EFFECT_TABLES},
+    }
+    tables = {
+        "bearing": _ref("bearing"),
+        "operation": closed(_numbers(OPERATION, "operation")),
+        "preload": {"anyOf": [_ref("preload"), {"enum": list(CLASSES)}]},
+        "effects": {"anyOf": [{"const": AUTO}, _effects()]},
+        "tolerance": {"type": "number", "exclusiveMinimum": 0, "maximum": 1},
+        "readings": _ref("readings"),
+        "thermal": _thermal(),
+        REPORT: closed(dict.fromkeys(OTHER_TABLES[REPORT], _WORD)),
+        ORIGIN: closed({key: {} for key in OTHER_TABLES[ORIGIN]}),
+        **_of_set(),
+        "spectrum": {"anyOf": [_list(_point(), 1), closed({"file": _WORD}) | {"required": ["file"]}]},
+    }
+    head = {"$schema": DRAFT, "title": "qsbearing: a scene, a set or a study", "definitions": definitions}
+    return {**head, **closed(tables), "allOf": _rules()}
+
+
+def _bearing() -> Schema:
+    name = {"anyOf": [{"enum": [entry.name for entry in catalogue.entries()]}, _WORD]}
+    own = {"name": name, "maker": _WORD, "kind": _choice("kind", "bearing")}
+    own |= {"rating_practice": _choice("rating_practice", "bearing"), "preload": {"enum": list(CLASSES)}}
+    return closed(own | _numbers((*BEARING, *IN_PLACE), "bearing") | dict.fromkeys(MATERIALS, _MATERIAL))
+
+
+def _effects() -> Schema:
+    of_bearing = ("kind", "rating_practice")
+    choices = {name: _choice(name, "effects") for name in CHOICES_OF_FILES if name not in of_bearing}
+    own = {"ball": _list({"enum": list(BALL_EFFECTS)}), **choices, **_numbers(EFFECTS, "effects")}
+    own[BALL_DEVIATIONS.name] = _told(_list(_NUMBER), f"Of each ball [{BALL_DEVIATIONS.unit}]")
+    return closed(own | {name: _ref(name) for name in EFFECT_TABLES})
+
+
+def _effect_table(name: str) -> Schema:
+    own = _numbers(EFFECT_TABLES[name], name)
+    own |= dict.fromkeys((key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]), _MATERIAL)
+    if CLASS in EFFECT_SECTIONS[name]:
+        own |= {f"{seat}_fit": {"enum": list(names(seat))} for seat in FITTED} | {CLASS: {"enum": list(classes())}}
+    if name == ElasticRings.name:
+        own |= dict.fromkeys(SEATS, _WORD) | {key.name: _list(_NUMBER) for key in RING_COMPLIANCES}
+    return _told(_nested(own) if name == ElasticRings.name else closed(own), notes().get((name, ""), ""))
+
+
+def _reading(name: str) -> Schema:
+    own = reading_tables()[name]
+    words = {word: _told(_WORD, notes().get((name, word), "")) for word in own.choices}
+    gives = READINGS[name].gives if name in READINGS else own.note
+    return _told({"anyOf": [{"const": True}, closed(_numbers(own.keys, name) | words)]}, gives)
+
+
+def _thermal() -> Schema:
+    tables = {name: closed(_numbers(keys, name)) for name, keys in thermal_keys.NUMBERS.items() if name != "thermal"}
+    conductance = _numbers(thermal_keys.CONDUCTANCE, thermal_keys.CONDUCTANCES)
+    conductance |= {"between": _list(_WORD), "row": {"type": "integer"}}
+    tables[thermal_keys.CONDUCTANCES] = _list(closed(conductance), 1)
+    own = _numbers(thermal_keys.THERMAL, "thermal") | dict.fromkeys(thermal_keys.WORDS, _WORD)
+    return closed(own | tables)
+
+
+def _of_set() -> dict[str, Schema]:
+    """The tables around the rows of a set."""
+    own = {name: _numbers(keys, name) for name, keys in SET_NUMBERS.items()}
+    stiffness = closed(own["housing_stiffness"] | {"matrix_SI": _list(_list(_NUMBER))})
+    carries = _told({"enum": [str(way) for way in Direction]}, notes().get(("rows", "carries"), ""))
+    own["rows"] |= {"carries": carries, "sprung": {"type": "boolean"}, "housing_stiffness": stiffness}
+    own["rows"] |= {name: _ref(name) for name in ("bearing", "readings", *EFFECT_TABLES)}
+    own["housing"] |= {"material": _MATERIAL}
+    own["sections"] |= {"material": _MATERIAL}
+    points = {"type": "object", "patternProperties": {"_mm$": _NUMBER}, "additionalProperties": False}
+    own["shaft"] |= {name: _list(closed(own[name])) for name in ("sections", "loads", "supports", "masses")}
+    own["shaft"] |= {"gravity_m_s2": _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}
+    of_rows = {"rows": _list({"type": "integer"})}
+    own["spacers"] |= of_rows | dict.fromkeys(("inner_material", "outer_material"), _MATERIAL)
+    own["floating"] |= of_rows | {"preload": _ref("preload")}
+    lists = {name: _list(closed(own[name])) for name in ("rows", "spacers", "floating")}
+    return lists | {name: closed(own[name]) for name in ("shaft", "housing")}
+
+
+def _point() -> Schema:
+    """Of a spectrum: what the operation may have, its time, and any number of the file by its path."""
+    by_path = {"patternProperties": {r"\.": _NUMBER}, "additionalProperties": {"type": "object"}}
+    return closed(_numbers(SPECTRUM, "operation")) | by_path
+
+
+def _rules() -> list[Schema]:
+    """What relates two keys or tables."""
+    in_file = {key.field: key.name for key in OPERATION}
+    both = [{"required": [in_file[each.load], in_file[each.displacement]]} for each in CHANNELS]
+    axial = [{"required": [in_file[name]]} for name in (CHANNELS[0].load, CHANNELS[0].displacement)]
+    tilts = []
+    for name, channel in TILT_OF.items():
+        acts = {"required": [in_file[name]], "properties": {in_file[name]: {"not": {"const": 0}}}}
+        either = [{"required": [in_file[each]]} for each in (CHANNELS[channel].load, CHANNELS[channel].displacement)]
+        tilts.append({"if": acts, "then": {"anyOf": either}})
+    needed = [key.name for key in BEARING[:2]]
+    own = {"anyOf": [{"required": each} for each in (["name"], [RATINGS[0].name], [*needed, *MATERIALS])]}
+    one_of = {"anyOf": [_WORD, {"minProperties": 1, "maxProperties": 1}]}
+    given = {
+        "properties": {
+            "bearing": own,
+            "operation": {"not": {"anyOf": both}, "allOf": tilts},
+            "preload": one_of,
+            "thermal": {"required": [thermal_keys.CONDUCTANCES]},
+            "rows": {"items": {"required": ["position_mm", "carries"], "properties": {"bearing": own}}},
+        },
+    }
+    alone = {
+        "required": ["bearing", "operation"],
+        "if": {"required": ["preload"]},
+        "then": {"properties": {"operation": {"not": {"anyOf": axial}}}},
+    }
+    of_set = {"anyOf": [{"required": [name]} for name in MAKES_SET]}
+    return [
+        {"if": of_set, "then": {"required": ["rows"]}},
+        {"not": {"required": ["vary", "spectrum"]}},
+        {"properties": {"spectrum": {"items": {"not": {"anyOf": both}}}}},
+        {"if": STUDY_LIFTS, "else": given},
+        {"if": {"anyOf": [STUDY_LIFTS, of_set]}, "else": alone},
+    ]
+
+
+def _number(key: Key, note: str = "") -> Schema:
+    """Of a key: a number in its range, and what it is."""
+    found = dict(_NUMBER)
+    if key.range is not None:
+        low, high = (_bound(key, value, way) for value, way in zip(key.range, (-inf, inf), strict=True))
+        found |= {"minimum": low, "maximum": high}
+    unit = printed_unit(key.unit)
+    words = key.field.replace("_", " ").capitalize() + (f" [{unit}]" if unit else "")
+    return _told(found, f"{words}: {note}" if note else words)
+
+
+def closed(properties: Mapping[str, Schema]) -> Schema:
+    """A table of these keys and no others."""
+    return {"type": "object", "properties": dict(properties), "additionalProperties": False}
+
+
+def _list(items: Schema, least: int = 0) -> Schema:
+    return {"type": "array", "items": items} | ({"minItems": least} if least else {})
+
+
+def _numbers(keys: Iterable[Key], table: str) -> dict[str, Schema]:
+    return {key.name: _number(key, notes().get((table, key.name), "")) for key in keys}
+
+
+def _choice(name: str, table: str) -> Schema:
+    return _told({"enum": [str(word) for word in CHOICES_OF_FILES[name]]}, notes().get((table, name), ""))
+
+
+def _nested(flat: Mapping[str, Schema]) -> Schema:
+    """A table of keys with points, which TOML reads as tables within it; a word may stand for one of these."""
+    words = {name: each for name, each in flat.items() if "." not in name}
+    tables: dict[str, dict[str, Schema]] = {}
+    for name, each in flat.items():
+        head, _, rest = name.partition(".")
+        if rest:
+            tables.setdefault(head, {})[rest] = each
+    within = {name: _nested(own) for name, own in tables.items()}
+    both = {name: {"anyOf": [words[name], within[name]]} if name in words else within[name] for name in within}
+    return closed({**words, **both}) | {"patternProperties": {r"\.": {}}}  # a key with points in quotation marks
+
+
+def _material() -> Schema:
+    """A name, in small letters or capitals, or a table."""
+    spellings = dict.fromkeys(each for name, own in BY_NAME.items() for each in (own.name, name))
+    any_case = ["".join(map(_either, name)) for name in BY_NAME]
+    return {
+        "description": "A material by its name, or a table of its numbers",
+        "anyOf": [
+            {"enum": list(spellings)},
+            {"type": "string", "pattern": f"^({'|'.join(any_case)})$"},
+            closed(_numbers(MATERIAL, "material")) | {"required": [key.name for key in MATERIAL[:3]]},
+        ],
+    }
+
+
+def _either(letter: str) -> str:
+    """A letter in both sizes, as a pattern; a space may be an underscore."""
+    if letter == " ":
+        return "[ _]"
+    return f"[{letter.lower()}{letter.upper()}]" if letter.isalpha() else f"\\{letter}" if letter in ".+" else letter
+
+
+def _told(schema: Schema, description: str) -> Schema:
+    return {"description": description, **schema} if description else dict(schema)
+
+
+def _bound(key: Key, value: float, way: float) -> float:
+    """The end of a range in the file's unit: of few digits, and not within any float that is read as inside."""
+    bound = (value - key.zero) / key.size
+    if not bound:
+        return 0.0
+    near = float(f"{bound:.6g}")
+    step = 10.0 ** (floor(log10(abs(bound))) - 5)
+    if (near - bound) * way < 0.0 and abs(near - bound) > _SLACK * abs(bound):
+        near = float(f"{bound + copysign(step, way):.6g}")
+    while (value - key.si(further := nextafter(near, way))) * copysign(1.0, way) >= 0.0:
+        near = further
+    return near
