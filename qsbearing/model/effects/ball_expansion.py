@@ -12,9 +12,8 @@ Example       BallExpansion(ball_temperature=70 + zero_celsius)
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,14 +66,6 @@ class BallExpansion:
         warmer = np.asarray(self.ball_temperature, float) - np.asarray(self.reference_temperature, float)
         strain = np.asarray(bearing.ball_material.thermal_expansion, float) * warmer
         return bearing.with_changed_lengths(ball_diameter=strain * np.asarray(bearing.ball_diameter, float))
-
-
-def unfound_errors(effects: Iterable[Any]) -> list[ErrorDetail]:
-    """Errors of effects that are to be solved with no temperature of the balls."""
-    if not any(isinstance(each, BallExpansion) and each.ball_temperature is None for each in effects):
-        return []
-    cause = "Give it, or a heat balance that has the balls"
-    return [ErrorDetail("ball_expansion.ball_temperature", "missing", cause=cause)]
 
 
 def _errors(point: OperatingPoint) -> Errors:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import can_compile
 from qsbearing.model.compiler.threads import in_threads, thread_count
-from qsbearing.model.effects.ball_expansion import unfound_errors
+from qsbearing.model.effects.ball_expansion import BallExpansion
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.scene.scene import Scene
@@ -20,7 +21,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
 from qsbearing.model.solution.solved_cases import KEPT
-from qsbearing.model.validation import raise_if_any
+from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 TOLERANCE = 1e-12
 LEAST_BATCH = 1000
@@ -117,3 +118,11 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
     failed = results["status"] != CONVERGED
     results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0
     return results, positions, controls
+
+
+def unfound_errors(effects: Iterable[Any]) -> list[ErrorDetail]:
+    """Errors of effects that are to be solved with no temperature of the balls."""
+    if not any(isinstance(each, BallExpansion) and each.ball_temperature is None for each in effects):
+        return []
+    cause = "Give it, or a heat balance that has the balls"
+    return [ErrorDetail("ball_expansion.ball_temperature", "missing", cause=cause)]

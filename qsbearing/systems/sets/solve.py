@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects import as_fitted, as_made
-from qsbearing.model.effects.ball_expansion import unfound_errors
 from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.model.solution.solver import TOLERANCE, unfound_errors
 from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
