@@ -571,8 +571,8 @@ PLANTED |= {
     ),
     "a tilt in milliradians read as degrees": (
         "qsbearing/model/scene/keys.py",
-        'Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE)',
-        'Key("tilt_z_mrad", "tilt_z", "mrad", 17.453 * mrad, ANGLE)',
+        'Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE, range',
+        'Key("tilt_z_mrad", "tilt_z", "mrad", 17.453 * mrad, ANGLE, range',
         PARTS,
     ),
     "tilt lever of batches + 1 %": (
