@@ -37,7 +37,7 @@ def data(document: model.Document) -> Plain:
         "pictures": counted.pictures,
     }
     names = {section.name for section, _ in document.walk()}
-    lost = sorted({href for href in _links(found) if href.startswith("#") and href[1:] not in names})
+    lost = sorted({href for href in links(found) if href.startswith("#") and href[1:] not in names})
     if lost:
         raise BrokenLinkError(f"{document.title}: no section for {', '.join(lost)}")
     return found
@@ -113,10 +113,11 @@ def _cell(cell: model.Cell) -> Plain:
     return {"text": runs(cell)}
 
 
-def _links(found: Any) -> list[str]:
+def links(found: Any) -> list[str]:
+    """Where the runs of plain data lead."""
     if isinstance(found, dict):
         own = [found["href"]] if found.get("href") else []
-        return own + [link for value in found.values() for link in _links(value)]
+        return own + [link for value in found.values() for link in links(value)]
     if isinstance(found, list):
-        return [link for value in found for link in _links(value)]
+        return [link for value in found for link in links(value)]
     return []

@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from qsbearing.documents.data import BrokenLinkError, data
+from qsbearing.documents.data import BrokenLinkError, data, links
 from qsbearing.documents.html import TEMPLATES, html
 from qsbearing.documents.model import Document
 
@@ -27,7 +27,9 @@ def pages(documents: Mapping[str, Document], home: str) -> dict[str, str]:
     names = list(documents)
     plain = {name: data(each) for name, each in documents.items()}
     places = set(names) | {f"{name}#{section.name}" for name, each in documents.items() for section, _ in each.walk()}
-    lost = sorted({link for found in plain.values() for link in _links(found) if link not in places})
+    # Those within a page are checked where its data are made.
+    inner = {link for link in links(list(plain.values())) if ":" not in link and not link.startswith("#")}
+    lost = sorted(inner - places)
     if lost:
         raise BrokenLinkError(f"no page or section for {', '.join(lost)}")
     found = {}
@@ -79,16 +81,3 @@ def _words(found: Any) -> str:
         is_line = all(isinstance(each, dict) and "styles" in each for each in found)
         return ("" if is_line else " ").join(filter(None, map(_words, found)))
     return ""
-
-
-def _links(found: Any) -> Iterator[str]:
-    """Those to other pages."""
-    if isinstance(found, dict):
-        link = found.get("href")
-        if link and ".html" in link and ":" not in link:
-            yield link
-        for each in found.values():
-            yield from _links(each)
-    elif isinstance(found, list):
-        for each in found:
-            yield from _links(each)
