@@ -27,6 +27,7 @@ from qsbearing.studies.schema import file_schema
 from qsbearing.studies.study import Study
 from tests.guide import pages
 from tests.qsbearing.any_scene import bearings, few, operations
+from tests.systems.sets.arrangements import PAIR_FILE
 
 SCHEMA = file_schema()
 VALID = jsonschema.Draft7Validator(SCHEMA)
@@ -204,21 +205,7 @@ shaft_interference_um = 10
 iso_viscosity_grade = 68
 oil_temperature_C = 70
 """
-SET = """
-[bearing]
-name = "7210C"
-[[rows]]
-position_mm = 0
-carries = "+x"
-[[rows]]
-position_mm = 20
-carries = "-x"
-[operation]
-speed_rpm = 10000
-axial_load_N = 200
-[preload]
-rigid_N = 720
-"""
+SET = PAIR_FILE.partition("[effects]")[0]
 STUDY = SCENE + '[vary]\nspeed_rpm = [1000, 2000]\n[study]\nsamples = 8\nsampling = "sobol"\n'
 GONE = object()
 Change = tuple[str, dict[str, Any]]
