@@ -84,7 +84,7 @@ def _of_contacts(solution: Solution, readings: Mapping[str, Any]) -> Iterator[Ma
     overrun = readings.get("overrun")
     for name, side in sides.items():
         at_edge = None if overrun is None else getattr(overrun, name)
-        if at_edge is not None:
+        if at_edge is not None and np.any(side.load > 0.0):
             reach = np.where(side.load > 0.0, side.semi_major_axis, 0.0)
             room = np.where(side.load > 0.0, reach + at_edge.edge_distance, np.inf)
             nearest = int(np.argmax(reach / np.maximum(room, 1e-300)))
@@ -129,7 +129,15 @@ def _of_heat(state: ThermalState | None) -> list[Margin]:
     end, source = (curve.fold, "thermal runaway") if curve.fold is not None else (curve.at_limit, "temperature limit")
     if end is None:
         return []
-    return [Margin("speed", float(state.speed) / rpm, end.factor * float(state.speed) / rpm, "rpm", source)]
+    return [
+        Margin(
+            "speed",
+            float(state.speed) / rpm,
+            end.factor * float(state.speed) / rpm,
+            "rpm",
+            f"{source}{state.thermal.bound}",
+        )
+    ]
 
 
 def answer(found: Sequence[Margin], said: Iterable[Remark]) -> Shown:
