@@ -208,6 +208,25 @@ def test_slender_elements_over_a_curved_groove_are_not_folded(tmp_path, monkeypa
         contact.mesh("ring")
 
 
+def test_where_gmsh_fails_the_next_remedy_is_tried(tmp_path, monkeypatch):
+    generated, tried = tetrahedra._generate, []
+
+    def fails_first(model):
+        tried.append(model)
+        if len(tried) == 1:
+            raise Exception("Incompatible surface 12 in transfinite volume 2")
+        generated(model)
+
+    monkeypatch.setattr(tetrahedra, "_generate", fails_first)
+    contact = true_geometry.contacts("b218", "inner", 2000.0, (2,))[0]
+    monkeypatch.setattr(meshing, "cache_folder", lambda: tmp_path)
+    assert contact.mesh("ring").tetrahedra.shape[1] > 1000 and len(tried) == 2
+    monkeypatch.setattr(tetrahedra, "REMEDIES", tetrahedra.REMEDIES[:1])
+    tried.clear()
+    with pytest.raises(meshing.MeshError, match=r"with 2 elements .* Incompatible surface 12 .* another number"):
+        replace(contact, load=2100.0).mesh("ring")
+
+
 # Equilibrium with other approaches ------------------------------------------------------------------------------------
 
 
