@@ -79,7 +79,7 @@ def test_a_rigid_motion_costs_nothing_and_shows_nothing(ball):
 def test_surface_loads_add_up_to_the_pressure(ball, frame):
     centred = TetrahedralBody(bodies.ball(RADIUS, [frame.patch], 2).shifted(np.array([*frame.ball.centre, 0.0])), STEEL)
     x, y = frame.basis.points
-    pressure = np.maximum(0.0, 1.0 - (x / frame.patch.half_length) ** 2 - (y / frame.patch.half_width) ** 2)
+    pressure = np.maximum(0.0, 1.0 - (x / frame.basis.lines_x[-1]) ** 2 - (y / frame.patch.half_width) ** 2)
     forces = (frame.loads(centred, on_ball=True) @ pressure).reshape(-1, 3).sum(axis=0)
     expected = -0.5 * frame.resultants @ pressure
     # What separates them is the quadrature over cells that do not match the facets, here at their coarsest.

@@ -272,11 +272,11 @@ def test_an_uncut_contact_is_solved_up_to_the_groove_s_edge(contact, tmp_path, m
     near = with_shoulder(contact, 1.001).condensed()
     # Hardly moved over the mesh, which would cut it, one contact in place of the mean: a tells the cell, 0.3 semi-axes.
     assert gap_misses(near, times=4.0) == []
-    with pytest.raises(meshing.MeshError, match=r"its ellipse ends 0\.2 deg .* beyond the groove's edge.* overrun"):
+    with pytest.raises(meshing.MeshError, match=r"its ellipse ends 0\.2° .* beyond the groove's edge.* overrun"):
         with_shoulder(contact, 0.98).mesh("ring")
 
 
 def test_elements_that_do_not_fit_a_groove_are_told_where_it_ends(contact):
     near = with_shoulder(contact, 1.1)
-    with pytest.raises(meshing.MeshError, match=r"1\.1 deg .* from the groove's edge, .* need 3\.2 deg: one contact"):
+    with pytest.raises(meshing.MeshError, match=r"1\.1° .* from the groove's edge, .* need 3\.2°: one contact"):
         bodies.ring(near.section, contact.frame.patch, near.half_pitch, 3)
