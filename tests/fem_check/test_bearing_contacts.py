@@ -254,7 +254,10 @@ def test_angle_follows_from_the_approaches(tmp_path):
     doubtful = bearing_contacts.equilibrium_rows(
         contacts, TRUE_BODIES, {"inner": (1.05, 0.01), "outer": (0.9, 0.0)}, Level.QUICK
     )["inner"][1]
-    assert 0.001 < doubtful.uncertainty_percent < 0.5
+    moved = bearing_contacts.equilibrium_rows(
+        contacts, TRUE_BODIES, {"inner": (1.06, 0.0), "outer": (0.9, 0.0)}, Level.QUICK
+    )["inner"][1]
+    assert doubtful.uncertainty_percent == pytest.approx(100.0 * abs(moved.found - angle) / moved.reference, rel=1e-6)
 
 
 def test_a_set_is_judged_by_its_own_equilibrium(tmp_path):
