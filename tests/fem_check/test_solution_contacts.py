@@ -164,7 +164,7 @@ def test_a_digit_of_a_material_is_seen(material, field, digit, monkeypatch):
     scene = qs.load_scene("7210c_hybrid")
     wrong = replace(scene, bearing=replace(scene.bearing, ball_material=getattr(qs, material)))
     monkeypatch.setattr(qs, "load_scene", lambda name: wrong if name == "7210c_hybrid" else scene)
-    assert {field, f"ball_material.{field}"} & failing(catalogue_rows())
+    assert {field, f"ball's {field}"} & failing(catalogue_rows())
 
 
 def test_what_is_in_no_equilibrium_fails(monkeypatch):
