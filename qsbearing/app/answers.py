@@ -33,7 +33,7 @@ from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark, message
 from qsbearing.studies.chooser.choose import solve
-from qsbearing.studies.chooser.choose_set import solve_set
+from qsbearing.studies.chooser.choose_set import solve_any, solve_set
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -162,8 +162,7 @@ def _named(document: Tables, label: str) -> Solution:
 
 
 def _solution(document: Tables, label: str) -> Solution | SetSolution:
-    of = _read(document, label)
-    return solve_set(of) if isinstance(of, BearingSet) else solve(of)
+    return solve_any(_read(document, label))
 
 
 def _taken(solution: Solution | SetSolution) -> Any:

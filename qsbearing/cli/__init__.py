@@ -25,6 +25,7 @@ from qsbearing.cli.guide import guide
 from qsbearing.cli.heat import heat
 from qsbearing.cli.import_model import import_model
 from qsbearing.cli.init import init
+from qsbearing.cli.mcp import mcp
 from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
 from qsbearing.cli.run import run
@@ -82,6 +83,7 @@ for command in (
     cost,
     init,
     schema,
+    mcp,
     catalogue,
     report,
     guide,
