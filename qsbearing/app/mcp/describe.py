@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from qsbearing.documents.guide import meant_by, topics
@@ -43,9 +44,7 @@ def described(topic: str) -> dict[str, Any]:
         every |= {name: found for name, (_, found) in of_readings().items()}
         return {name: f"{each['long_name']} [{printed_unit(each['units'])}]" for name, each in every.items()}
     if topic in tables:
-        own = tables[topic]
-        reference = own.get("$ref", "").rpartition("/")[2]
-        return {"table": topic, "schema": schema["definitions"].get(reference, own)}
+        return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
     if topic in KINDS:
         kind = KINDS[topic]
         found = {"code": topic, "severity": kind.severity.name.lower(), "values": list(kind.values)}
@@ -58,3 +57,16 @@ def described(topic: str) -> dict[str, Any]:
     meant = near(topic, [*tables, *KINDS, *pages], 0.7)
     cause = f"Did you mean {meant}?" if meant else meant_by(page, pages) or catalogue.nearest(topic)
     raise refused(topic, "is no table, result list, remark, page of the guide or bearing", cause)
+
+
+def _named_in(schema: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    """The definitions that a schema refers to, and those that these do."""
+    found: dict[str, Any] = {}
+    seen = [schema]
+    while seen:
+        text = json.dumps(seen.pop())
+        for name in definitions.keys() - found.keys():
+            if f'"#/definitions/{name}"' in text:
+                found[name] = definitions[name]
+                seen.append(definitions[name])
+    return found

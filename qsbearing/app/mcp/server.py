@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from mcp.server.mcpserver import MCPServer
+from mcp.server.mcpserver.tools import Tool
 from mcp.types import CallToolResult, TextContent, ToolAnnotations
 
 from qsbearing.app.mcp.folder import Folder
@@ -44,13 +45,9 @@ def server(folder: Path) -> MCPServer:
     Raises:
         OSError: there is no such folder.
     """
-    made = MCPServer("qsbearing", instructions=INSTRUCTIONS, version=__version__, log_level="ERROR")
-    tools = Tools(Folder(folder))
-    for question in (tools.describe, tools.solve, tools.explain, tools.find, tools.sweep, tools.report):
-        name = question.__name__
-        hints = ToolAnnotations(read_only_hint=name not in WRITES, destructive_hint=False, open_world_hint=False)
-        made.add_tool(_tool(question), name=name, annotations=hints, structured_output=False)
-    return made
+    of = Tools(Folder(folder))
+    tools = [_tool(each) for each in (of.describe, of.solve, of.explain, of.find, of.sweep, of.report)]
+    return MCPServer("qsbearing", instructions=INSTRUCTIONS, version=__version__, log_level="ERROR", tools=tools)
 
 
 def serve(folder: Path) -> None:
@@ -66,21 +63,27 @@ def serve(folder: Path) -> None:
     made.run("stdio")
 
 
-def _tool(question: Callable[..., dict[str, Any]]) -> Callable[..., Any]:
-    """A question as a tool: its answer, or every error with its fields."""
+def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
+    """A question as a tool: its answer, or every error with its fields. Arguments that it does not have are refused."""
 
     @functools.wraps(question)
-    async def tool(**given: Any) -> CallToolResult:
+    async def answer(**given: Any) -> CallToolResult:
         try:
             found = await answered(question, given)
         except SceneError as error:
             details = [each if isinstance(each, FileErrorDetail) else translate(each) for each in error.errors]
-            return _result({"errors": [each.record() for each in details[:MOST_SHOWN]], "count": len(details)}, True)
+            found = {"errors": [each.record() for each in details[:MOST_SHOWN]], "count": len(details)}
+            return _result({"file": getattr(error, "file", "")} | found, True)
         except (StoppedError, OSError) as error:
             return _result({"errors": [{"problem": str(error)}], "count": 1}, True)
         return _result(found)
 
-    return tool
+    hints = ToolAnnotations(read_only_hint=question.__name__ not in WRITES, destructive_hint=False)
+    tool = Tool.from_function(answer, annotations=hints, structured_output=False)
+    arguments = tool.fn_metadata.arg_model
+    arguments.model_config["extra"] = "forbid"
+    arguments.model_rebuild(force=True)
+    return tool.model_copy(update={"parameters": tool.parameters | {"additionalProperties": False}})
 
 
 def _result(found: dict[str, Any], is_error: bool = False) -> CallToolResult:

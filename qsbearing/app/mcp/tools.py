@@ -61,7 +61,7 @@ class Tools:
         of = self._scene_or_set(scene)
         solution = solve_any(of)
         found = with_input(of, whole_record(solution, all_taken(solution)))
-        return found if balls else _without_balls(found)
+        return _told(found, balls)
 
     def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
@@ -86,7 +86,7 @@ class Tools:
         from qsbearing.studies.design.find import prepared, searched
 
         search = prepared(self._read(scene), vary, goals or (), limits or (), minimise, maximise)
-        return shown.record(searched(search, points, seed))
+        return _told(shown.record(searched(search, points, seed)))
 
     def sweep(
         self,
@@ -114,7 +114,7 @@ class Tools:
         if place is not None and place.suffix.lower() not in TABLES:
             raise _refused("out", f"must end in one of {', '.join(TABLES)}")
         results = sweep(study)
-        found = record(results) | {"solved": int((results["status"] == 0).sum())}
+        found = record(results)
         frame = frame_of(results) if results["status"].size <= MOST_CELLS else None
         if frame is not None and frame.size <= MOST_CELLS:
             found["table"] = frame.astype(object).where(frame.notna(), None).to_dict("list")
@@ -176,14 +176,15 @@ def _refused(key: str, problem: str, cause: str = "") -> SceneFileError:
     return SceneFileError("question", [FileErrorDetail(key, problem, cause=cause)])
 
 
-def _without_balls(found: Any) -> Any:
-    """A record without the contacts of each ball, those of rows and points among them."""
+def _told(found: Any, balls: bool = False) -> Any:
+    """A record without sentences that its remarks repeat, and without each ball's contacts, if they are not wanted.
+
+    Also within rows and points.
+    """
     if isinstance(found, list):
-        return [_without_balls(each) for each in found]
+        return [_told(each, balls) for each in found]
     if not isinstance(found, dict):
         return found
-    return {
-        key: _without_balls(value)
-        for key, value in found.items()
-        if not (key == "balls" and value and isinstance(value[0], dict))
-    }
+    contacts = found.get("balls")
+    left_out = {"warnings"} if balls or not contacts or isinstance(contacts[0], int) else {"warnings", "balls"}
+    return {key: _told(value, balls) for key, value in found.items() if key not in left_out}
