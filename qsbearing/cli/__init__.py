@@ -30,6 +30,7 @@ from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
 from qsbearing.cli.run import run
 from qsbearing.cli.schema import schema
+from qsbearing.cli.skill import skill
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
 from qsbearing.model.version import __version__
@@ -84,6 +85,7 @@ for command in (
     init,
     schema,
     mcp,
+    skill,
     catalogue,
     report,
     guide,

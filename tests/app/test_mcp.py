@@ -260,7 +260,14 @@ def test_work_ends_with_its_time_and_with_whoever_asked(tmp_path: Path, monkeypa
 
 def test_all_topics_are_described(tmp_path: Path) -> None:
     [overview] = asked(tmp_path, ("describe", {}))
-    names = [*overview["bearings"], *overview["tables_of_a_scene"], *overview["remarks"], *overview["guide"], "results"]
+    names = [
+        *overview["bearings"],
+        *overview["tables_of_a_scene"],
+        *overview["remarks"],
+        *overview["guide"],
+        "results",
+        "skill",
+    ]
     found = asked(tmp_path, *(("describe", {"topic": each}) for each in names))
     told = dict(zip(names, found, strict=True))
     speed = told["operation"]["schema"]["properties"]["speed_rpm"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from qsbearing.documents.guide import meant_by, topics
+from qsbearing.documents.guide import meant_by, skill_text, topics
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import refused
 from qsbearing.files.file_keys import IN_FILE
@@ -18,7 +18,7 @@ from qsbearing.results.guide_lists import LISTS
 from qsbearing.studies.results import of_readings
 from qsbearing.studies.schema import file_schema
 
-RESULTS = "results"
+RESULTS, SKILL = "results", "skill"
 
 
 def described(topic: str) -> dict[str, Any]:
@@ -37,8 +37,11 @@ def described(topic: str) -> dict[str, Any]:
             "tables_of_a_scene": list(schema["properties"]),
             "results": f"names and units: describe('{RESULTS}')",
             "remarks": list(KINDS),
+            "how_to_work_with_it": f"describe('{SKILL}')",
             "guide": {each.topic: each.title for each in pages.values()},
         }
+    if topic == SKILL:
+        return {"text": skill_text()}
     if topic == RESULTS:
         every = {name: each.attributes for name, each in quantities.ALL.items()}
         every |= {name: found for name, (_, found) in of_readings().items()}
