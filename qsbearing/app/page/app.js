@@ -50,8 +50,15 @@ async function take(question, given) {
   if (told.errors) return complain(told.errors), false;
   now = {document: told.document, label: given.label ?? now.label};
   settle();
-  show(told);
+  kept(() => show(told));
   return true;
+}
+
+// What has the focus is made anew, and has it still.
+function kept(change) {
+  const id = document.activeElement?.id;
+  change();
+  if (id && document.activeElement?.id !== id) $(id)?.focus();
 }
 
 const isSet = () => "rows" in now.document;
@@ -59,7 +66,7 @@ const isSet = () => "rows" in now.document;
 function show(told) {
   $("note").textContent = told.note;
   $("entry").disabled = isSet();  // rows may have bearings of their own
-  const focused = document.activeElement?.id, open = new Set([...document.querySelectorAll("details[open]")].map(each => each.id));
+  const open = new Set([...document.querySelectorAll("details[open]")].map(each => each.id));
   fields = new Map(told.fields.map(field => [field.path.join("."), field]));
   for (const place of ["daily", "others"]) {
     const groups = Map.groupBy(told.fields.filter(field => field.is_daily === (place === "daily")), field => field.group);
@@ -70,7 +77,6 @@ function show(told) {
       return make("details", {id: `table ${title}`, open: open.has(`table ${title}`)}, "", head, ...own.map(fieldOf));
     }));
   }
-  if (focused) $(focused)?.focus();
   const first = make("option", {value: ""}, "choose ...");
   $("add").replaceChildren(first, ...told.addable.map((key, number) => make("option", {value: number}, key.path.join("."))));
   $("add").onchange = () => add(told.addable[$("add").value]);
@@ -116,7 +122,7 @@ async function renew() {
   const told = await ask("show", {document: now.document});
   if (told.errors) return complain(told.errors);
   settle();
-  show(told);
+  kept(() => show(told));
 }
 
 function add(key) {
@@ -195,7 +201,7 @@ async function solve() {
     complain(told.errors ?? []);
     if (!told.errors) {
       [shown, found] = [JSON.parse(asked), told];
-      results();
+      kept(results);
       if (JSON.stringify(now) === asked) rest(turn);
       else grey("Solving ...");
     }
@@ -229,7 +235,7 @@ function keyResults() {
   $("rows").hidden = !found.rows.length;
   $("tabs").replaceChildren(...found.rows.map(({name}, number) => {
     const tab = make("button", {type: "button", id: `tab ${number}`, ariaPressed: String(number === row)}, name);
-    tab.onclick = () => { row = number; keyResults(); $(tab.id).focus(); rest(++turn, OF_ROW); };
+    tab.onclick = () => { row = number; kept(keyResults); rest(++turn, OF_ROW); };
     return tab;
   }));
   cards("row", found.rows[row]?.key ?? [], pinned?.rows[row]?.key);
@@ -239,7 +245,7 @@ function cards(id, own, before) {
   $(id).replaceChildren(...own.map(({name, condition, parts, note}) => {
     const old = before && (before.find(each => each.name === name)?.parts ?? []);
     const lines = [...Map.groupBy(parts, part => part.unit)].map(([unit, several]) => numbers(unit, several, old));
-    return make("div", {className: "card", title: condition}, "", make("h3", {}, name),
+    return make("div", {className: "card", title: condition}, "", make("div", {className: "name"}, name),
       make("div", {className: "numbers"}, "", ...lines), ...(note ? [make("small", {className: "note"}, note)] : []));
   }));
 }
@@ -307,7 +313,8 @@ async function undo() {
   if (!past.length) return;
   now = JSON.parse(settled = past.pop());
   $("undo").disabled = past.length === 0;
-  show(await ask("show", {document: now.document}));
+  const told = await ask("show", {document: now.document});
+  kept(() => show(told));
 }
 
 async function saved(use) {
