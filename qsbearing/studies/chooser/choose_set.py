@@ -15,7 +15,7 @@ import numpy as np
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.comparison import largest
-from qsbearing.model.solution.solution import Choice, LeftOut
+from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solver import TOLERANCE
 from qsbearing.studies.chooser import choose
 from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST
