@@ -120,7 +120,7 @@ def test_page_one_prints_every_waiver_and_all_that_did_not_converge(shipped: Evi
 def test_page_one_and_the_readme_count_the_same_random_scenes(shipped: Evidence) -> None:
     every = questions.total(shipped.campaigns)
     assert f"not converged: {every.lost} of {every.count:,}" in text_of(shipped)
-    assert f"{every.count:,} random scenes | {every.lost} not converged" in (ROOT / "README.md").read_text("utf-8")
+    assert f"{every.count:,} random scenes {every.lost} did not converge" in (ROOT / "README.md").read_text("utf-8")
 
 
 def test_page_one_counts_the_origin_of_records(shipped: Evidence) -> None:
