@@ -21,6 +21,24 @@ GATE = ("steps.json", "hard_cases/table.json", "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
 
 
+ELSEWHERE = {
+    "reference": ("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
+    "relations": ("tests/relations.json", "python -m tests.relations"),
+    "errata": ("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
+    "hard_cases": ("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
+    "model_cost": (
+        "qsbearing/studies/cost/records/b218_combined.json",
+        "qsbearing cost tests/verification/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
+    ),
+    "auto_accuracy": (
+        "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy",
+    ),
+    "scipy": ("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
+    "mutations": ("tests/verification/mutations.json", "python -m tests.verification.mutations"),
+}  # fmt: skip
+"""Records of the repository with the commands that make them, by their names here."""
+
+
 def needs_checkout(command: str) -> bool:
     """Whether a command needs files that an installed package does not have."""
     return not command.startswith(("fem-check ", "qsbearing ")) or "tests/" in command
@@ -80,14 +98,14 @@ class Evidence:
     folder: Path
     checks: dict[str, Kept]
     book: dict[str, Kept] = field(default_factory=dict)
-    cost: Kept | None = None
+    campaigns: list[Kept] = field(default_factory=list)
+    recomputed: list[Kept] = field(default_factory=list)
+    """Campaigns of spindles and of elastic rings, whose solutions are computed a second time; they have no limit."""
     reference: Kept | None = None
     relations: Kept | None = None
     errata: Kept | None = None
     hard_cases: Kept | None = None
-    campaigns: list[Kept] = field(default_factory=list)
-    recomputed: list[Kept] = field(default_factory=list)
-    """Campaigns of spindles and of elastic rings, whose solutions are computed a second time; they have no limit."""
+    cost: Kept | None = None
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
@@ -97,14 +115,10 @@ class Evidence:
 
     def all(self) -> Iterator[Kept]:
         """Every record."""
-        yield from self.checks.values()
-        yield from self.book.values()
-        yield from (*self.campaigns, *self.recomputed)
-        others = (
-            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
-            self.auto_accuracy, self.scipy, self.mutations, self.gate,
-        )  # fmt: skip
-        yield from (each for each in others if each is not None)
+        for value in vars(self).values():
+            yield from (value,) if isinstance(value, Kept) else ()
+            yield from value if isinstance(value, list) else ()
+            yield from value.values() if isinstance(value, dict) else ()
 
 
 def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
@@ -133,28 +147,17 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
     campaigns = {each.data["envelope"]: each for each in _campaigns("")}
     campaigns |= {each.data["envelope"]: each for name, each in gate.items() if name.startswith("campaign/")}
+    single = {name: _elsewhere(*each) for name, each in ELSEWHERE.items()}
+    single["hard_cases"] = gate.get("hard_cases/table") or single["hard_cases"]
     return Evidence(
         records,
         checks,
         published(records) or ({} if alone else published(records_store.FOLDER)),
-        _cost(records) or _cost(records_store.FOLDER),
-        _elsewhere("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
-        _elsewhere("tests/relations.json", "python -m tests.relations"),
-        _elsewhere("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
-        gate.get("hard_cases/table")
-        or _elsewhere("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
         list(campaigns.values()),
         _campaigns("recomputed"),
-        _elsewhere(
-            "qsbearing/studies/cost/records/b218_combined.json",
-            "qsbearing cost tests/verification/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
-        ),
-        _elsewhere(
-            "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
-        ),
-        _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
-        _elsewhere("tests/verification/mutations.json", "python -m tests.verification.mutations"),
-        gate.get("steps"),
+        cost=_cost(records) or _cost(records_store.FOLDER),
+        gate=gate.get("steps"),
+        **single,
     )
 
 
@@ -241,6 +244,7 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
 
 
 def missing(what: str, command: str) -> Remark:
-    """A sentence that stands in the place of a record."""
+    """A sentence that stands in the place of a record; instead of the command the name of one of `ELSEWHERE`."""
+    command = ELSEWHERE[command][1] if command in ELSEWHERE else command
     where = ", in a checkout of the repository" if needs_checkout(command) else ""
     return Remark(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

@@ -48,7 +48,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
-        f"{name}: {report.geometry_text(solution)}. {point}.",
+        f"{capital(report.geometry_text(solution))}. {point}.",
         head(
             report_of,
             margins(solution, found),
