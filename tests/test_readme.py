@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from tests.verification.benchmarks import before, cost, effects_cost, tables
+from tests.verification.benchmarks import before, cost, tables
 from tests.verification.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
@@ -76,11 +76,6 @@ def test_the_table_of_time_against_accuracy_is_made_from_its_record() -> None:
     assert cost.filled(page, cost.load()) == page
 
 
-def test_the_table_of_what_effects_cost_is_made_from_its_record() -> None:
-    page = TIMING.read_text(encoding="utf-8")
-    assert effects_cost.filled(page, effects_cost.load()) == page
-
-
 def test_the_table_beside_an_earlier_version_is_made_from_its_record() -> None:
     page = TIMING.read_text(encoding="utf-8")
     assert before.filled(page, before.load()) == page
@@ -89,7 +84,7 @@ def test_the_table_beside_an_earlier_version_is_made_from_its_record() -> None:
 def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
     for page in PAGES:
         marks = set(re.findall(r"<!-- end of (.+?) -->", page.read_text(encoding="utf-8")))
-        others = {ACCURACY: {cost.MARK}, TIMING: {"effects", "before"}}.get(page, set())
+        others = {ACCURACY: {cost.MARK}, TIMING: {"before"}}.get(page, set())
         known = set(tables.PAGES.get(page.name, {})) | others
         assert marks == known, page.name
 
