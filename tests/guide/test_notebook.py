@@ -99,7 +99,7 @@ def shown(value: Any) -> dict[str, str]:
 
 def numbers_and_words(text: str) -> tuple[list[float], list[str]]:
     """Numbers apart, which may differ in their last digits from one processor to another; no time that a run took."""
-    plain = re.sub(r"<style>.*?</style>|<[^>]*>|\S+ ms\b", " ", text, flags=re.DOTALL)
+    plain = re.sub(r"<style>.*?</style>|<[^>]*>|\S+\s[mµ]?s\b", " ", text, flags=re.DOTALL)
     number = r"(?<![\w.])[-+\N{MINUS SIGN}]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
     found = [float(each.replace("\N{MINUS SIGN}", "-")) for each in re.findall(number, plain)]
     return found, re.sub(number, " ", plain).split()
