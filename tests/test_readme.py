@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from tests.verification.benchmarks import before, cost, tables
+from tests.verification.benchmarks import before, cost, guide_pictures, tables
 from tests.verification.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
@@ -64,6 +64,17 @@ def test_the_output_shown_is_what_the_command_prints() -> None:
     (shown,) = blocks("text")
     printed = CliRunner().invoke(cli, ["run", "b218"]).output
     assert shown in printed
+
+
+def test_the_picture_of_the_section_is_that_of_the_program(drawn: None) -> None:
+    """Another: `python -m tests.verification.benchmarks.guide_pictures`. Lines and letters; other versions of
+    matplotlib may write the same with other names, and round otherwise."""
+    made = guide_pictures.svg(guide_pictures.overview(qs.solve(qs.load_scene("b218"))))
+    shipped = (tables.GUIDE / "section.svg").read_text(encoding="utf-8")
+    now, then = (re.findall(r' (?:d|x|y|transform)="([^"]*)"', text) for text in (made, shipped))
+    assert [re.sub(r"[-\d.]+", "0", each) for each in now] == [re.sub(r"[-\d.]+", "0", each) for each in then]
+    numbers = ([float(each) for text in found for each in re.findall(r"-?\d+\.?\d*", text)] for found in (now, then))
+    assert next(numbers) == pytest.approx(next(numbers), abs=0.02)
 
 
 @pytest.mark.parametrize("page", tables.PAGES)
