@@ -78,7 +78,7 @@ def release(level: str, out: Path, previous: str | None, resume: bool, keep: boo
         if keep and passes:
             written = gate.keep(listed, place)
             click.echo(f"{len(written)} records are now those of {root}: commit them and nothing else", err=True)
-    except (tree.TreeError, RecordError) as problem:
+    except (tree.TreeError, RecordError, steps.StepError) as problem:
         _refuse(str(problem))
     except OSError as problem:
         _refuse(f"{out} cannot be written: {problem}")

@@ -17,6 +17,7 @@ from fem_check.report import evidence, questions
 from fem_check.report.figures import sector as sector_figures
 from fem_check.rows.agreement import Level
 from fem_check.running import records_store
+from tests.guide import interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks import before, cost, effects_cost, marked
@@ -285,6 +286,12 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
     "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},
+    "interface.md": {
+        "files": lambda: interface.table("files", "table"),
+        "python": lambda: interface.table("python", "in"),
+        "commands": lambda: interface.table("commands", "command"),
+        "json": lambda: interface.table("json", "in"),
+    },
     "README.md": {"random scenes": random_scenes},
 }
 """Pages, and the tables of each."""
