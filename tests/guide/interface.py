@@ -1,5 +1,5 @@
-"""What users' files and programs may rely on, read from the code's tables: `python -m tests.guide.interface` adds what is
-new to the names that stay (interface.json), of which none is dropped or renamed; the guide's page lists them.
+"""What files and programs of users may rely on, from the tables of the code: `python -m tests.guide.interface` adds new
+names to those that stay (interface.json), of which none is dropped or renamed; the guide's page lists them.
 """
 
 from __future__ import annotations
