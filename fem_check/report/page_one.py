@@ -48,12 +48,13 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
     dates = sorted(kept.provenance["date"][:10] for kept in records if kept.provenance)
     commit = provenance.commit()
     changed = " with changes that are not committed" if provenance.is_dirty() else ""
+    here = f"{commit[:12]}{changed}" if commit else "an installed package"
+    tested = traceability.tested(evidence)[:12]
     return [
         ("Document", f"QSB-VR-{version}"),
         ("Revision", f"records {traceability.digest(records)}"),
         ("Version", version),
-        ("Commit tested", traceability.tested(evidence)[:12] or traceability.NOT_RECORDED),
-        ("Commit of this report", f"{commit[:12]}{changed}" if commit else "an installed package"),
+        ("Commit tested, of this report", f"{tested or traceability.NOT_RECORDED}, {here}"),
         ("Evidence made", f"{dates[0]} to {dates[-1]}" if dates else traceability.NOT_RECORDED),
         ("Level", level(evidence)),
     ]
@@ -131,19 +132,19 @@ def _coverage(evidence: Evidence) -> str:
     return f"{said}. {held}: {as_read(share['case'])}."
 
 
-def _traceability(evidence: Evidence) -> Table:
-    lines: list[list[Cell]] = []
-    for name, records in _groups(evidence):
-        tally = traceability.tally(records, traceability.tested(evidence))
-        lines.append([name, str(len(records)), *map(str, tally)])
-    headings = ("evidence", "records", "at the commit tested", "at others", "commit unknown")
-    return Table(headings, lines, "lrrrr", "Traceability")
+def _traceability(evidence: Evidence) -> Paragraph:
+    """How many records are of the commit that was tested, by group; of how many others."""
+    tested, groups = traceability.tested(evidence), _groups(evidence)
+    each = [f"{name} {traceability.tally(records, tested)[0]} of {len(records)}" for name, records in groups]
+    _, others, unknown = traceability.tally(evidence.all(), tested)
+    rest = f"{others} records are of other commits, {unknown} of none that is known"
+    return Paragraph(Md(f"**Traceability.** At the commit tested: {', '.join(each)}. {rest}."))
 
 
 def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
     checks, book = list(evidence.checks.values()), list(evidence.book.values())
     others = [kept for kept in evidence.all() if kept not in checks and kept not in book]
-    return [("Finite elements", checks), ("Published cases", book), ("Fifty digits, scenes, cost, gate", others)]
+    return [("finite elements", checks), ("published cases", book), ("fifty digits, scenes, cost, gate", others)]
 
 
 def _random_scenes(evidence: Evidence) -> list[Block]:
@@ -172,4 +173,5 @@ def _waivers(evidence: Evidence) -> str:
     for name in lost:
         why.setdefault(NOT_CONVERGED[name], []).append(name)
     each = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in why.items())
-    return f"{len(lost)} scenes that do not converge are excused by name, to be signed for below: {each}."
+    which = "scene that does not converge is" if len(lost) == 1 else "scenes that do not converge are"
+    return f"{len(lost)} {which} excused by name, to be signed for below: {each}."

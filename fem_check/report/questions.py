@@ -273,8 +273,10 @@ def waived(kept: Kept) -> int:
 def total(kept: Iterable[Kept]) -> Scenes:
     """Of campaigns together."""
     each = [scenes(one) for one in kept]
-    sums = (sum(getattr(one, name) for one in each) for name in ("count", "lost", "solved", "wrong"))
-    return Scenes("random", *sums, None)
+    count, lost, solved, wrong = (
+        sum(getattr(one, name) for one in each) for name in ("count", "lost", "solved", "wrong")
+    )
+    return Scenes("random", count, lost, solved, wrong, None)
 
 
 def _robust(evidence: Evidence) -> Question:

@@ -16,7 +16,7 @@ from fem_check.cli import cli
 from fem_check.release import drift, gate, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
 from fem_check.rows.agreement import Findings, Level, Row
-from fem_check.running import known
+from fem_check.running import kept_files, known
 from qsbearing.results import provenance
 from tests.verification.campaign.envelope import ENVELOPES
 
@@ -195,7 +195,7 @@ def test_a_record_deleted_from_the_previous_ones_is_named(place):
 
 
 def test_without_a_manifest_the_previous_records_are_not_trusted(place):
-    (place / "repository" / RECORDS / manifest.NAME).unlink()
+    (place / "repository" / kept_files.MANIFEST).unlink()
     commit(place / "repository")
     result = release(place / "out", "--json")
     assert result.exit_code == 1

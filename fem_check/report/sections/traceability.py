@@ -57,7 +57,7 @@ def tally(records: Iterable[Kept], tested: str) -> tuple[int, int, int]:
 def tested(evidence: Evidence) -> str:
     """The commit that most records are of, the last made of several that have as many; empty where none is known."""
     found = Counter(_commit(kept) for kept in evidence.all() if _commit(kept))
-    last = {_commit(kept): kept.provenance["date"] for kept in sorted(evidence.all(), key=_date)}
+    last = {_commit(kept): _date(kept) for kept in sorted(evidence.all(), key=_date)}
     return max(found, key=lambda each: (found[each], last[each]), default="")
 
 
@@ -77,7 +77,7 @@ def is_mixed(evidence: Evidence) -> bool:
     return len(commits) > 1 or "" in commits
 
 
-NAMED = 5
+NAMED = 3
 """Records or files that a sentence names."""
 
 
