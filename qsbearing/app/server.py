@@ -50,10 +50,11 @@ QUESTIONS: dict[str, Callable[..., answers.Answer]] = {
     "solve": answers.solved,
     "picture": answers.pictured,
     "rest": answers.detailed,
+    "effects": answers.effects,
     "switch": answers.switched,
     "save": answers.saved,
 }
-ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool}
+ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool, "row": int}
 
 
 def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") -> Starlette:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import shutil
@@ -161,6 +162,18 @@ class Browser:
         ):
             self.complaints.append(f"asks the network for {told['request']['url']}")
         return said
+
+
+def barriers(browser: Browser) -> list[str]:
+    """What bars people from the page that is open, by all rules of axe-core; nothing where that is not installed."""
+    package = importlib.util.find_spec("axe_core_python")
+    if package is None or package.submodule_search_locations is None:
+        return []
+    browser.value((Path(package.submodule_search_locations[0]) / "axe.min.js").read_text(encoding="utf-8") + "; true")
+    found: list[str] = browser.value(
+        "axe.run().then(r => r.violations.flatMap(v => v.nodes.slice(0, 3).map(n => `${v.impact} ${v.id}: ${n.html}`)))"
+    )
+    return found
 
 
 def layout_faults(browser: Browser, page: Path) -> list[str]:

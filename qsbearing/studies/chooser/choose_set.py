@@ -14,7 +14,7 @@ import numpy as np
 
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.comparison import largest
-from qsbearing.model.solution.solution import Choice, LeftOut
+from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solver import TOLERANCE
 from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST
 from qsbearing.systems.sets import solve as systems
