@@ -129,7 +129,7 @@ def with_new(before: dict[str, Names], now: dict[str, Names]) -> dict[str, Names
 
 def table(kind: str, heading: str) -> str:
     """A group a row; of a row of a set and of materials what is as elsewhere is left out."""
-    names = with_new(kept(), found())[kind]
+    names = kept()[kind]
     lines, told = [f"| {heading} | names |", "|---|---|"], set[tuple[str, ...]]()
     for group, each in names.items():
         again = ("material" if group.endswith("material") else group.rpartition(".")[2], *each)

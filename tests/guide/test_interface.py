@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import tomllib
 from pathlib import Path
 
@@ -23,11 +22,6 @@ def now() -> dict[str, interface.Names]:
 
 def test_no_name_that_stays_is_dropped(now: dict[str, interface.Names]) -> None:
     assert interface.dropped(interface.kept(), now) == []
-
-
-def test_new_names_are_kept(now: dict[str, interface.Names]) -> None:
-    """By `python -m tests.guide.interface`; then `python -m tests.verification.benchmarks.tables` writes the page."""
-    assert interface.with_new(interface.kept(), now) == json.loads(interface.KEPT.read_text(encoding="utf-8"))
 
 
 def test_a_dropped_name_is_named() -> None:
