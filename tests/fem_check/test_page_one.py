@@ -46,12 +46,11 @@ def altered(kept: Kept, **changes: Any) -> Kept:
 
 
 def at_one_commit(found: Evidence, commit: str) -> Evidence:
-    """The same evidence, every record made at one commit."""
+    """The same evidence, every record made at one commit by this version."""
+    made = {"commit": commit, "dirty": False, "qsbearing": __version__}
 
     def moved(kept: Kept) -> Kept:
-        return altered(
-            kept, provenance={**(kept.provenance or {"date": "2026-01-01"}), "commit": commit, "dirty": False}
-        )
+        return altered(kept, provenance={**(kept.provenance or {"date": "2026-01-01"}), **made})
 
     changes: dict[str, Any] = {}
     for field in dataclasses.fields(found):
@@ -76,7 +75,7 @@ def sector_rows(found: Evidence, end: str, quantity: str) -> list[dict[str, Any]
 
 def test_page_one_names_the_document_and_the_commit(shipped: Evidence) -> None:
     text = text_of(shipped)
-    assert f"QSB-VR-{__version__}" in text
+    assert f"QSB-VR-{traceability.listed(kept.version for kept in shipped.all())}" in text
     assert (provenance.commit() or "an installed package")[:12] in text
     for word in ("Prepared by", "Reviewed by", "Released by", "Scope.", "± means:", "Changes since the last release."):
         assert word in text
