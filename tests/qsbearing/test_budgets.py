@@ -21,8 +21,8 @@ BUDGETS = {
     # 100 more: any number by its path, spectra from tables, keys in remarks, temperatures that are yet to be found.
     # 280 more: the schema of files.
     "files": 7700,
-    # The tables of studies within that schema.
-    "studies": 5600,
+    # The tables of studies within that schema; what `explain` prints as data, which was in its command.
+    "studies": 5700,
     # With its compiler; wanted: 5,200. Balls that lost the inner raceway, lanes, and records as plain objects.
     "model/kernel + model/compiler": 5800,
 }
