@@ -102,7 +102,7 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
     column, row = (each.ravel() for each in np.indices((len(middles), count)))
     x, y = middles[column], (row + 0.5) * height
     inside = y < 1.15 * np.sqrt(np.maximum(1.0 - (x / ellipticity) ** 2, 0.0)) + 0.2
-    column, row, x, y, width = (each[inside] for each in (column, row, x, y, widths[column]))
+    column, row, x, y, width = column[inside], row[inside], x[inside], y[inside], widths[column[inside]]
     # Few distances stand between many rectangles.
     rows_apart = height * np.arange(2 * count)
     table = normal_influence((middles[:, None] - middles)[..., None], rows_apart, widths[:, None], height)
