@@ -11,9 +11,7 @@ def section(evidence: Evidence) -> Section:
     """A row for each error: printed, correct, effect."""
     kept = evidence.errata
     if kept is None:
-        return Section(
-            "Errors of the source", [missing("What they do", "python -m tests.verification.reference.errata")], "errata"
-        )
+        return Section("Errors of the source", [missing("What they do", "errata")], "errata")
     found = kept.data
     rows: list[list[Cell]] = [
         [as_read(each[name]) for name in ("place", "printed", "correct", "shows", "effect")] for each in found["errors"]

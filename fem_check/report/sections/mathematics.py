@@ -23,9 +23,7 @@ def section(evidence: Evidence) -> Section:
 
 def _reference(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [
-            missing("The comparison with the fifty-digit solutions", "python -m tests.verification.reference.table")
-        ]
+        return [missing("The comparison with the fifty-digit solutions", "reference")]
     cases = sorted(kept.data["cases"], key=lambda each: (each["verdict"] == "pass", -_error(each)))
     good = sum(each["verdict"] == "pass" for each in cases)
     rows: list[list[Cell]] = [
@@ -50,7 +48,7 @@ def _error(case: dict[str, float]) -> float:
 
 def _relations(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [missing("The outcome of the tests of relations", "python -m tests.relations")]
+        return [missing("The outcome of the tests of relations", "relations")]
     files = kept.data["files"]
     passed, failed = (sum(each[name] for each in files) for name in ("passed", "failed"))
     bad = ", ".join(each["file"] for each in files if each["failed"])
