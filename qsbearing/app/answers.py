@@ -35,8 +35,7 @@ from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark, message
-from qsbearing.studies.chooser.choose import solve
-from qsbearing.studies.chooser.choose_set import solve_set
+from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -204,8 +203,7 @@ def _solution(document: Tables, label: str) -> Solution | SetSolution:
 
 @lru_cache(maxsize=KEPT)
 def _solution_of(text: str, label: str) -> Solution | SetSolution:
-    of = _read(json.loads(text), label)
-    return solve_set(of) if isinstance(of, BearingSet) else solve(of)
+    return solve_any(_read(json.loads(text), label))
 
 
 def _taken(solution: Solution | SetSolution) -> Any:

@@ -77,6 +77,11 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
     return found
 
 
+def skill_text() -> str:
+    """What a language model is told of the commands."""
+    return (FOLDER / "skill" / "SKILL.md").read_text(encoding="utf-8")
+
+
 def meant_by(word: str, pages: Mapping[str, Page]) -> str:
     """What to read about a word that is no topic: a page spelled much like it, or those whose headings have it; empty
     where there is none."""
