@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import document as whole_guide
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Section, Table
+from qsbearing.results.guide_lists import LISTS
 from tests.documents.browser import DEAD, OVERFLOWS, WIDE, Browser, installed, layout_faults
 from tests.documents.example import document
 
