@@ -116,7 +116,6 @@ def _of_release() -> list[Step]:
         _elsewhere("errata", "verification.reference.errata"),
         _elsewhere("automatic effects", "verification.benchmarks.auto_accuracy"),
         _elsewhere("times", "verification.benchmarks.record"),
-        _elsewhere("times of effects", "verification.benchmarks.effects_cost"),
         _elsewhere("times against the release before", "verification.benchmarks.before"),
         _elsewhere(
             "cost of the model",

@@ -6,7 +6,6 @@ import hashlib
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,21 @@ CARRIED = Path(__file__).parents[1] / "repository"
 GATE = ("steps.json", "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
 RELEASE = "release"
+
+
+ELSEWHERE = {
+    "reference": ("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
+    "relations": ("tests/relations.json", "python -m tests.relations"),
+    "errata": ("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
+    "hard_cases": ("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
+    "model_cost": ("qsbearing/studies/cost/records/b218_combined.json", "python -m tests.verification.benchmarks.cost"),
+    "auto_accuracy": (
+        "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy",
+    ),
+    "scipy": ("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
+    "mutations": ("tests/verification/mutations.json", "python -m tests.verification.mutations"),
+}  # fmt: skip
+"""Records of the repository with the commands that make them, by their names here."""
 
 
 def needs_checkout(command: str) -> bool:
@@ -106,14 +120,10 @@ class Evidence:
 
     def all(self) -> Iterator[Kept]:
         """Every record of results."""
-        yield from self.checks.values()
-        yield from self.book.values()
-        yield from self.random_scenes
-        others = (
-            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
-            self.auto_accuracy, self.scipy, self.gate,
-        )  # fmt: skip
-        yield from (each for each in others if each is not None)
+        for name, value in vars(self).items():
+            yield from (value,) if isinstance(value, Kept) and name != "mutations" else ()
+            yield from value if isinstance(value, list) else ()
+            yield from value.values() if isinstance(value, dict) else ()
 
 
 def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
@@ -142,25 +152,15 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
     gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
     shipped = _gate(records_store.FOLDER, _label(records_store.FOLDER), {RELEASE})
     campaigns = [each for name, each in (shipped | gate).items() if name.startswith("campaign/")]
-    _elsewhere = partial(_in_repository, records)
     return Evidence(
         records,
         checks,
         published(records) or ({} if alone else published(records_store.FOLDER)),
-        _cost(records) or _cost(records_store.FOLDER),
-        _elsewhere("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
-        _elsewhere("tests/relations.json", "python -m tests.relations"),
-        _elsewhere("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
-        _elsewhere("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
-        [each for each in campaigns if "envelope" in each.data],
-        [each for each in campaigns if "campaign" in each.data],
-        _elsewhere("qsbearing/studies/cost/records/b218_combined.json", "python -m tests.verification.benchmarks.cost"),
-        _elsewhere(
-            "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
-        ),
-        _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
-        _elsewhere("tests/verification/mutations.json", "python -m tests.verification.mutations"),
-        gate.get("steps"),
+        cost=_cost(records) or _cost(records_store.FOLDER),
+        campaigns=[each for each in campaigns if "envelope" in each.data],
+        recomputed=[each for each in campaigns if "campaign" in each.data],
+        gate=gate.get("steps"),
+        **{name: _in_repository(records, *each) for name, each in ELSEWHERE.items()},
     )
 
 
@@ -235,6 +235,7 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
 
 
 def missing(what: str, command: str) -> Remark:
-    """A sentence that stands in the place of a record."""
+    """A sentence that stands in the place of a record; instead of the command the name of one of `ELSEWHERE`."""
+    command = ELSEWHERE[command][1] if command in ELSEWHERE else command
     where = ", in a checkout of the repository" if needs_checkout(command) else ""
     return Remark(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

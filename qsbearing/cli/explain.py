@@ -88,7 +88,7 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     from qsbearing.model.effects import QUANTITIES
     from qsbearing.studies.chooser.explain import two_digits
 
-    title = f"Effects and choices: change if left out (≈ usual parameters); needed above {100 * tolerance:g} %"
+    title = f"Effects and choices: change if left out (≈ usual parameters); needed if more than {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
     more = [*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else [])]

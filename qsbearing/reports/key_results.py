@@ -140,7 +140,7 @@ def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) ->
         rows.append(cells)
     titles = list(dict.fromkeys(title for cells in rows for title in cells))
     lines = [[cells.get(title, "-") for title in titles] for cells in rows]
-    return Table(titles, lines, caption="Rows: inner / outer raceway")
+    return Table(titles, lines, caption="Rows: inner / outer raceway", stack=True)
 
 
 def _point_lines(solution: SetSolution) -> list[KeyResult]:

@@ -118,7 +118,7 @@ def test_page_one_prints_every_waiver_and_all_that_did_not_converge(shipped: Evi
 def test_page_one_and_the_readme_count_the_same_random_scenes(shipped: Evidence) -> None:
     every, text = questions.total(shipped.random_scenes), text_of(shipped)
     assert f"not converged: {every.lost} of {every.count:,}" in text
-    said = f"{every.count:,} random scenes | {every.lost} not converged, none wrong"
+    said = f"Of {every.count:,} random scenes {every.lost} did not converge, and none is wrong"
     assert said in (ROOT / "README.md").read_text("utf-8")
     assert every.wrong == 0
 

@@ -156,7 +156,7 @@ def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
 def test_an_angle_is_no_per_cent() -> None:
     """Its deviation and its limit are degrees, and it is rounded to its uncertainty."""
     angle = row("inner angle", 40.4321, 0.25) | {"unit": "deg", "reference": 40.0, "deviation_percent": 1.08025}
-    assert table([(1, angle)]).rows[0][2:4] == ["+0.4321 ± 0.0040°", "0.1 °"]
+    assert table([(1, angle)]).rows[0][2:4] == ["+0.4321 ± 0.0040°", "0.1°"]
 
 
 def test_a_material_is_its_bodys_and_a_sentence_stays_one() -> None:

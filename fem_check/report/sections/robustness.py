@@ -63,7 +63,7 @@ def _proofs(kept: Kept) -> str:
 def _mutations(kept: Kept | None) -> list[Block]:
     """How many of the errors planted at random are seen, and which are not."""
     if kept is None:
-        return [missing("The survey of mutations", "python -m tests.verification.mutations")]
+        return [missing("The survey of mutations", "mutations")]
     found, survivors = kept.data["found"], kept.data["survivors"]
     seen = sum(bool(each["seen_by"]) for each in found)
     by_check = sum(each["seen_by"].startswith(("check", "book")) for each in found)
@@ -88,7 +88,7 @@ def _mutations(kept: Kept | None) -> list[Block]:
 
 def _hard_cases(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [missing("The table of hard cases", "python -m tests.verification.hard_cases.table")]
+        return [missing("The table of hard cases", "hard_cases")]
     cases = sorted(kept.data["cases"], key=lambda each: (each["verdict"] in EXPECTED, -each["iterations"]))
     rows: list[list[Cell]] = []
     for each in cases[:MOST]:

@@ -20,7 +20,7 @@ from fem_check.running import records_store
 from tests.guide import interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
-from tests.verification.benchmarks import before, cost, effects_cost, marked
+from tests.verification.benchmarks import before, cost, marked
 from tests.verification.benchmarks.record import RECORD
 from tests.verification.hard_cases import table as hard_cases_table
 
@@ -194,8 +194,9 @@ def campaigns_of(names: dict[Level, dict[str, int]]) -> list[Any]:
 def random_scenes() -> str:
     """What the README says of all campaigns, as page 1 of the validation report counts them."""
     every = questions.total(evidence.read().random_scenes)
-    wrong = "none" if every.wrong == 0 else str(every.wrong)
-    return f"{every.count:,} random scenes | {every.lost} not converged, {wrong} wrong"
+    wrong = "none is" if every.wrong == 0 else f"{every.wrong} are"
+    said = f"Of {every.count:,} random scenes {every.lost} did not converge, and {wrong} wrong"
+    return f"{said}\n([hard cases](qsbearing/guide/hard_cases.md))."
 
 
 def campaigns() -> str:
@@ -273,7 +274,6 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},
     "accuracy.md": {"cost": lambda: cost.table(cost.load())},
     "timing.md": {
-        "effects": lambda: effects_cost.table(effects_cost.load()),
         "timing": timing,
         "before": lambda: before.table(before.load()),
         "alternatives": alternatives,
