@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.questions import MEASURES
-from fem_check.report.rows import as_read
 from fem_check.rows.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Remark, Section, Table
 
@@ -27,7 +26,7 @@ def _reference(kept: Kept | None) -> list[Block]:
     cases = sorted(kept.data["cases"], key=lambda each: (each["verdict"] == "pass", -_error(each)))
     good = sum(each["verdict"] == "pass" for each in cases)
     rows: list[list[Cell]] = [
-        [each["case"], as_read(each["what"]), *(scientific(each[name], 2) for name in MEASURES), Badge(each["verdict"])]
+        [each["case"], each["what"], *(scientific(each[name], 2) for name in MEASURES), Badge(each["verdict"])]
         for each in cases[:MOST]
     ]
     said = (

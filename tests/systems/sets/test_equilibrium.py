@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing.model.compiler import threads
 from tests.qsbearing.scenes import (
     B218,
     BOTH,
@@ -76,6 +77,11 @@ def test_statics_in_three_dimensions(arrangement: str) -> None:
     size = np.array([1.0, 1.0, 1.0, 0.035, 0.035]) * 300.0
     np.testing.assert_allclose(needed / size, load / size, atol=1e-8)
     np.testing.assert_allclose(found.row_loads.sum(axis=0) / size, load / size, atol=1e-9)
+
+
+def test_an_arrangement_of_two_rows_has_a_name_and_of_more_its_directions() -> None:
+    told = {name: qs.BearingSet(rows(name), qs.Operation()).arrangement for name in ("DB", "TBT")}
+    assert told == {"DB": "DB (back to back)", "TBT": "+x +x -x"}
 
 
 def test_one_row_is_the_bearing_alone() -> None:
@@ -196,7 +202,8 @@ def test_a_prescribed_shaft_gives_its_reactions() -> None:
     np.testing.assert_allclose(held.load, [100.0, 200.0, 0.0, 0.0, 0.0], atol=1e-8 * 500.0)
 
 
-def test_cases_are_solved_as_if_alone() -> None:
+def test_cases_are_solved_as_if_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(threads, "CHUNK", 4)  # several stretches of them
     loads, speeds = np.array([0.0, 150.0, -300.0]), np.array([[0.0], [5_000.0], [12_000.0]]) * qs.rpm
     many = solved(pair("DB", 400.0, speed=speeds, axial_load=loads, radial_load_y=250.0, moment_z=0.0))
     assert many.displacement.shape == (3, 3, 5)
