@@ -1,8 +1,8 @@
 """What the compiled passes over all contacts take and fill: plain arrays over flattened cases.
 
-All arrays are written row by row and may be written to, whatever they come from: for each other kind of array a pass
-would be compiled anew. A reading has some twenty numbers of each contact. Array expressions would write and read again several temporary
-arrays for each of them, which takes as long as the solve; a pass works a contact out in one go.
+A reading has some twenty numbers of each contact. Array expressions would write and read again several temporary
+arrays for each of them, which takes as long as the solve; a pass works a contact out in one go. It is compiled for one
+kind of arrays, whatever they come from: those in C order that may be written to.
 """
 
 from __future__ import annotations
