@@ -6,13 +6,12 @@ Read in blocks: ten million points take no more memory than one million.
 from __future__ import annotations
 
 from collections import Counter
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.files.block_statistics import blocks, quantiles
+from qsbearing.files.block_statistics import blocks_of, quantiles
 from qsbearing.model.solution.result_keys import printed_unit
 
 if TYPE_CHECKING:
@@ -79,7 +78,7 @@ def table(results: Dataset) -> list[Block]:
     for name, values in results.data_vars.items():
         if name in ITSELF:
             continue
-        row = quantiles(partial(blocks, values), QUANTILES)
+        row = quantiles(blocks_of(values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
             unit = printed_unit(str(values.attrs.get("units", "")))
             spread.append((str(name), *(f"{value:.5g}" for value in row), unit))
