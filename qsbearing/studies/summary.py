@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.files.block_statistics import blocks_of, quantiles
+from qsbearing.files.block_statistics import blocks, blocks_of, quantiles
 from qsbearing.model.solution.result_keys import printed_unit
 
 if TYPE_CHECKING:
