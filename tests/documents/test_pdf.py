@@ -85,7 +85,7 @@ def test_notes_are_on_the_page_of_the_last_row() -> None:
 def test_a_record_is_on_the_page_of_what_it_stands_below() -> None:
     """The last row of a table, or a paragraph; and it makes no column of a narrow table wider."""
     blocks: list[Block] = []
-    for n in range(60):
+    for n in range(150):
         blocks += [
             Paragraph("filler " * (20 + 7 * n % 97)),
             Table(("", "text"), [[f"row{n}-{k}.", "word"] for k in range(3)]),
@@ -94,7 +94,7 @@ def test_a_record_is_on_the_page_of_what_it_stands_below() -> None:
         blocks.append(Trace(f"record{n}.json", "fem-check run patch_test --level release " * 2))
     reader = pypdf.PdfReader(BytesIO(pdf(Document("Records", "Test", [Section("Tables", blocks)]), strict=True)))
     pages = [re.sub(r"[\s\u200b]", "", page.extract_text()) for page in reader.pages]
-    for n in range(60):
+    for n in range(150):
         (below,) = [page for page in pages if f"record{n}.json" in page]
         assert (f"last{n}." if n % 2 else f"row{n}-2.") in below
     places: list[float] = []
