@@ -35,7 +35,8 @@ from qsbearing.model.operation import Operation as Operation
 from qsbearing.model.scene.preload import Preload as Preload
 from qsbearing.model.scene.scene import Scene as Scene
 from qsbearing.model.solution.raceway_contacts import RacewayContacts as RacewayContacts
-from qsbearing.model.solution.solution import Solution as Solution, stiffness as stiffness
+from qsbearing.model.solution.solution import Solution as Solution
+from qsbearing.model.solution.solver import stiffness as stiffness
 from qsbearing.model.solution.status import Reason as Reason, Status as Status
 from qsbearing.model.units import (
     GPa as GPa,

@@ -11,12 +11,11 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from tests.verification.benchmarks import before, cost, effects_cost, tables
+from tests.verification.benchmarks import guide_pictures, tables
 from tests.verification.reference.generate import load_reference
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-ACCURACY, TIMING = tables.GUIDE / "accuracy.md", tables.GUIDE / "timing.md"
 PAGES = sorted(tables.GUIDE.glob("*.md"))
 
 
@@ -27,6 +26,13 @@ def blocks(language: str) -> list[str]:
 
 def test_the_readme_stays_short() -> None:
     assert len(README.splitlines()) <= 150
+    assert [line for line in README.splitlines() if len(line) > 88] == []
+
+
+def test_one_line_installs_and_runs_and_one_tests() -> None:
+    alone = [block for block in blocks("sh") if "venv" in block.partition("\n")[0].split()]
+    assert [block.count("\n") for block in alone] == [1, 1]
+    assert ["qsbearing run" in block for block in alone] == [True, False]
 
 
 def test_the_python_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[str]) -> None:
@@ -34,21 +40,23 @@ def test_the_python_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[s
     exec(compile(code, "README.md", "exec"), {})
     printed = capsys.readouterr().out
     assert "converged 49.94" in printed
-    assert "(3, 8, 5) (3, 8, 16)" in printed
+    assert "(3, 8, 16)" in printed
 
 
 def test_the_scene_file_solves(tmp_path: Path) -> None:
-    (text,) = blocks("toml")
-    path = tmp_path / "my.toml"
-    path.write_text(text, encoding="utf-8")
-    solution = qs.solve(qs.load_scene(path))
+    one, pair = blocks("toml")
+    for name, text in {"my": one, "pair": pair}.items():
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
+    solution = qs.solve(qs.load_scene(tmp_path / "my.toml"))
     assert solution.converged
     assert solution.gyroscopic_moment is not None
+    assert qs.solve_set(qs.load_set(tmp_path / "pair.toml")).converged
 
 
 def test_ci_runs_the_test_commands_literally() -> None:
+    """Within parentheses: bash goes on where an inner part of `a && b` fails, and stops where a subshell does."""
     (block,) = [block for block in blocks("sh") if block.endswith(".venv/bin/pytest -n auto\n")]
-    assert block in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    assert f"\n(\n{block})\n" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
 
 
 def test_the_output_shown_is_what_the_command_prints() -> None:
@@ -57,44 +65,39 @@ def test_the_output_shown_is_what_the_command_prints() -> None:
     assert shown in printed
 
 
+def test_the_picture_of_the_section_is_that_of_the_program(drawn: None) -> None:
+    """Another: `python -m tests.verification.benchmarks.guide_pictures`. Lines and letters; other versions of
+    matplotlib may write the same with other names, and round otherwise."""
+    made = guide_pictures.svg(guide_pictures.overview(qs.solve(qs.load_scene("b218"))))
+    shipped = (tables.GUIDE / "section.svg").read_text(encoding="utf-8")
+    now, then = (re.findall(r' (?:d|x|y|transform)="([^"]*)"', text) for text in (made, shipped))
+    assert [re.sub(r"[-\d.]+", "0", each) for each in now] == [re.sub(r"[-\d.]+", "0", each) for each in then]
+    numbers = ([float(each) for text in found for each in re.findall(r"-?\d+\.?\d*", text)] for found in (now, then))
+    assert next(numbers) == pytest.approx(next(numbers), abs=0.02)
+
+
 @pytest.mark.parametrize("page", tables.PAGES)
 def test_the_tables_are_made_from_the_records(page: str) -> None:
-    assert tables.filled(page) == (tables.GUIDE / page).read_text(encoding="utf-8")
-
-
-def test_the_table_of_time_against_accuracy_is_made_from_its_record() -> None:
-    page = ACCURACY.read_text(encoding="utf-8")
-    assert cost.filled(page, cost.load()) == page
-
-
-def test_the_table_of_what_effects_cost_is_made_from_its_record() -> None:
-    page = TIMING.read_text(encoding="utf-8")
-    assert effects_cost.filled(page, effects_cost.load()) == page
-
-
-def test_the_table_beside_an_earlier_version_is_made_from_its_record() -> None:
-    page = TIMING.read_text(encoding="utf-8")
-    assert before.filled(page, before.load()) == page
+    assert tables.filled(page) == tables.path_of(page).read_text(encoding="utf-8")
 
 
 def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
-    for page in PAGES:
+    for page in (ROOT / "README.md", *PAGES):
         marks = set(re.findall(r"<!-- end of (.+?) -->", page.read_text(encoding="utf-8")))
-        others = {ACCURACY: {cost.MARK}, TIMING: {"effects", "before"}}.get(page, set())
-        known = set(tables.PAGES.get(page.name, {})) | others
-        assert marks == known, page.name
+        assert marks == set(tables.PAGES.get(page.name, {})), page.name
 
 
 def test_the_counts_that_the_readme_states_are_the_records() -> None:
-    assert f"{len(load_reference())} scenes against an independent solution" in README
+    assert f"- {len(load_reference())} scenes against an independent solution" in README
     recorded = [
         case["case"] for case in tables.read(ROOT / "tests" / "verification" / "reference" / "table.json")["cases"]
     ]
     assert recorded == [entry["case"]["name"] for entry in load_reference()]
-    campaigns = [json.loads(path.read_text(encoding="utf-8")) for path in tables.CAMPAIGNS.glob("*.json")]
-    assert f"| {sum(record['count'] for record in campaigns):,} random scenes |" in README
-    assert f"{sum(record['classes'].get('not_converged', 0) for record in campaigns)} not converged" in README
-    assert not any(record["bar"]["failures"] for record in campaigns)
+    campaigns = [json.loads(path.read_text(encoding="utf-8")) for path in tables.CAMPAIGNS.glob("*/summary.json")]
+    lost = sum(len(record["not_converged"]) for record in campaigns)
+    count = sum(record["count"] for record in campaigns)
+    assert f"Of {count:,} random scenes {lost} did not converge, and none is wrong" in README
+    assert not any(record.get("wrong") or record.get("failures") for record in campaigns)
 
 
 @pytest.mark.parametrize("page", [ROOT / "README.md", *PAGES], ids=lambda page: page.name)

@@ -388,14 +388,14 @@ def _spans(states: dict[str, Any]) -> str:
 
     def span(name: str, unit: str) -> str:
         values = [value for curve in states.values() for value in curve[name]["deviation"]]
-        return f"{min(values):+.2g} to {max(values):+.2g} {unit}"
+        return f"{min(values):+.2g} to {max(values):+.2g}{unit}"
 
     moved = ", ".join(
         f"{min(curve['grown_um']):+.1f} to {max(curve['grown_um']):+.1f} µm {state}" for state, curve in states.items()
     )
     return (
-        f"axial displacement {moved}; inner contact load {span('inner load', '%')}, inner contact angle "
-        f"{span('inner angle', 'deg')}."
+        f"axial displacement {moved}; inner contact load {span('inner load', ' %')}, inner contact angle "
+        f"{span('inner angle', '°')}."
     )
 
 
@@ -424,7 +424,7 @@ def _rings_note(series: dict[str, Any]) -> str:
 def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
     """What the cases of one series resolve."""
     parts = [
-        f"{row_text.in_words(name)} {value:.2g} {'deg' if name == 'angle' else '%'}"
+        f"{row_text.in_words(name)} {value:.2g}{'°' if name == 'angle' else ' %'}"
         for name, value in largest_uncertainty(series[key]).items()
     ]
     return (
@@ -439,7 +439,7 @@ def moment_note(series: dict[str, Any]) -> str:
         return ""
     found = largest_uncertainty(series[WITH_MOMENT])
     more = [
-        f"{row_text.in_words(kind)} {found[kind]:.2g} {'deg' if kind == 'angle' else '%'} where {bound:g} are allowed"
+        f"{row_text.in_words(kind)} {found[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
         for kind, bound in BOUNDS.items()
         if found[kind] > bound
     ]
@@ -472,7 +472,7 @@ CHECK = Check(
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
     kind=Kind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
-    tolerance="a 0.9, b 2, p0 2.5 % (release 0.6, 1.3, 1.5); half-spaces: load 0.12 %, angle 0.1 deg; statics 0.05 %",
+    tolerance="a 0.9, b 2, p0 2.5 % (release 0.6, 1.3, 1.5); half-spaces: load 0.12 %, angle 0.1°; statics 0.05 %",
     run=run,
     largest_dofs=lambda level: {Level.QUICK: 60_000, Level.RELEASE: 110_000}[level],
 )

@@ -50,7 +50,7 @@ def _coverage(name: str, cases: dict[object, list[tuple[float, Measured, Contact
         "share whose error exceeds its uncertainty",
         "1",
         0.0,
-        f"Grid Convergence Index, see `convergence`, and positions of the contact's edge; {references.HERTZ_SOURCE}",
+        f"Grid Convergence Index, and positions of the contact's edge; {references.HERTZ_SOURCE}",
         len(missed) / len(covers),
         None,
         100.0 * ALLOWED,

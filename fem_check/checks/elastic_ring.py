@@ -48,7 +48,7 @@ WHY = "twice the grids' uncertainty at the ring's shortest wave"
 WHY_OPPOSED = "one and a half to three times the grids' uncertainty"
 MODEL = "qsbearing.model.effects.ring_compliance (Lame, Michell)"
 OPPOSED = 0.25 * np.pi - 2.0 / np.pi
-"""Change of a thin ring's diameter by two opposed loads, over P R^3/(E I)."""
+"""Change of a thin ring's diameter by two opposed loads, over P R³/(E I)."""
 THICKNESSES = (0.02, 0.04, 0.08)
 """Over the mean radius."""
 THIN_RING = "bending of a thin ring (Timoshenko)"
@@ -75,14 +75,14 @@ WHY_LOADS = (
 BENDING = 3
 """Balls round a ring, few enough that bending is nearly all."""
 SECTIONS = {
-    "B218's outer ring, shoulders 70 and 20 deg, contact at 40 deg": (
+    "B218's outer ring, shoulders 70° and 20°, contact at 40°": (
         40.0, (70.0, 20.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
-    "the same, contact at 3 deg": (3.0, (70.0, 20.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)}),
-    "shoulders 50 deg, contact at 0 deg": (
+    "the same, contact at 3°": (3.0, (70.0, 20.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)}),
+    "shoulders 50°, contact at 0°": (
         0.0, (50.0, 50.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
-    "shoulders 17 deg, contact at 0 deg": (
+    "shoulders 17°, contact at 0°": (
         0.0, (17.0, 17.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)},
     ),
 }  # fmt: skip
@@ -188,7 +188,7 @@ def compliance_rows(level: Level) -> list[Row]:
 
 
 def opposed_change(thickness: float, grid: tuple[int, int]) -> tuple[float, float]:
-    """Change of a ring's diameter by two opposed loads from inside, over P R^3/(E I), with all waves and with the
+    """Change of a ring's diameter by two opposed loads from inside, over P R³/(E I), with all waves and with the
     model's; mean radius and width 1."""
     one = body((1.0 - 0.5 * thickness, 1.0 + 0.5 * thickness), grid)
     load = np.zeros(2 * len(one.nodes[0]))
@@ -220,7 +220,7 @@ def opposed_rows(level: Level) -> list[Row]:
     left_out = "shear and normal force, which a thin ring leaves out"
 
     def row(case: str, reference: float, by: str, study: Study, tolerance: float | None, why: str) -> Row:
-        name, uncertainty = "change of diameter over P R^3/(E I)", 100.0 * study.uncertainty / reference
+        name, uncertainty = "change of diameter over P R³/(E I)", 100.0 * study.uncertainty / reference
         return Row(
             f"two opposed loads, {case}", name, "1", reference, by, study.values[-1], uncertainty, tolerance, why
         )

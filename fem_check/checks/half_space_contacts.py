@@ -25,7 +25,7 @@ RADIUS = 10e-3
 """Of the ball on a plane, and along the short axis of the slender ellipse [m]."""
 SLENDER = 20.0
 TEXTBOOK_SHEAR = "Johnson 1985, section 3.4: 0.31 p0 at 0.48 a (nu = 0.3)"
-JOHNSON = "Johnson 1985, eqs 4.22 to 4.24: a = (3QR/4E*)^(1/3), delta = a^2/R, p0 = 3Q/(2 pi a^2)"
+JOHNSON = "Johnson 1985, eqs 4.22 to 4.24: a = (3QR/4E*)^(1/3), delta = a²/R, p0 = 3Q/(2 pi a²)"
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ def scenes() -> dict[str, qs.Scene]:
             0.0, free, tilt_lever="pitch_circle", hertz_angle="zero", hertz_form="brewe_hamrock_1977"
         ),
         "Hertz by Hamrock and Brewe 1983, at rest": _at(0.0, free, hertz_form="hamrock_brewe_1983"),
-        "deep groove with 10 um of clearance, at rest": qs.Scene(
+        "deep groove with 10 µm of clearance, at rest": qs.Scene(
             WITH_CLEARANCE, qs.Operation(axial_load=1000.0, radial_load_y=600.0, radial_load_z=800.0, **FREE)
         ),
     }  # fmt: skip
@@ -127,7 +127,7 @@ def sets() -> dict[str, qs.BearingSet]:
             replace(loads, speed=4000.0 * qs.rpm, moment_y=60.0), qs.Preload(spring=6000.0), reference_position=30e-3,
             **BOTH,
         ),
-        "face to face, pressed by 40 um, rings that grow, 8000 rpm": qs.BearingSet(
+        "face to face, pressed by 40 µm, rings that grow, 8000 rpm": qs.BearingSet(
             (qs.Row(B218, 0.0, MINUS, offset=3e-6), qs.Row(B218, 60e-3, PLUS, ring_effects=(TURNING,))),
             loads, qs.Preload(axial_displacement=40e-6), **BOTH,
         ),

@@ -383,7 +383,7 @@ def catalogue_rows() -> Iterator[Row]:
             kind = field.rpartition(".")[2]
             yield Row(
                 name,
-                field,
+                field.replace("_material.", "'s "),
                 catalogue_sources.UNITS[kind],
                 expected,
                 catalogue_sources.__doc__.splitlines()[0],

@@ -336,14 +336,17 @@ def single(
 def decided(rows: list[Row]) -> list[Row]:
     """Rows of a bearing whose meshes were not chosen for it: a finding in place of "fail" where they decide nothing.
 
-    That is where the deviation is within its own uncertainty, and only both together exceed the tolerance.
+    That is where the deviation is within its own uncertainty or the tolerance, and only both together exceed this.
     """
 
     def of(row: Row) -> Row:
         limit, doubt = row.tolerance_percent, row.uncertainty_percent
-        if limit is None or doubt is None or row.verdict != "fail" or not abs(row.deviation_percent) <= doubt:
+        if limit is None or doubt is None or row.verdict != "fail":
             return row
-        why = f"a finding: within its uncertainty; these meshes are too coarse for the tolerance of {limit:g} %"
+        if not abs(row.deviation_percent) <= max(limit, doubt):
+            return row
+        within = "its uncertainty" if abs(row.deviation_percent) <= doubt else "the tolerance"
+        why = f"a finding: within {within}; these meshes are too coarse for the tolerance of {limit:g} %"
         return replace(row, tolerance_percent=None, why_tolerance=why)
 
     return [of(row) for row in rows]

@@ -147,8 +147,8 @@ def undecided(entry: Entry) -> Paragraph | None:
         return None
     said = "; ".join(entry["undecided"])
     return Paragraph(
-        f"Not judged: {said}. It agrees within its uncertainty, which on these meshes exceeds the tolerance: more "
-        f"--elements than {entry['mesh']['elements_per_semi_axis']} judge it.",
+        f"Not judged: {said}. It agrees within its uncertainty or the tolerance, but on these meshes both "
+        f"together exceed the tolerance: more --elements than {entry['mesh']['elements_per_semi_axis']} judge it.",
         "Not judged:",
         is_apart=True,
     )

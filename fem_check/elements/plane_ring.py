@@ -79,18 +79,35 @@ class Body:
 
     def pressed(self, radius: float, pressure: Callable[[Array], Array]) -> Array:
         """Nodal loads of a pressure on a rim, a function of the angle."""
-        from skfem import ElementQuad2, FacetBasis, LinearForm
+        angles, loads = self._at_bore if radius == self.bore_radius else self._at_outside
+        return np.asarray(loads @ pressure(angles))
+
+    @cached_property
+    def _at_bore(self) -> tuple[Array, sp.csr_matrix]:
+        return self._rim_loads(self.bore_radius)
+
+    @cached_property
+    def _at_outside(self) -> tuple[Array, sp.csr_matrix]:
+        return self._rim_loads(self.outside_radius)
+
+    def _rim_loads(self, radius: float) -> tuple[Array, sp.csr_matrix]:
+        """Angles of a rim's quadrature points, and the nodal loads of unit pressures there, (dof, point)."""
+        from skfem import ElementQuad2, FacetBasis
 
         def on_rim(x: Array) -> Array:
             return np.abs(np.hypot(*x) - radius) < 0.2 * (self.outside_radius - self.bore_radius) / self.through
 
         facets = self._mesh.facets_satisfying(on_rim, boundaries_only=True)
         basis = FacetBasis(self._mesh, ElementQuad2(), facets=facets)
-        parts = [
-            LinearForm(lambda v, w, i=i: -pressure(np.arctan2(w.x[1], w.x[0])) * w.n[i] * v).assemble(basis)
-            for i in (0, 1)
-        ]
-        return np.asarray(self.to_cartesian.T @ np.concatenate(parts))
+        x, y = np.asarray(basis.global_coordinates()).reshape(2, -1)
+        points = np.arange(x.size).reshape(basis.dx.shape)
+        loads = sp.csr_matrix((2 * basis.N, x.size))
+        for nodes, shape in zip(basis.element_dofs, basis.basis, strict=True):
+            for i in (0, 1):
+                each = -np.asarray(shape[0]) * basis.normals[i] * basis.dx
+                rows = np.broadcast_to(i * basis.N + nodes[:, None], points.shape)
+                loads += sp.csr_matrix((each.ravel(), (rows.ravel(), points.ravel())), shape=loads.shape)
+        return np.arctan2(y, x), sp.csr_matrix(self.to_cartesian.T @ loads)
 
 
 @dataclass(frozen=True)

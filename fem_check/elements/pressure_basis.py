@@ -26,8 +26,8 @@ class PressureBasis:
 
     @cached_property
     def kept(self) -> Array:
-        """Flat indices of the functions within the ellipse that the grid encloses."""
-        x, y = np.meshgrid(self.lines_x / self.lines_x[-1], self.lines_y / self.lines_y[-1], indexing="ij")
+        """Flat indices of the functions within the ellipse that the grid encloses; its longer side counts."""
+        x, y = np.meshgrid(self.lines_x / np.abs(self.lines_x).max(), self.lines_y / self.lines_y[-1], indexing="ij")
         return np.flatnonzero((x**2 + y**2).ravel() <= 1.0 + 1e-9)
 
     @cached_property

@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
+from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 from scipy.special import eval_legendre, j1
 
@@ -149,8 +150,7 @@ class _Section:
         mesh = MeshQuad2(np.array([x, r]), flat.t)
         element = ElementVector(ElementQuad2(), 3)
         self.basis = Basis(mesh, element, intorder=5)
-        parts = [self._stiffness(n) for n in (0.0, 1.0, -1.0)]
-        self.parts = parts[0], 0.5 * (parts[1] - parts[2]), 0.5 * (parts[1] + parts[2]) - parts[0]
+        self.parts = self._stiffness()
         held = np.abs(self.basis.doflocs[1] - profile.back_radius) < 1e-6 * profile.back_radius
         self.free = np.flatnonzero(~held)
         ends = (
@@ -177,30 +177,37 @@ class _Section:
         self.xi = np.einsum("c,cfq->fq", across, points - self.centre[:, None, None])
         self.weights = shapes[:, None, :] * np.abs(np.einsum("c,cfq->fq", across, steps)) * weights
 
-    def _stiffness(self, n: float) -> Any:
-        from skfem import BilinearForm
-
-        material = self.groove.race
+    def _stiffness(self) -> tuple[Any, Any, Any]:
+        """Of the unknowns of harmonic n, for the powers 0, 1 and 2 of n."""
+        material, basis = self.groove.race, self.basis
         mu = 0.5 * material.elastic_modulus / (1.0 + material.poisson_ratio)
         lame = 2.0 * mu * material.poisson_ratio / (1.0 - 2.0 * material.poisson_ratio)
+        shapes = [each[0] for each in basis.basis]
+        u, v, w = np.stack([np.asarray(each) for each in shapes], 1) / np.asarray(basis.global_coordinates())[1]
+        (ux, ur), (vx, vr), (wx, wr) = np.stack([each.grad for each in shapes], 2)
+        none = np.zeros_like(u)
+        # Along x, r and the hoop, and the shears xr, x hoop and r hoop: strain = even + n odd.
+        even = np.stack([ux, vr, v, ur + vx, wx, wr - w])
+        odd = np.stack([none, none, w, none, -u, -v])
+        weights = np.asarray(basis.global_coordinates())[1] * basis.dx
+        elastic = np.diag([2.0 * mu] * 3 + [mu] * 3)
+        elastic[:3, :3] += lame
+        count = len(shapes)
 
-        def strains(u: Any, r: Any) -> tuple[Any, ...]:
-            g = u.grad
-            hoop = (u[1] + n * u[2]) / r
-            return (
-                g[0][0], g[1][1], hoop,
-                g[0][1] + g[1][0], g[2][0] - n * u[0] / r, g[2][1] - (u[2] + n * u[1]) / r,
-            )  # fmt: skip
+        def of_elements(strain: Array) -> Array:
+            return strain.transpose(2, 1, 0, 3).reshape(len(basis.dx), count, -1)
 
-        @BilinearForm
-        def form(u: Any, v: Any, w: Any) -> Any:
-            r = w.x[1]
-            e, f = strains(u, r), strains(v, r)
-            direct = sum(p * q for p, q in zip(e[:3], f[:3], strict=True))
-            shear = sum(p * q for p, q in zip(e[3:], f[3:], strict=True))
-            return (lame * sum(e[:3]) * sum(f[:3]) + 2.0 * mu * direct + mu * shear) * r
+        strains = [of_elements(each) for each in (even, odd)]
+        stresses = [of_elements(np.tensordot(elastic, each, 1) * weights) for each in (even, odd)]
+        dofs = basis.element_dofs.T
+        rows, columns = np.repeat(dofs, count, axis=1).ravel(), np.tile(dofs, count).ravel()
 
-        return form.assemble(self.basis).tocsr()
+        def matrix(first: int, second: int) -> Any:
+            entries = strains[first] @ stresses[second].transpose(0, 2, 1)
+            return coo_matrix((entries.ravel(), (rows, columns)), (basis.N, basis.N)).tocsr()
+
+        mixed = matrix(0, 1)
+        return matrix(0, 0), mixed + mixed.T, matrix(1, 1)
 
     def works(self, balls: int, last: float) -> float:
         """The same of all harmonics up to one."""

@@ -114,7 +114,8 @@ def quantities(
             )
             inclined = (np.asarray(slope(*at)), poisson / compliance)
         sides = (a / b / resolution, 1.0 / resolution)
-        pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined)
+        hertzian = np.sqrt(np.maximum(1.0 - index[:, None] ** 2 - index**2, 0.0))
+        pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined, hertzian)
         share = pressure / pressure.sum()
         found.append(
             (
@@ -128,7 +129,11 @@ def quantities(
 
 
 def solve(
-    gap: Array, load: float, spacing: tuple[float, float], inclined: tuple[Array, float] | None = None
+    gap: Array,
+    load: float,
+    spacing: tuple[float, float],
+    inclined: tuple[Array, float] | None = None,
+    start: Array | float = 1.0,
 ) -> tuple[Array, float]:
     """Pressure and approach of a contact with E* = 1.
 
@@ -137,6 +142,7 @@ def solve(
         load: sum of pressure times area.
         spacing: sides of a rectangle.
         inclined: slope of the surface at the rectangles' centres along x, and Poisson's ratio; None: flat.
+        start: pressure to begin with, over any other.
 
     Returns:
         pressure, shape (x, y), and the approach.
@@ -173,7 +179,8 @@ def solve(
             )
 
     total = load / (spacing[0] * spacing[1])
-    pressure = np.full(gap.shape, total / gap.size)
+    pressure = start + np.zeros(gap.shape)
+    pressure *= total / pressure.sum()
     direction = np.zeros(gap.shape)
     last_norm, keep = 1.0, 0.0
     for _ in range(MAX_ITERATIONS):

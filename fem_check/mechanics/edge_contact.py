@@ -51,6 +51,10 @@ class Unit:
         """delta."""
         return 1.5 * self.load / pi * float(elliprf(0.0, 1.0, self.ellipticity**2))
 
+    def holds(self, x: Array, y: Array) -> Array:
+        """Whether points lie in the ellipse."""
+        return np.hypot(x / self.ellipticity, y) < 1.0
+
     def gap(self, x: Array, y: Array) -> Array:
         """The parabola."""
         square = self.ellipticity**2
@@ -94,12 +98,17 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
         lines = np.concatenate([lines, edge + np.arange(1, int(np.ceil(beyond / first)) + 1) * first])
     count = round(WIDER * ACROSS * finer)
     height = WIDER / count
-    y = (np.arange(count) + 0.5) * height
     middles, widths = 0.5 * (lines[1:] + lines[:-1]), np.diff(lines)
-    x, y, width = (each.ravel() for each in np.broadcast_arrays(middles[:, None], y, widths[:, None]))
+    column, row = (each.ravel() for each in np.indices((len(middles), count)))
+    x, y = middles[column], (row + 0.5) * height
     inside = y < 1.15 * np.sqrt(np.maximum(1.0 - (x / ellipticity) ** 2, 0.0)) + 0.2
-    x, y, width = x[inside], y[inside], width[inside]
-    pressure = _pressed(x, y, width, height, unit, edge, radius)
+    column, row, x, y, width = column[inside], row[inside], x[inside], y[inside], widths[column[inside]]
+    # Few distances stand between many rectangles.
+    rows_apart = height * np.arange(2 * count)
+    table = normal_influence((middles[:, None] - middles)[..., None], rows_apart, widths[:, None], height)
+    influence = table[column[:, None], column, np.abs(row[:, None] - row)]
+    influence += table[column[:, None], column, row[:, None] + row + 1]  # their mirror images
+    pressure = _pressed(x, y, width * height, influence, unit, edge, radius)
     area = 2.0 * height * width
     force = area * pressure
     # K and how it changes, from p sqrt(d); each rectangle has the mean of its d^-1/2.
@@ -116,18 +125,14 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
     )
 
 
-def _pressed(x: Array, y: Array, width: Array, height: float, unit: Unit, edge: float, radius: float | None) -> Array:
+def _pressed(x: Array, y: Array, area: Array, influence: Array, unit: Unit, edge: float, radius: float | None) -> Array:
     """Pressure of each rectangle at the approach of the uncut contact."""
     gap = unit.gap if radius is None else opened(unit, edge, radius)
-    area = width * height
-    influence = np.zeros((len(x), len(x)))
-    for sign in (1.0, -1.0):
-        influence += normal_influence(x[:, None] - x, y[:, None] - sign * y, width, height)
     # Weighted with the areas it is nearly symmetric, and is made so.
     flexibility = influence * area[:, None]
     flexibility = 0.5 * (flexibility + flexibility.T)
     left = area * (gap(x, y) - unit.approach)
-    return fixed_approach(flexibility, left, left < 0.0)
+    return fixed_approach(flexibility, left, unit.holds(x, y))
 
 
 def fixed_approach(flexibility: Array, left: Array, start: Array) -> Array:

@@ -59,7 +59,9 @@ class Block:
             return sum(each.T @ side for each, side in zip((within, beyond), sides, strict=True))  # type: ignore[return-value]
 
         left = integrated(lambda x, y: gap(edge - x, y) - unit.approach)
-        pressure = fixed_approach(flexibility, left, left < 0.0)
+        sides = [unit.holds(edge - side * basis.points[0], basis.points[1]) for side in (1.0, -1.0)]
+        start = (within.T @ sides[0] + beyond.T @ sides[1]) > 0.0
+        pressure = fixed_approach(flexibility, left, start)
         load = 2.0 * float(integrated(lambda x, y: 1.0 + 0.0 * x) @ pressure)
         moment = 2.0 * float(integrated(lambda x, y: x - edge) @ pressure)
         on_axis = np.flatnonzero(basis.points[1] == 0.0)

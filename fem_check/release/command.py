@@ -72,14 +72,13 @@ def release(level: str, out: Path, previous: str | None, resume: bool, keep: boo
                 if not journal:
                     shutil.rmtree(place.gate, ignore_errors=True)
                 gate.run(listed, place, journal, lambda said: click.echo(said, err=True))
-                found = gate.before_all(listed, place, before)
-                found += [gate.judged(step, place, journal, before) for step in listed]
+                found = gate.all_judged(listed, place, journal, before)
         passes = all(each.passes for each in found)
         _show(found, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
         if keep and passes:
             written = gate.keep(listed, place)
-            click.echo(f"{len(written)} files are now those in {written[-1].parent}; commit them", err=True)
-    except (tree.TreeError, RecordError) as problem:
+            click.echo(f"{len(written)} records are now those of {root}: commit them and nothing else", err=True)
+    except (tree.TreeError, RecordError, steps.StepError) as problem:
         _refuse(str(problem))
     except OSError as problem:
         _refuse(f"{out} cannot be written: {problem}")

@@ -126,6 +126,15 @@ def of_campaign(new: Record, old: Record) -> list[str]:
     return moved
 
 
+def of_recomputed(new: Record, old: Record) -> list[str]:
+    """Of a campaign that computes its cases a second time: its classes, likewise."""
+    both = [
+        {"envelope": each["campaign"], "seed": each["seed"], "count": each["count"], "classes": each["ended"]}
+        for each in (new, old)
+    ]
+    return of_campaign(*both)
+
+
 def of_benchmarks(new: Record, old: Record) -> list[str]:
     """Of times over those of plain loops, and of the iterations of the same points."""
     moved, limit = [], TIME_RATIO[new["provenance"]["level"]]

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
-from fem_check.release.steps import Place, Step
-from fem_check.running import records_store
+from fem_check.release.steps import Place, Step, write_tables
+from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
 
@@ -67,11 +67,25 @@ def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str]
         except Exception as problem:  # whatever it is: the step has failed, and the others are still to be run
             error = f"{type(problem).__name__}: {problem}"
         journal[step.name] = {"seconds": round(time.perf_counter() - began, 1), "error": error}
-        made = provenance.of_run(f"fem-check release --level {place.level}", str(place.level))
-        content = {"commit": place.commit, "level": str(place.level), "provenance": made, "steps": journal}
-        place.gate.mkdir(parents=True, exist_ok=True)
-        records_store.replace(place.gate / "steps.json", (json.dumps(content, indent=1) + "\n").encode())
+        _enter(place, journal)
         ended(f"{step.name}: {error or 'done'}")
+
+
+def _enter(place: Place, journal: Journal, found: Iterable[Verdict] = ()) -> None:
+    """Write the journal; once all is judged, with the verdicts, by which a report knows a release."""
+    made = provenance.of_run(f"fem-check release --level {place.level}", str(place.level))
+    content: dict[str, Any] = {"commit": place.commit, "level": str(place.level), "provenance": made, "steps": journal}
+    content |= {"verdicts": {each.step: each.reasons for each in found}} if found else {}
+    place.gate.mkdir(parents=True, exist_ok=True)
+    records_store.replace(place.gate / "steps.json", (json.dumps(content, indent=1) + "\n").encode())
+
+
+def all_judged(steps: list[Step], place: Place, journal: Journal, before: Previous) -> list[Verdict]:
+    """The verdicts of a gate that has run, of what holds before all too; they are entered beside the journal."""
+    found = before_all(steps, place, before)
+    found += [judged(step, place, journal, before) for step in steps]
+    _enter(place, journal, found)
+    return found
 
 
 def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdict]:
@@ -107,7 +121,7 @@ def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verd
     for name in made:
         try:
             record = previous.read(place.out / name)
-            old = before.read(name, step.in_repository)
+            old = before.read(name)
             found = integrity.of_provenance(record, place.commit) + step.wrong(record)
             found += step.moved(record, old) if old else []
         except (RecordError, LookupError, TypeError, ValueError) as problem:
@@ -117,11 +131,13 @@ def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verd
 
 
 def keep(steps: list[Step], place: Place) -> list[Path]:
-    """Make a gate's records those of the repository, with their manifest; returns what was written, to be committed."""
+    """Make a gate's records those of the repository, with what is written from them and their manifest; returns the
+    records, to be committed with the rest."""
     names = [name for step in steps for name in step.made(place.out)]
     written = []
     for name in [*names, f"gate/{place.level}/steps.json"]:
-        written.append(place.root / previous.RECORDS / name)
+        written.append(kept_files.place_of(name, place.root, place.root / previous.RECORDS))
         written[-1].parent.mkdir(parents=True, exist_ok=True)
         records_store.replace(written[-1], (place.out / name).read_bytes())
+    write_tables(place)
     return [*written, manifest.write(place.root)]

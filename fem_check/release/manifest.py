@@ -10,30 +10,19 @@ import json
 from pathlib import Path
 
 from fem_check.running import records_store
+from fem_check.running.kept_files import MANIFEST, RECORDS
 
-NAME = "manifest.json"
 MISSING = "there is no manifest of its records: nobody can tell whether a digit was changed"
-SHIPPED = (
-    "fem_check/records/**/*.json",
-    "qsbearing/studies/cost/records/*.json",
-    "tests/verification/benchmarks/*.json",
-    "tests/verification/campaign/records/*.json",
-    "tests/verification/hard_cases/*.json",
-    "tests/verification/reference/*.json",
-    "tests/verification/*.json",
-    "tests/*.json",
-)
-"""Records in the repository."""
 
 
 def of_repository(root: Path) -> Path:
     """Where the sums of a repository's records are kept."""
-    return root / "fem_check" / "records" / NAME
+    return root / MANIFEST
 
 
 def sums(root: Path) -> dict[str, str]:
     """sha256 of each record of a repository, by its path."""
-    files = {path for pattern in SHIPPED for path in root.glob(pattern) if path.name != NAME}
+    files = {path for pattern in RECORDS for path in root.glob(pattern)} - {of_repository(root)}
     return {path.relative_to(root).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(files)}
 
 

@@ -14,6 +14,7 @@ from typing import Any
 from zipfile import ZipFile
 
 from fem_check.release import manifest
+from fem_check.running.kept_files import place_of
 from fem_check.running.records_store import RecordError
 
 RECORDS = "fem_check/records"
@@ -32,12 +33,10 @@ class Previous:
     problems: list[str] = field(default_factory=list)
     """What was changed, deleted or added since the repository's manifest was written."""
 
-    def read(self, name: str, in_repository: str | None = None) -> dict[str, Any] | None:
-        """A record by its path in the folder, or else by that in the repository; None where there is neither."""
-        places = [self.folder / name]
-        if in_repository is not None and self.repository is not None:
-            places.append(self.repository / in_repository)
-        return next((read(path) for path in places if path.is_file()), None)
+    def read(self, name: str) -> dict[str, Any] | None:
+        """A record by its path in the folder that a gate makes; None where there is none."""
+        path = place_of(name, self.repository, self.folder) if self.repository else self.folder / name
+        return read(path) if path.is_file() else None
 
     def names(self, pattern: str) -> list[str]:
         """Paths of records in the folder."""

@@ -15,14 +15,20 @@ from fem_check.checks import ALL
 from fem_check.release import drift, integrity
 from fem_check.rows.agreement import Level
 from fem_check.running import known, runner
+from fem_check.running.kept_files import OF_REPOSITORY
 
 Record = dict[str, Any]
 
 SCENES = {
     Level.QUICK: {"wild": 1_500, "realistic": 4_000, "mounted": 800},
-    Level.RELEASE: {"wild": 200_000, "realistic": 500_000, "mounted": 100_000},
+    Level.RELEASE: {"wild": 100_000, "realistic": 100_000, "mounted": 100_000},
 }
-"""Of the campaigns."""
+"""Of the campaigns of single bearings: solved, classified, refusals certified."""
+RECOMPUTED = {
+    Level.QUICK: {"elastic_rings": 1_000, "sets": 200, "spindles": 100},
+    Level.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "spindles": 20_000},
+}
+"""Cases of the campaigns that compute what is solved a second time."""
 SEED = 1
 HARD_CASE_VERDICTS = ("within 1e-9", "explained by its condition", "as expected")
 BOOK_DIGITS = 10
@@ -64,8 +70,6 @@ class Step:
     """What is wrong in one of them."""
     moved: Callable[[Record, Record], list[str]] = lambda new, old: []
     """What moved too far from the previous release's."""
-    in_repository: str | None = None
-    """Where the previous release has its record, if not in the folder of records."""
 
     def made(self, out: Path) -> list[str]:
         """The records that are there."""
@@ -75,19 +79,14 @@ class Step:
 def all_steps(level: Level) -> list[Step]:
     """What a release needs, cheap and telling things first."""
     ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
+    rest = _of_release() if level is Level.RELEASE else []
     return [
-        Step(
-            "hard cases",
-            "python -m tests.verification.hard_cases.table",
-            _hard_cases,
-            (f"gate/{level}/hard_cases/table.json",),
-            _wrong_hard_cases,
-            drift.of_hard_cases,
-            "tests/verification/hard_cases/table.json",
-        ),
+        _elsewhere("hard cases", "verification.hard_cases.table", _wrong_hard_cases, moved=drift.of_hard_cases),
         *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
+        *(_recomputed(level, name, count) for name, count in RECOMPUTED[level].items()),
         *(_check(level, name) for name in ALL),
         Step("benchmarks", ratios, _benchmarks, (f"gate/{level}/benchmarks.json",), _wrong_points, drift.of_benchmarks),
+        *rest,
         Step(
             "validation book",
             "fem-check book",
@@ -108,10 +107,54 @@ def _check(level: Level, name: str) -> Step:
     return Step(f"check {name}", command, run, (f"{level}/{name}.json",), integrity.of_rows, drift.of_check)
 
 
-def _hard_cases(place: Place) -> None:
-    folder = place.gate / "hard_cases"
-    folder.mkdir(parents=True, exist_ok=True)
-    _python(place, "hard_cases", "tests.verification.hard_cases.table", str(folder))
+def _of_release() -> list[Step]:
+    """What the release level makes besides: records that stand elsewhere in the repository, and times."""
+    elements = "fem-check cost --level release"
+    return [
+        _elsewhere("fifty digits", "verification.reference.table", _failed("cases", "case")),
+        _elsewhere("relations", "relations", _failed("files", "file")),
+        _elsewhere("errata", "verification.reference.errata"),
+        _elsewhere("automatic effects", "verification.benchmarks.auto_accuracy"),
+        _elsewhere("times", "verification.benchmarks.record"),
+        _elsewhere("times against the release before", "verification.benchmarks.before"),
+        _elsewhere(
+            "cost of the model",
+            "verification.benchmarks.cost",
+            made="qsbearing/studies/cost/records/b218_combined.json",
+        ),
+        Step(
+            "cost of the elements",
+            elements,
+            lambda place: _python(place, "cost", "fem_check", *elements.split()[1:], "--out", str(place.out)),
+            ("cost/release.json",),
+        ),
+    ]
+
+
+def _elsewhere(
+    name: str,
+    module: str,
+    wrong: Callable[[Record], list[str]] = lambda record: [],
+    made: str = "",
+    moved: Callable[[Record, Record], list[str]] = lambda new, old: [],
+) -> Step:
+    """A record that a module of the tests writes to the path that it is given, and that is kept beside the module.
+
+    Args:
+        made: its path in the repository, if not the module's with another ending.
+    """
+    path = made or f"tests/{module.replace('.', '/')}.json"
+
+    def run(place: Place) -> None:
+        target = place.out / OF_REPOSITORY / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _python(place, name.replace(" ", "_"), f"tests.{module}", str(target))
+
+    return Step(name, f"python -m tests.{module}", run, (f"{OF_REPOSITORY}/{path}",), wrong, moved)
+
+
+def _failed(rows: str, name: str) -> Callable[[Record], list[str]]:
+    return lambda record: [f"{each[name]} fails" for each in record[rows] if each["verdict"] != "pass"]
 
 
 def _wrong_hard_cases(record: Record) -> list[str]:
@@ -140,9 +183,24 @@ def _campaign(level: Level, envelope: str, count: int) -> Step:
         return found
 
     made = (f"gate/{level}/campaign/{envelope}/summary.json",)
-    before = f"tests/verification/campaign/records/{envelope}_seed_{SEED}_count_{count}.json"
     command = f"python -m tests.verification.campaign {' '.join(asked)}"
-    return Step(f"campaign {envelope}", command, run, made, wrong, drift.of_campaign, before)
+    return Step(f"campaign {envelope}", command, run, made, wrong, drift.of_campaign)
+
+
+def _recomputed(level: Level, name: str, count: int) -> Step:
+    made, module = f"gate/{level}/campaign/{name}/summary.json", f"tests.verification.campaign.{name}"
+
+    def run(place: Place) -> None:
+        target = place.out / made
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _python(place, f"campaign_{name}", module, str(count), str(SEED), "--out", str(target), accept=1)
+
+    def wrong(record: Record) -> list[str]:
+        few = [f"{record['count']} cases are counted, {count} were asked for"] if record["count"] != count else []
+        return [*record["wrong"], *few]
+
+    command = f"python -m {module} {count} {SEED}"
+    return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed)
 
 
 def _benchmarks(place: Place) -> None:
@@ -158,6 +216,11 @@ def _wrong_points(record: Record) -> list[str]:
 def _report(place: Place) -> None:
     previous = ["--previous", str(place.previous)] if place.previous else []
     _python(place, "report", "fem_check", "report", "--out", str(place.out), *previous)
+
+
+def write_tables(place: Place) -> None:
+    """Write the guide's tables and what else follows from the records of the repository."""
+    _python(place, "tables", "tests.verification.benchmarks.tables")
 
 
 def _python(place: Place, log: str, module: str, *arguments: str, accept: int = 0) -> None:

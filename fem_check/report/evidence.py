@@ -11,14 +11,31 @@ from typing import Any
 
 from fem_check.cost import record as cost_record
 from fem_check.running import records_store
+from fem_check.running.kept_files import OF_REPOSITORY
 from qsbearing.documents.model import Md, Remark, Trace
 
 REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
 """Where an installed package has the records that stand elsewhere in the repository."""
 
-GATE = ("steps.json", "hard_cases/table.json", "campaign/*/summary.json")
+GATE = ("steps.json", "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
+RELEASE = "release"
+
+
+ELSEWHERE = {
+    "reference": ("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
+    "relations": ("tests/relations.json", "python -m tests.relations"),
+    "errata": ("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
+    "hard_cases": ("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
+    "model_cost": ("qsbearing/studies/cost/records/b218_combined.json", "python -m tests.verification.benchmarks.cost"),
+    "auto_accuracy": (
+        "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy",
+    ),
+    "scipy": ("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
+    "mutations": ("tests/verification/mutations.json", "python -m tests.verification.mutations"),
+}  # fmt: skip
+"""Records of the repository with the commands that make them, by their names here."""
 
 
 def needs_checkout(command: str) -> bool:
@@ -87,24 +104,26 @@ class Evidence:
     hard_cases: Kept | None = None
     campaigns: list[Kept] = field(default_factory=list)
     recomputed: list[Kept] = field(default_factory=list)
-    """Campaigns of spindles and of elastic rings, whose solutions are computed a second time; they have no limit."""
+    """Campaigns of elastic rings, sets and spindles, whose solutions are computed a second time; they have no limit."""
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
     mutations: Kept | None = None
+    """A survey of the tests, not of results: it takes hours, and need not be of the commit of all others."""
     gate: Kept | None = None
     """The steps of the last release run."""
 
+    @property
+    def random_scenes(self) -> list[Kept]:
+        """All campaigns."""
+        return [*self.campaigns, *self.recomputed]
+
     def all(self) -> Iterator[Kept]:
-        """Every record."""
-        yield from self.checks.values()
-        yield from self.book.values()
-        yield from (*self.campaigns, *self.recomputed)
-        others = (
-            self.reference, self.relations, self.errata, self.hard_cases, self.cost, self.model_cost,
-            self.auto_accuracy, self.scipy, self.mutations, self.gate,
-        )  # fmt: skip
-        yield from (each for each in others if each is not None)
+        """Every record of results."""
+        for name, value in vars(self).items():
+            yield from (value,) if isinstance(value, Kept) and name != "mutations" else ()
+            yield from value if isinstance(value, list) else ()
+            yield from value.values() if isinstance(value, dict) else ()
 
 
 def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
@@ -131,30 +150,17 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
         for name, each in entries.items()
     }
     gate = _gate(records, label, {str(entry["level"]) for entry in entries.values()})
-    campaigns = {each.data["envelope"]: each for each in _campaigns("")}
-    campaigns |= {each.data["envelope"]: each for name, each in gate.items() if name.startswith("campaign/")}
+    shipped = _gate(records_store.FOLDER, _label(records_store.FOLDER), {RELEASE})
+    campaigns = [each for name, each in (shipped | gate).items() if name.startswith("campaign/")]
     return Evidence(
         records,
         checks,
         published(records) or ({} if alone else published(records_store.FOLDER)),
-        _cost(records) or _cost(records_store.FOLDER),
-        _elsewhere("tests/verification/reference/table.json", "python -m tests.verification.reference.table"),
-        _elsewhere("tests/relations.json", "python -m tests.relations"),
-        _elsewhere("tests/verification/reference/errata.json", "python -m tests.verification.reference.errata"),
-        gate.get("hard_cases/table")
-        or _elsewhere("tests/verification/hard_cases/table.json", "python -m tests.verification.hard_cases.table"),
-        list(campaigns.values()),
-        _campaigns("recomputed"),
-        _elsewhere(
-            "qsbearing/studies/cost/records/b218_combined.json",
-            "qsbearing cost tests/verification/benchmarks/b218_combined.toml --out qsbearing/studies/cost/records",
-        ),
-        _elsewhere(
-            "tests/verification/benchmarks/auto_accuracy.json", "python -m tests.verification.benchmarks.auto_accuracy"
-        ),
-        _elsewhere("tests/verification/benchmarks/record.json", "python -m tests.verification.benchmarks.record"),
-        _elsewhere("tests/verification/mutations.json", "python -m tests.verification.mutations"),
-        gate.get("steps"),
+        cost=_cost(records) or _cost(records_store.FOLDER),
+        campaigns=[each for each in campaigns if "envelope" in each.data],
+        recomputed=[each for each in campaigns if "campaign" in each.data],
+        gate=gate.get("steps"),
+        **{name: _in_repository(records, *each) for name, each in ELSEWHERE.items()},
     )
 
 
@@ -178,29 +184,18 @@ def _kept(name: str, path: Path, command: str, data: dict[str, Any] | None = Non
     return Kept(name, data or _load(path), command, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
-def _elsewhere(name: str, command: str) -> Kept | None:
-    """A record of the repository, where the repository or what an installed package carries of it has one."""
-    paths = [root / name for root in (REPOSITORY, CARRIED) if (root / name).is_file()]
-    return _kept(name, paths[0], command) if paths else None
-
-
-def _campaigns(under: str) -> list[Kept]:
-    """The records of random scenes in a folder, which the repository or an installed package has."""
-    for root in (REPOSITORY, CARRIED):
-        paths = sorted((root / CAMPAIGNS / under).glob("*.json"))
-        if paths:
-            return [_kept(path.relative_to(root).as_posix(), path, _again(_load(path))) for path in paths]
-    return []
-
-
-CAMPAIGNS = "tests/verification/campaign/records"
+def _in_repository(records: Path, name: str, command: str) -> Kept | None:
+    """A record of the repository: as the gate made it beside these, or where the repository or what an installed
+    package carries of it has one."""
+    paths = (root / name for root in (records / OF_REPOSITORY, REPOSITORY, CARRIED))
+    return next((_kept(name, path, command) for path in paths if path.is_file()), None)
 
 
 def _again(data: dict[str, Any]) -> str:
     module = "python -m tests.verification.campaign"
     if "campaign" in data:
         return f"{module}.{data['campaign']} {data['count']} {data['seed']}"
-    return f"{module} --envelope {data['envelope']} --count {data['count']} --seed {data['seed']} --record"
+    return f"{module} --envelope {data['envelope']} --count {data['count']} --seed {data['seed']}"
 
 
 def _cost(records: Path) -> Kept | None:
@@ -231,16 +226,16 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
     (level,) = levels
     folder = records / "gate" / level
     paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
-    names = [path.relative_to(folder).as_posix() for path in paths]
-    return {
-        name.removesuffix(".json"): _kept(
-            f"{label}/gate/{level}/{name}", path, f"python -m fem_check release --level {level}"
-        )
-        for name, path in zip(names, paths, strict=True)
-    }
+    found = {}
+    for path in paths:
+        name, data = path.relative_to(folder).as_posix(), _load(path)
+        command = f"fem-check release --level {level}" if name == "steps.json" else _again(data)
+        found[name.removesuffix(".json")] = _kept(f"{label}/gate/{level}/{name}", path, command, data)
+    return found
 
 
 def missing(what: str, command: str) -> Remark:
-    """A sentence that stands in the place of a record."""
+    """A sentence that stands in the place of a record; instead of the command the name of one of `ELSEWHERE`."""
+    command = ELSEWHERE[command][1] if command in ELSEWHERE else command
     where = ", in a checkout of the repository" if needs_checkout(command) else ""
     return Remark(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

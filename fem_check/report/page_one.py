@@ -7,10 +7,11 @@ from itertools import chain
 
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.questions import Question
+from fem_check.report.questions import Question, refusals, scenes, total
 from fem_check.report.rows import as_read
 from fem_check.report.sections import previous, traceability
 from fem_check.running.known import NOT_CONVERGED
+from qsbearing import __version__
 from qsbearing.documents.model import Block, Cell, Facts, Md, Paragraph, Remark, Table
 from qsbearing.results import provenance
 
@@ -30,6 +31,7 @@ def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence |
         ),
         Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
         Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
+        *_random_scenes(evidence),
         Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
         Paragraph(Md(f"**Waivers.** {_waivers(evidence)}")),
         _traceability(evidence),
@@ -46,11 +48,13 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
     dates = sorted(kept.provenance["date"][:10] for kept in records if kept.provenance)
     commit = provenance.commit()
     changed = " with changes that are not committed" if provenance.is_dirty() else ""
+    here = f"{commit[:12]}{changed}" if commit else "an installed package"
+    tested = traceability.tested(evidence)[:12]
     return [
         ("Document", f"QSB-VR-{version}"),
         ("Revision", f"records {traceability.digest(records)}"),
         ("Version", version),
-        ("Commit of this report", f"{commit[:12]}{changed}" if commit else "an installed package"),
+        ("Commit tested, of this report", f"{tested or traceability.NOT_RECORDED}, {here}"),
         ("Evidence made", f"{dates[0]} to {dates[-1]}" if dates else traceability.NOT_RECORDED),
         ("Level", level(evidence)),
     ]
@@ -64,7 +68,7 @@ def level(evidence: Evidence) -> str:
 
 def verdict(evidence: Evidence, questions: Sequence[Question]) -> Remark:
     """Whether the version may be used, for what, and what is against it."""
-    groups = (*evidence.checks.items(), *evidence.book.items())
+    groups, is_release = (*evidence.checks.items(), *evidence.book.items()), False
     failed = [name for name, kept in groups if kept.data["verdict"] == "fail"]
     missed = [each for each in questions if each.verdict.kind == "fail"]
     absent = [name for name in ALL if name not in evidence.checks] + ([] if evidence.book else ["the validation book"])
@@ -83,11 +87,13 @@ def verdict(evidence: Evidence, questions: Sequence[Question]) -> Remark:
         head = "Not complete"
     elif traceability.is_mixed(evidence):
         head = "Usable within its limits, but not a release"
+    elif against := traceability.objections(evidence):
+        head = f"Usable within its limits, but not a release: {'; '.join(against)}"
     else:
-        head = "Usable within its limits"
+        head, is_release = f"{__version__}, one commit, all records of it. Usable within its limits", True
     if traceability.is_mixed(evidence):
         head += f"; {traceability.origins(evidence)}"
-    status = "fail" if missed else "warning" if absent or traceability.is_mixed(evidence) else "pass"
+    status = "fail" if missed else "pass" if is_release else "warning"
     return Remark(Md(f"**{head}.** {' '.join(said)}"), status)
 
 
@@ -126,19 +132,36 @@ def _coverage(evidence: Evidence) -> str:
     return f"{said}. {held}: {as_read(share['case'])}."
 
 
-def _traceability(evidence: Evidence) -> Table:
-    lines: list[list[Cell]] = []
-    for name, records in _groups(evidence):
-        tally = traceability.tally(records)
-        lines.append([name, str(len(records)), *map(str, tally)])
-    headings = ("evidence", "records", "at this commit", "older", "commit unknown")
-    return Table(headings, lines, "lrrrr", "Traceability")
+def _traceability(evidence: Evidence) -> Paragraph:
+    """How many records are of the commit that was tested, by group; of how many others."""
+    tested, groups = traceability.tested(evidence), _groups(evidence)
+    each = [f"{name} {traceability.tally(records, tested)[0]} of {len(records)}" for name, records in groups]
+    _, others, unknown = traceability.tally(evidence.all(), tested)
+    rest = f"{others} records are of other commits, {unknown} of none that is known"
+    return Paragraph(Md(f"**Traceability.** At the commit tested: {', '.join(each)}. {rest}."))
 
 
 def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
     checks, book = list(evidence.checks.values()), list(evidence.book.values())
     others = [kept for kept in evidence.all() if kept not in checks and kept not in book]
-    return [("Finite elements", checks), ("Published cases", book), ("Fifty digits, scenes, cost, gate", others)]
+    return [("finite elements", checks), ("published cases", book), ("fifty digits, scenes, cost, gate", others)]
+
+
+def _random_scenes(evidence: Evidence) -> list[Block]:
+    """How all of them ended, with the reasons of refusals."""
+    if not evidence.random_scenes:
+        return []
+    every, why = total(evidence.random_scenes), refusals(evidence.random_scenes)
+    named = ", ".join(f"{reason} {number:,}" for reason, number in why.items())
+    each = "; ".join(f"{one.name} {one.lost} of {one.count:,}" for one in map(scenes, evidence.random_scenes))
+    return [
+        Paragraph(
+            Md(
+                f"**Random scenes.** Of {every.count:,}: {every.solved:,} solved, of which {every.wrong} wrong; "
+                f"{sum(why.values()):,} without an equilibrium ({named}); {every.lost} not converged ({each})."
+            )
+        )
+    ]
 
 
 def _waivers(evidence: Evidence) -> str:
@@ -150,4 +173,5 @@ def _waivers(evidence: Evidence) -> str:
     for name in lost:
         why.setdefault(NOT_CONVERGED[name], []).append(name)
     each = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in why.items())
-    return f"{len(lost)} scenes that do not converge are excused by name, to be signed for below: {each}."
+    which = "scene that does not converge is" if len(lost) == 1 else "scenes that do not converge are"
+    return f"{len(lost)} {which} excused by name, to be signed for below: {each}."

@@ -61,7 +61,7 @@ def difference(row: Row) -> str:
         size = (row["found"] - row["reference"]) * row_text.in_unit(row)[0]
         said = short(size) if not row["reference"] or row_text.is_absolute(row) else short(row["deviation_percent"])
     unit = row_text.difference_unit(row)
-    return f"{said}{'' if unit in ('', '°') else ' '}{unit}"
+    return row_text.with_unit(said, unit)
 
 
 def short(value: float) -> str:

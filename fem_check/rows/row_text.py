@@ -67,6 +67,11 @@ def in_unit(row: Row) -> tuple[float, str]:
     return factor, name
 
 
+def with_unit(text: str, unit: str) -> str:
+    """A number with its unit, if it has one."""
+    return f"{text}{'' if unit in ('', '°') else ' '}{unit}"
+
+
 def rounded(value: float, uncertainty: float | None) -> tuple[str, str]:
     """A deviation with its sign, and its uncertainty: two digits of this, and as many decimals of that."""
     if not uncertainty or not isfinite(uncertainty) or not isfinite(value):
@@ -107,14 +112,14 @@ def of_row(row: Row) -> RowText:
     deviation, uncertainty = rounded(row["deviation_percent"], row["uncertainty_percent"])
     tolerance = row["tolerance_percent"]
     if row["reference"] == 0.0:
-        limit = "" if tolerance is None else f"{number(tolerance / 100.0 * factor, 2)} {unit}".rstrip()
+        limit = "" if tolerance is None else with_unit(number(tolerance / 100.0 * factor, 2), unit)
         if row["uncertainty_percent"]:
             found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
         return RowText("0", found or "", "", "", limit)
     limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
     if is_absolute(row):
-        deviation, uncertainty = (f"{each} {unit}" if each else "" for each in own_difference(row))
-        limit = limit and f"{number(0.01 * tolerance * abs(row['reference']) * factor, 2)} {unit}"
+        deviation, uncertainty = (each and with_unit(each, unit) for each in own_difference(row))
+        limit = limit and with_unit(number(0.01 * tolerance * abs(row["reference"]) * factor, 2), unit)
     return RowText(reference or "", found or "", deviation, uncertainty, limit)
 
 

@@ -22,6 +22,8 @@ from fem_check.solids.contact_block import Patch, block_face, block_solids
 from fem_check.solids.gmsh_model import gmsh_model, millimetres, revolved
 from fem_check.solids.tetrahedra import meshed
 
+ROUNDING = 1e-9
+"""Of an angle [rad]: a patch may end at the groove's edge."""
 FAR = 0.25
 """Largest element, in ball radii."""
 
@@ -124,15 +126,7 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
     Raises:
         MeshError: the contact reaches over a shoulder.
     """
-    angle = float(np.arctan2(section.side * patch.normal[0], section.side * patch.normal[1]))
-    reach = patch.half_length / section.groove_radius
-    if angle + reach > section.high_shoulder or angle - reach < -section.low_shoulder:
-        raise MeshError(
-            f"a contact at {np.degrees(angle):.1f} deg whose elements need {np.degrees(reach):.1f} deg to either side "
-            f"does not fit a groove from {-np.degrees(section.low_shoulder):.0f} to "
-            f"{np.degrees(section.high_shoulder):.0f} deg: reduce the load, or state the shoulder's diameter if the "
-            "groove reaches farther"
-        )
+    _refuse_over_shoulder(section, patch)
     _refuse_too_thin(section)
     with gmsh_model() as gmsh:
         occ = gmsh.model.occ
@@ -144,6 +138,29 @@ def ring(section: RingSection, patch: Patch, half_pitch: float, elements: int) -
         occ.fragment([(3, tag) for tag in solid], [(3, tag) for tag in block])
         occ.synchronize()
         return meshed(gmsh, [patch], [position], [1.0], elements, FAR * radius)
+
+
+def _refuse_over_shoulder(section: RingSection, patch: Patch) -> None:
+    angle = float(np.arctan2(section.side * patch.normal[0], section.side * patch.normal[1]))
+    rooms = section.high_shoulder - angle, section.low_shoulder + angle
+    side = int(np.argmin(rooms))
+    tip, needed = (length / section.groove_radius for length in (patch.semi_major_axis, patch.lengths[side]))
+    if rooms[side] >= needed - ROUNDING and rooms[side] >= tip - ROUNDING:
+        return
+    beside = float(np.degrees(rooms[side] - tip))
+    where = f"{abs(beside):.1f}° ({abs(beside) / 180.0 * pi * millimetres(section.groove_radius):.2g} mm)"
+    fault = (
+        f"{where} beyond the groove's edge, and finite elements of the bodies solve uncut contacts only: the reading "
+        "overrun gives the load and the pressure of a cut one"
+        if beside < 0.0
+        else f"{where} from the groove's edge, and the elements beside it need {np.degrees(needed - tip):.1f}°: "
+        "one contact alone (fem-check contact --geometry true) is meshed up to the edge"
+    )
+    raise MeshError(
+        f"a contact at {np.degrees(angle):.1f}° does not fit a groove from {-np.degrees(section.low_shoulder):.0f}° "
+        f"to {np.degrees(section.high_shoulder):.0f}°: its ellipse ends {fault}; reduce the load, or state the "
+        "shoulder's diameter if the groove reaches farther"
+    )
 
 
 def _refuse_too_thin(section: RingSection) -> None:

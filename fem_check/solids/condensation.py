@@ -62,11 +62,18 @@ def condense_supported(
     return CondensedSolid(flexibility, len(free), solver, moved - (of_held @ forces[held]).toarray(), dilation)
 
 
-def moved(body: TetrahedralBody, force: Array, fixed: Array, turn: sp.csr_matrix | None = None) -> Array:
-    """Displacement (node, 3) under a force, held as for `condense_supported`."""
+def moved(
+    body: TetrahedralBody,
+    force: Array,
+    fixed: Array,
+    turn: sp.csr_matrix | None = None,
+    stiffness: sp.csr_matrix | None = None,
+) -> Array:
+    """Displacement (node, 3) under a force, held as for `condense_supported`; the body's stiffness if it is known."""
+    stiffness = body.stiffness if stiffness is None else stiffness
     turn = sp.identity(3 * body.space.count, format="csr") if turn is None else turn
     free = np.flatnonzero(~fixed.ravel())
-    matrix = sp.csr_matrix(turn.T @ body.stiffness @ turn)
+    matrix = sp.csr_matrix(turn.T @ stiffness @ turn)
     found = np.zeros(3 * body.space.count)
     found[free] = factorise(sp.csc_matrix(matrix[free][:, free])).solve((turn.T @ force)[free, None])[:, 0]
     return np.asarray(turn @ found).reshape(-1, 3)

@@ -18,11 +18,9 @@ from fem_check.solids.gmsh_model import millimetres, revolved
 
 PATCH = 1.3
 """Half-sides of the patch that may carry pressure, in semi-axes of the contact that is expected there."""
-LEAST = 1.2
-"""Likewise along the groove, where a shoulder leaves less room: the coarsest of three meshes needs it, on which the
-contact is moved by half an element."""
-BESIDE = 0.02
-"""Left between the patch and such a shoulder, in semi-axes."""
+BESIDE = 0.1
+"""Groove that is left beside the patch, in semi-axes; where a shoulder leaves less, the patch ends at its edge, for
+elements in a narrower strip would be slivers."""
 WIDTH, DEPTH = 2.7, 2.5
 """Half-width and depth of the block of slender elements below it, in semi-minor axes."""
 ALONG = 1.5
@@ -67,13 +65,14 @@ class Patch:
     along: float = ALONG
     """Elements per semi-major axis over those per semi-minor axis."""
 
-    reach: float = PATCH
-    """Of the patch along the major axis, in semi-axes to either side."""
+    reach: tuple[float, float] = (PATCH, PATCH)
+    """Of the patch along the major axis, towards larger and towards smaller contact angles, in semi-axes: another
+    than `PATCH` where it ends at the groove's edge."""
 
     @property
-    def half_length(self) -> float:
-        """Of the block along the major axis [m]."""
-        return self.reach * self.semi_major_axis
+    def lengths(self) -> tuple[float, float]:
+        """Of the block along the surface, likewise [m]."""
+        return self.reach[0] * self.semi_major_axis, self.reach[1] * self.semi_major_axis
 
     @property
     def half_width(self) -> float:
@@ -91,14 +90,14 @@ def block_face(occ: Any, centre: Array, patch: Patch, radius: float, *, inward: 
     depth = DEPTH * millimetres(patch.semi_minor_axis)
     other = radius - depth if inward else radius + depth
     middle = float(np.arctan2(patch.normal[1], patch.normal[0]))
-    half = millimetres(patch.half_length) / radius
+    angles = [millimetres(length) / radius for length in patch.lengths]
 
     def point(distance: float, angle: float) -> int:
         return int(occ.addPoint(centre[0] + distance * cos(angle), centre[1] + distance * sin(angle), 0.0))
 
     hub = occ.addPoint(*centre, 0.0)
-    near = [point(radius, middle - half), point(radius, middle + half)]
-    deep = [point(other, middle - half), point(other, middle + half)]
+    near = [point(radius, middle - angles[0]), point(radius, middle + angles[1])]
+    deep = [point(other, middle - angles[0]), point(other, middle + angles[1])]
     loop = [
         occ.addCircleArc(near[0], hub, near[1]),
         occ.addLine(near[1], deep[1]),

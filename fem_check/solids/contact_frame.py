@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from math import sin
 
 import numpy as np
 import scipy.sparse as sp
@@ -72,11 +73,20 @@ class ContactFrame:
         return self.ball.centre + self.ball.radius * self.normal
 
     @cached_property
+    def ends(self) -> tuple[float, float]:
+        """Of the patch, along xi; where the groove ends, its edge."""
+        low, high = (
+            self.groove.radius * sin(length / self.groove.radius) if reach != contact_block.PATCH else length
+            for length, reach in zip(self.patch.lengths, self.patch.reach, strict=True)
+        )
+        return -low, high
+
+    @cached_property
     def basis(self) -> PressureBasis:
         """Hat functions over half the patch, eta >= 0."""
-        x, y = self.patch.half_length, self.patch.half_width
+        x, y = self.ends, self.patch.half_width
         along, across = contact_block.cells(self.patch.along * self.elements), contact_block.cells(self.elements)
-        return PressureBasis(np.linspace(-x, x, 2 * along + 1), np.linspace(0.0, y, across + 1))
+        return PressureBasis(np.linspace(*x, 2 * along + 1), np.linspace(0.0, y, across + 1))
 
     def ball_height(self, xi: Array, eta: Array, ball: Sphere | None = None) -> tuple[Array, Array]:
         """Height zeta of the ball's surface and its outward normals in frame axes, (3, point)."""
@@ -141,7 +151,7 @@ class ContactFrame:
 
         def on_patch(points: Array) -> Array:
             xi, eta, zeta = self.coordinates(points)
-            near = (np.abs(xi) < 1.2 * self.patch.half_length) & (eta < 1.5 * self.patch.half_width)
+            near = (np.abs(xi) < 1.2 * max(self.patch.lengths)) & (eta < 1.5 * self.patch.half_width)
             surface = np.full(xi.shape, np.inf)
             surface[near] = height(xi[near], eta[near])[0]
             return np.abs(zeta - surface) < 1e-6 * self.ball.radius
@@ -173,7 +183,7 @@ class ContactFrame:
             on_ball: which body's surface.
         """
         xi, eta, zeta = self.coordinates(points)
-        near = (np.abs(xi) < self.patch.half_length) & (eta < self.patch.half_width)
+        near = (xi > self.ends[0]) & (xi < self.ends[1]) & (eta < self.patch.half_width)
         height = (self.ball_height if on_ball else self.groove_height)(xi[near], eta[near])[0]
         near[near] = np.abs(zeta[near] - height) < 1e-5 * self.ball.radius
         found = np.zeros(points.shape[1])

@@ -14,8 +14,10 @@ from math import cos, sin
 import numpy as np
 
 from fem_check.independent.references import hertz
-from fem_check.solids.bearing_sector import OuterSupport, condensed_ring
+from fem_check.solids.bearing_sector import OuterSupport, ring_support
+from fem_check.solids.condensation import moved
 from fem_check.solids.sector_geometry import Expected, SectorBearing, SectorGeometry
+from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 
 @dataclass(frozen=True)
@@ -46,8 +48,11 @@ class RingPitch:
         x, y = basis.points
         pressure = np.sqrt(np.maximum(1.0 - (x / self._axes[0]) ** 2 - (y / self._axes[1]) ** 2, 0.0))
         pressure *= 0.5 / (basis.forces @ pressure)  # of half the load, for half the contact is meshed
+        body = TetrahedralBody(self.geometry.mesh("outer"), self.bearing.drawing.ring)
+        matrix = body.stiffness
+        force = self.geometry.frames[1].loads(body, on_ball=False, along="axis") @ pressure
         free, fixed = (
-            condensed_ring(self.geometry, "outer", ("axis",), support).flexibility
+            force @ moved(body, force, *ring_support(body, self.geometry, "outer", support), matrix).ravel()
             for support in (OuterSupport.FREE, OuterSupport.RIGID)
         )
-        return float(2.0 * pressure @ (free - fixed) @ pressure) / cos(self.angle) ** 2
+        return float(2.0 * (free - fixed)) / cos(self.angle) ** 2

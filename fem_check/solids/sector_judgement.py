@@ -31,11 +31,11 @@ WHY_ELLIPSE = (
 )
 HALF_SPACE_TOLERANCES = {"load": 0.12, "angle": 0.1}
 WHY_HALF_SPACE = (
-    "two to three times what the gap's shape was found to do; a tenth of the centrifugal force does 2 % and 1 deg"
+    "two to three times what the gap's shape was found to do; a tenth of the centrifugal force does 2 % and 1°"
 )
 SURFACE_PART, DISPLACEMENT_GRID = 0.25, 0.3
 WHY_DISPLACEMENT = (
-    "of each approach a quarter of (a/R)^2, to the second power of which true surfaces differ from their parabola: "
+    "of each approach a quarter of (a/R)², to the second power of which true surfaces differ from their parabola: "
     "boundary elements find 0.11 of it for the gap's shape in B218, the pressure's direction does about as much; seen "
     "along the axis; and 0.3 % for the grid"
 )

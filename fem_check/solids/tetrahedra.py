@@ -19,9 +19,9 @@ GMSH_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
 """Ends of the edges on which gmsh's nodes 4 to 9 of a tetrahedron lie."""
 
 REMEDIES = ((1.0, 1.0), (1.25, 0.8), (1.5, 0.6), (2.0, 0.45))
-"""While a curved element is folded over, in turn: times as many elements along the contact, where the surface sags
-between two nodes by as much as a slender element is thick; and the size of the largest elements, which fold at a sharp
-edge. (gmsh's own remedy, high-order optimisation, ends the process where it fails.)"""
+"""While gmsh fails or a curved element is folded over, in turn: times as many elements along the contact, where the
+surface sags between two nodes by as much as a slender element is thick; and the size of the largest elements, which
+fold at a sharp edge. (gmsh's own remedy, high-order optimisation, ends the process where it fails.)"""
 
 
 def meshed(
@@ -47,10 +47,18 @@ def meshed(
         field.setAsBackgroundMesh(smallest)
         gmsh.option.setNumber("Mesh.MeshSizeMax", size * far)
         model.mesh.clear()
-        _generate(model)
+        try:
+            _generate(model)
+        except Exception as fault:  # gmsh raises no other kind
+            problem = str(fault)
+            continue
         if not _is_folded(model):
             return _read(model)
-    raise MeshError("gmsh made a tetrahedron that is folded over, with more elements too")
+        problem = "a tetrahedron is folded over"
+    raise MeshError(
+        f"gmsh cannot mesh a body with {elements} elements per semi-axis, nor with more along the contact: {problem}; "
+        "try another number of elements"
+    )
 
 
 def _generate(model: Any) -> None:

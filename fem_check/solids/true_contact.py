@@ -140,12 +140,19 @@ class TrueContact:
             compliances[0] / sum(compliances),
         )
 
-    def _reach(self, semi_major_axis: float) -> float:
-        """Of the patch: less than usual where a shoulder is near, as far as that is enough."""
+    def _reach(self, semi_major_axis: float) -> tuple[float, float]:
+        """Of the patch: to the groove's edge where that is near."""
+        high, low = (
+            room if room < contact_block.PATCH + contact_block.BESIDE else contact_block.PATCH
+            for room in self.groove_beside(semi_major_axis)
+        )
+        return high, low
+
+    def groove_beside(self, semi_major_axis: float) -> tuple[float, float]:
+        """How far the groove reaches from the contact, towards larger and smaller angles, in semi-major axes."""
         profile, angle = self.ring_profile, self.groove.contact_angle
-        room = min(profile.high_shoulder - angle, profile.low_shoulder + angle) * self.groove.groove_radius
-        left = round(room / semi_major_axis - contact_block.BESIDE, 3)
-        return left if contact_block.LEAST <= left < contact_block.PATCH else contact_block.PATCH
+        scale = self.groove.groove_radius / semi_major_axis
+        return scale * (profile.high_shoulder - angle), scale * (profile.low_shoulder + angle)
 
     @property
     def ring_profile(self) -> RingProfile:
@@ -176,7 +183,7 @@ class TrueContact:
         far = bodies.FAR if body == "ring" else bodies.far_in_half_ball(self.elements)
         recipe: list[object] = [patch.semi_major_axis, patch.semi_minor_axis, *_mesh_choices(self.elements, far)]
         recipe += [f"{self.groove.ball_radius:.9g}"]
-        recipe += [patch.reach] if patch.reach != contact_block.PATCH else []
+        recipe += [f"{reach:.6g}" for reach in patch.reach if reach != contact_block.PATCH]
         if body == "ring":
             section = self.section
             lengths = (*section.groove_centre, section.groove_radius, section.back_radius, section.width)
@@ -341,18 +348,21 @@ class CondensedContact:
     def over_hertz(self, load: float, *, follows_surface: bool, parabola: bool = False) -> dict[str, float]:
         """Quantities over Hertz's at the loaded contact angle, mean over `POSITIONS` loads about `load`.
 
+        No larger than to where the groove's edge would cut the ellipse.
+
         Args:
             load: [N]; the mesh must have room for its contact.
             follows_surface: pressure along the normal of the surfaces, or along the contact's axis.
             parabola: Hertz's parabola in place of the exact gap.
         """
         size = (load / self.contact.load) ** (1.0 / 3.0)
-        cells = size * self.contact.cells
+        beside = min(self.contact.groove_beside(ellipse(self.contact.groove.problem(load)).semi_major_axis)) - 1.0
+        # Semi-axes grow with the cube root of the load: from half a cell less to half a cell more.
+        spread = min(1.0 / (size * self.contact.cells), max(2.0 * beside, 0.0))
         found = []
         start: Array | None = None
         for position in range(POSITIONS):
-            # Semi-axes grow with the cube root of the load: from half a cell less to half a cell more.
-            part = load * (1.0 + ((position + 0.5) / POSITIONS - 0.5) / cells) ** 3
+            part = load * (1.0 + ((position + 0.5) / POSITIONS - 0.5) * spread) ** 3
             try:
                 pressure, approach = self._pressure(part, follows_surface, parabola, start)
             except NoRoomError:
@@ -388,7 +398,10 @@ class CondensedContact:
             self.flexibility[follows_surface], gaps, motions, np.array([0.5 * load, 0.0]), start
         )
         x, y = basis.points
-        edge = (np.abs(x) >= basis.lines_x[-1] * (1.0 - 1e-9)) | (y >= basis.lines_y[-1] * (1.0 - 1e-9))
+        # Where the groove ends the contact may.
+        high, low = (reach == contact_block.PATCH for reach in frame.patch.reach)
+        ends = (high & (x <= basis.lines_x[0] * (1.0 - 1e-9))) | (low & (x >= basis.lines_x[-1] * (1.0 - 1e-9)))
+        edge = ends | (y >= basis.lines_y[-1] * (1.0 - 1e-9))
         if (pressure[edge] > 0.0).any():
             raise NoRoomError(f"the contact at {load:g} N fills the patch of the mesh made for {self.contact.load:g} N")
         return pressure, float(moved[0])

@@ -1,6 +1,6 @@
-"""A local page to explore a scene: sliders on the left, what they do on the right.
+"""A local page to explore a scene or set: inputs on the left, results on the right, on one screen.
 
 `answers` is what the page may ask, as plain data in and out; `inputs` makes its fields of the keys of a scene file;
-`drawn` draws its pictures; `server` hands them out. The server keeps nothing between two questions: the scene, and
-what can be undone, are the page's own, so that sessions cannot meet.
+`drawn` draws its pictures; `server` hands them out. The server keeps nothing between two questions but the last
+solutions, by their whole input: the scene, and what can be undone, are the page's own, so that sessions cannot meet.
 """

@@ -6,35 +6,38 @@ Raises, all of them:
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from qsbearing.app import drawn
 from qsbearing.app.inputs import ON_PAGE, addable, fields
+from qsbearing.app.inputs import label as words_of
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Remark, Table
+from qsbearing.documents.model import Remark
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import tables_of
-from qsbearing.model.effects import EFFECTS, QUANTITIES
+from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS
 from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks.wording import Words
-from qsbearing.reports.key_results import key_results, key_results_of_set
+from qsbearing.remarks.remark import row_name
+from qsbearing.remarks.wording import capital
+from qsbearing.reports.key_results import KeyResult, results_of, results_of_row, results_of_shaft
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark, message
-from qsbearing.studies.chooser.choose import solve
-from qsbearing.studies.chooser.choose_set import solve_set
+from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
+from qsbearing.studies.chooser.explain_set import coarser, explain_set
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -44,9 +47,11 @@ TOLERANCE = 0.01
 """The relative change above which an effect is said to be needed."""
 SECTION = "section"
 """The picture that comes with the key results."""
+KEPT = 4
+"""Solutions that are kept for the next question on the same input, such as another picture."""
 OF_SET = (
-    "A set of rows: this page changes what [operation] gives, speed and loads of the shaft, and the preload. Rows, "
-    "shaft and effects are as the file has them: to change these, change the file and open it again."
+    "A set of rows: this page changes speed, loads and preload, and switches effects. All other numbers of rows "
+    "and shaft are as the file has them: to change these, change the file and open it again."
 )
 
 
@@ -75,61 +80,92 @@ def shown(document: Tables) -> Answer:
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, key results, warnings, of a bearing the section, and the names of the pictures to ask for."""
+    """How the case ended, key results of the bearing or of the shaft and each row, remarks, of a bearing the section,
+    the names of the pictures to ask for, and the effects with whether they can be switched."""
     solution = _solution(document, label)
-    found = _taken(solution)
-    names = list(drawn.panels(solution)) if solution.converged else []
+    found, is_solved = _taken(solution), bool(solution.converged)
+    key: list[KeyResult] = []
+    rows: list[Answer] = []
+    picture, pictures = "", drawn.names(solution) if is_solved else []
+    if is_solved and isinstance(solution, Solution):
+        key, picture = results_of(solution, found), drawn.drawn(SECTION, solution)
+        pictures.remove(SECTION)
+    elif is_solved and isinstance(solution, SetSolution):
+        key = results_of_shaft(solution, found)
+        rows = [
+            {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, found[k]))}
+            for k, row in enumerate(solution.set.rows)
+        ]
+    said = [] if is_solved else [Remark(message(solution), "fail")]
     return {
-        "is_solved": bool(solution.converged),
-        "key": part(_key_results(solution, found) if solution.converged else [Remark(message(solution), "fail")]),
-        "warnings": part(blocks(every_remark(solution, found), words=_words(solution))),
-        "picture": drawn.drawn(SECTION, solution) if SECTION in names else "",
-        "pictures": [name for name in names if name != SECTION],
+        "is_solved": is_solved,
+        "key": _plain(key),
+        "rows": rows,
+        "warnings": part([*said, *blocks(every_remark(solution, found), words=ON_PAGE)]),
+        "picture": picture,
+        "pictures": pictures,
+        "effects": _switches(solution.scene if isinstance(solution, Solution) else solution.set),
     }
 
 
-def _words(solution: Solution | SetSolution) -> Words:
-    """How remarks name fields: of a set as the file does, in which what they advise is changed."""
-    return ON_PAGE if isinstance(solution, Solution) else IN_FILE
+def _plain(found: list[KeyResult]) -> list[Answer]:
+    return [
+        each._asdict() | {"parts": [one._asdict() | {"number": one.number} for one in each.parts]} for each in found
+    ]
 
 
-def _key_results(solution: Solution | SetSolution, found: Any) -> list[Table]:
-    if isinstance(solution, Solution):
-        return [key_results(solution, found)]
-    return key_results_of_set(solution, found)
+def _switches(of: Scene | BearingSet) -> list[Answer]:
+    """Every effect and choice: whether it is in, and whether it can be switched."""
+    found = []
+    for entry in EFFECTS:
+        other = {is_on: _with(entry, of, is_on) for is_on in (True, False)}
+        is_in = other[True] is of and other[False] is not of
+        can = other[not is_in] is not of
+        found.append(
+            {"effect": entry.name, "words": words_of(entry.name), "what": entry.what, "is_in": is_in, "can": can}
+        )
+    return found
 
 
-def pictured(document: Tables, label: str, name: str) -> Answer:
-    """One picture; empty where there is no solution."""
+def _with(entry: Entry, of: Scene | BearingSet, is_on: bool) -> Scene | BearingSet:
+    """The scene or set with an effect or choice in its finest form, or without it."""
+    if not is_on and isinstance(of, BearingSet):
+        return coarser(entry, of)
+    found: Scene | BearingSet = entry.finer(of) if is_on else entry.coarser(of)
+    return found
+
+
+def pictured(document: Tables, label: str, name: str, row: int = 0) -> Answer:
+    """One picture, of a set that of a row; empty where there is no solution."""
     solution = _solution(document, label)
-    panel = drawn.panels(solution).get(name)
-    if panel is None:
+    if name not in drawn.names(solution) or (isinstance(solution, SetSolution) and not 0 <= row < len(solution.rows)):
         raise SceneFileError("page", [FileErrorDetail("", "no such picture")])
-    return {"picture": drawn.drawn(name, solution) if solution.converged else "", "alt": panel.alt}
+    return {"picture": drawn.drawn(name, solution, row) if solution.converged else "", "alt": drawn.ALT[name]}
 
 
 def detailed(document: Tables, label: str) -> Answer:
-    """What each effect and choice changes, and whether it can be switched, of a set nothing; and all tables of the
-    solution."""
-    of = _read(document, label)
-    if isinstance(of, BearingSet):
-        of_set = solve_set(of)
-        return {"tables": part(set_report.tables(of_set, _taken(of_set)) if of_set.converged else []), "effects": []}
-    solution = _named(document, label)
-    scene, found = solution.scene, taken(solution)
-    tables = [*report.tables(solution), *readings_tables(found, scene)] if solution.converged else []
-    rows = zip(EFFECTS, explain(scene, TOLERANCE, ON_PAGE)[1], strict=True)
-    return {
-        "tables": part(tables),
-        "effects": [
-            {
-                "effect": row.effect, "what": row.what, "is_in": row.in_scene, "verdict": row.verdict,
-                "why": row.why, "changes": [row.change(quantity) for quantity in QUANTITIES],
-                "can": (entry.coarser if row.in_scene else entry.finer)(scene) is not scene,
-            }
-            for entry, row in rows
-        ],
-    }  # fmt: skip
+    """All tables of the solution."""
+    solution = _solution(document, label)
+    found = _taken(solution)
+    if not solution.converged:
+        return {"tables": ""}
+    if isinstance(solution, SetSolution):
+        return {"tables": part(set_report.tables(solution, found))}
+    return {"tables": part([*report.tables(solution), *readings_tables(found, solution.scene)])}
+
+
+def effects(document: Tables, label: str) -> Answer:
+    """What each effect and choice changes, found by solving with and without it, and whether it is needed."""
+    of = _named(document, label)
+    rows = (explain_set(of, TOLERANCE) if isinstance(of, BearingSet) else explain(of, TOLERANCE, ON_PAGE))[1]
+    found = []
+    for row in rows:
+        changes = {quantity: row.change(quantity) for quantity in QUANTITIES}
+        largest = row.largest
+        most = "" if not largest else "0 %" if changes[largest] == "0" else f"{WORDS[largest]} {changes[largest]} %"
+        told = {"effect": row.effect, "what": row.what, "verdict": row.verdict, "why": row.why}
+        found.append(told | {"most": most, "changes": list(changes.values())})
+    return {"effects": found}
 
 
 def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:
@@ -137,10 +173,7 @@ def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:
     entry = next((each for each in EFFECTS if each.name == effect), None)
     if entry is None:
         raise SceneFileError("page", [FileErrorDetail("", "no such effect")])
-    scene = _scene(document, label)
-    if scene.tolerance is not None:
-        scene = _named(document, label).scene
-    return shown(input_tables((entry.finer if is_on else entry.coarser)(scene)))
+    return shown(input_tables(_with(entry, _named(document, label), is_on)))
 
 
 def saved(document: Tables, label: str) -> Answer:
@@ -155,28 +188,27 @@ def saved(document: Tables, label: str) -> Answer:
     return {"file": f"{name}.toml", "text": text, "command": command}
 
 
-def _named(document: Tables, label: str) -> Solution:
-    """The solution of the scene with its effects named one by one."""
-    solution = solve(_scene(document, label))
-    return solution if solution.choice is None else solve(replace(solution.scene, tolerance=None))
+def _named(document: Tables, label: str) -> Scene | BearingSet:
+    """The scene or set with its effects named one by one, where it asks to have them chosen."""
+    of = _read(document, label)
+    if of.tolerance is None:
+        return of
+    solution = _solution(document, label)
+    return replace(solution.scene if isinstance(solution, Solution) else solution.set, tolerance=None)
 
 
 def _solution(document: Tables, label: str) -> Solution | SetSolution:
-    of = _read(document, label)
-    return solve_set(of) if isinstance(of, BearingSet) else solve(of)
+    return _solution_of(json.dumps(document), label)
+
+
+@lru_cache(maxsize=KEPT)
+def _solution_of(text: str, label: str) -> Solution | SetSolution:
+    return solve_any(_read(json.loads(text), label))
 
 
 def _taken(solution: Solution | SetSolution) -> Any:
     """What is asked to be read off; of a set by row."""
     return taken(solution) if isinstance(solution, Solution) else [taken(row) for row in solution.rows]
-
-
-def _scene(document: Tables, label: str) -> Scene:
-    """One whose effects can be switched."""
-    found = _read(document, label)
-    if isinstance(found, BearingSet):
-        raise SceneFileError(label or "set", [FileErrorDetail("", "is a set of rows", cause=OF_SET)])
-    return found
 
 
 def _read(document: Tables, label: str) -> Scene | BearingSet:

@@ -14,7 +14,7 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.model.scene.scene import SPEED_PARAMETER_MAX
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm, rpm, um
-from qsbearing.pictures import contact_angles, deformed_shaft, load_distribution
+from qsbearing.pictures import deformed_shaft
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
@@ -49,13 +49,6 @@ class Panel(NamedTuple):
     projection: str | None = None
     room: tuple[float, float, float, float] = (0.15, 0.15, 0.82, 0.74)
     """Left, bottom, width, height of the axes, as parts of the picture."""
-
-
-class PanelOfSet(NamedTuple):
-    """One picture of all rows together."""
-
-    draw: Callable[[SetSolution], Figure]
-    alt: str
 
 
 def _of_point(draw: Callable[..., None]) -> Callable[[Axes, Solution], None]:
@@ -104,18 +97,18 @@ def _finish(axes: Axes, speed: float, values: Any, name: str, solution: Solution
 
 PANELS = {
     "section": Panel(
-        _of_point(draw_section), (6.4, 5.4), "Section through the ball that carries most.", room=(0.1, 0.0, 0.8, 0.93)
+        _of_point(draw_section), (5.6, 3.8), "Section through the ball that carries most.", room=(0.1, 0.0, 0.8, 0.92)
     ),
-    "angles": Panel(_of_point(draw_angles), (5.6, 3.4), "Contact angles of every ball by its azimuth."),
+    "angles": Panel(_of_point(draw_angles), (4.4, 3.0), "Contact angles of every ball by its azimuth."),
     "loads": Panel(
         _of_point(draw_loads),
-        (4.4, 4.2),
+        (4.0, 3.7),
         "Contact loads of all balls around the bearing.",
         "polar",
         room=(0.15, 0.08, 0.7, 0.72),
     ),
-    "stiffness": Panel(_stiffness, (5.6, 3.4), "Axial and radial stiffness over the speed, this speed marked."),
-    "life": Panel(_life, (5.6, 3.4), "Life over the speed, this speed marked."),
+    "stiffness": Panel(_stiffness, (4.4, 3.0), "Axial and radial stiffness over the speed, this speed marked."),
+    "life": Panel(_life, (4.4, 3.0), "Life over the speed, this speed marked."),
     "ellipses": Panel(
         _of_point(draw_ellipses),
         (9.0, 3.6),
@@ -123,36 +116,43 @@ PANELS = {
         room=(0.08, 0.12, 0.9, 0.78),
     ),
 }
-OF_SET = {
-    "loads": PanelOfSet(load_distribution, "Contact loads of all balls around each row."),
-    "angles": PanelOfSet(contact_angles, "Contact angles of every ball of each row by its azimuth."),
-    "shaft": PanelOfSet(deformed_shaft, "The shaft as drawn and as it bends, with rows, loads and points."),
+SHAFT = "shaft"
+OF_ROW = ("section", "loads", "angles", "ellipses")
+"""The pictures of one row of a set; over the speed a row has none, for it does not run alone."""
+ALT = {name: panel.alt for name, panel in PANELS.items()} | {
+    SHAFT: "The shaft as drawn and as it bends, with rows, loads and points."
 }
 
 
-def panels(solution: Solution | SetSolution) -> dict[str, Panel] | dict[str, PanelOfSet]:
-    """The pictures that a solution has, by name."""
+def names(solution: Solution | SetSolution) -> list[str]:
+    """The pictures that a solution has."""
     if isinstance(solution, Solution):
-        return PANELS
+        return list(PANELS)
     bends = solution.set.shaft is not None and solution.set.shaft.sections
-    return {name: panel for name, panel in OF_SET.items() if name != "shaft" or bends}
+    return [*([SHAFT] if bends else []), *OF_ROW]
 
 
-def drawn(name: str, solution: Solution | SetSolution) -> str:
-    """One of `panels` as SVG that stands within a page."""
+def drawn(name: str, solution: Solution | SetSolution, row: int = 0) -> str:
+    """One of `names` as SVG that stands within a page.
+
+    Args:
+        row: of a set, which of its rows; from 0.
+    """
     from matplotlib import rc_context
 
     data = BytesIO()
     with DRAWING, rc_context({"svg.fonttype": "none", "svg.hashsalt": name}):
-        figure = OF_SET[name].draw(solution) if isinstance(solution, SetSolution) else _figure(name, solution)
+        figure = _figure(name, solution, row)
         figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
     return inlined(data.getvalue(), f"{name}-")
 
 
-def _figure(name: str, solution: Solution) -> Figure:
+def _figure(name: str, of: Solution | SetSolution, row: int) -> Figure:
     from matplotlib.figure import Figure
 
-    panel = PANELS[name]
+    if isinstance(of, SetSolution) and name == SHAFT:
+        return deformed_shaft(of)
+    panel, solution = PANELS[name], of.rows[row] if isinstance(of, SetSolution) else of
     figure = Figure(figsize=panel.size)
     axes = figure.add_axes(panel.room, projection=panel.projection)
     panel.draw(axes, solution)

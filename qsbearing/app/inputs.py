@@ -9,12 +9,14 @@ from qsbearing.files.file_keys import find, spelled
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.material import BY_NAME
-from qsbearing.model.scene.keys import MATERIALS, SEAT_MATERIALS
+from qsbearing.model.scene.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Reader, Words
 from qsbearing.studies import keys
 
 FieldOfPage = dict[str, Any]
+Path = tuple[str | int, ...]
+"""Where a number stands in the tables; those of a list count from 0."""
 TYPICAL = {"N": 1000.0, "rpm": 10_000.0, "um": 20.0, "mm": 1.0, "mrad": 1.0, "N m": 20.0, "deg": 15.0, "C": 60.0}
 """How far a slider reaches from zero, by unit; what is allowed, the scene's own checks say."""
 NEAR = 0.2
@@ -23,37 +25,55 @@ FARTHEST = 1e30
 """Of a slider."""
 ROOM = 20.0
 """The reference temperature [C]."""
-OF_SET = ("operation", "preload")
-"""The tables of a set that the page has fields for; what lies in its rows and its shaft is changed in the file."""
+OF_SET = (("operation",), ("preload",), ("shaft", "loads"))
+"""The tables of a set that the page has fields for; what else rows and shaft have is changed in the file."""
+DAILY = ("operation", "shaft", "preload")
+"""Tables whose fields come first and are always in view."""
+_NUMBERED = {table: word for word, table in NUMBERED.items()}
 
 
 def fields(document: dict[str, Any]) -> list[FieldOfPage]:
-    """A field for every number and word of these tables, in their order; of a number with the ends of its slider."""
-    return [
+    """A field for every number and word of these tables; of a number with the ends of its slider."""
+    found = [
         _field(path, value)
         for path, value in _leaves(document)
         if path != ("bearing", "name") and _is_shown(document, path)
     ]
+    place = {table: number for number, table in enumerate(DAILY)}
+    return sorted(found, key=lambda field: place.get(field["path"][0], len(place)))
 
 
-def _is_shown(document: dict[str, Any], path: tuple[str, ...]) -> bool:
-    return path[0] in OF_SET or not is_set(document)
+def _is_shown(document: dict[str, Any], path: Path) -> bool:
+    return not is_set(document) or any(path[: len(table)] == table for table in OF_SET)
 
 
-def _leaves(table: dict[str, Any], before: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
-    for name, value in table.items():
-        if isinstance(value, dict):
+def _leaves(table: Any, before: Path = ()) -> Iterator[tuple[Path, Any]]:
+    for name, value in enumerate(table) if isinstance(table, list) else table.items():
+        if isinstance(value, dict) or (isinstance(value, list) and name in _NUMBERED):
             yield from _leaves(value, (*before, name))
         elif isinstance(value, str | int | float) and not isinstance(value, bool):
             yield (*before, name), value
 
 
-def _field(path: tuple[str, ...], value: Any) -> FieldOfPage:
-    key = find(".".join(path))
-    words, unit = label(key.field if key else path[-1]), key.unit if key else ""
-    found: FieldOfPage = {"path": path, "words": words, "unit": unit, "is_needed": path[0] == "bearing"}
+def _key(path: Path) -> str:
+    """As errors have it: `operation.speed_rpm`, `shaft.load 1.radial_y_N`."""
+    steps: list[str] = []
+    for step in path:
+        if isinstance(step, int):
+            steps[-1] = f"{_NUMBERED.get(steps[-1], steps[-1])} {step + 1}"
+        else:
+            steps.append(step)
+    return ".".join(steps)
+
+
+def _field(path: Path, value: Any) -> FieldOfPage:
+    own = _key(path)
+    key, table, name = find(own), own.rpartition(".")[0], str(path[-1])
+    words, unit = label(key.field if key else name), key.unit if key else ""
+    found: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
+    found |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
     if isinstance(value, str):
-        return found | {"options": _options(path[-1])}
+        return found | {"options": _options(name)}
     if path[-1] == "ball_count":
         return found | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
     value = min(max(value, -FARTHEST), FARTHEST)
@@ -76,7 +96,7 @@ def _span(value: float, unit: str, is_of_bearing: bool) -> tuple[float, float]:
 
 def label(field: str) -> str:
     """What the page calls a field."""
-    return field.rpartition(".")[2].replace("_", " ")
+    return field.rpartition(".")[2].replace("_", " ").replace("hertz", "Hertz")
 
 
 def _spelled(field: Field, path: str) -> str:

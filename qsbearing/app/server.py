@@ -50,10 +50,11 @@ QUESTIONS: dict[str, Callable[..., answers.Answer]] = {
     "solve": answers.solved,
     "picture": answers.pictured,
     "rest": answers.detailed,
+    "effects": answers.effects,
     "switch": answers.switched,
     "save": answers.saved,
 }
-ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool}
+ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool, "row": int}
 
 
 def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") -> Starlette:
@@ -169,7 +170,7 @@ def _asked(question: Callable[..., answers.Answer]) -> Callable[[Request], Any]:
         except SceneError as error:
             return _refused(str(error), 400)
         try:
-            return JSONResponse(await answered(question, given, request))
+            return JSONResponse(await answered(question, given, _left(request)))
         except StoppedError as stopped:
             return _refused(str(stopped), 503)
         except SceneError as error:
@@ -177,6 +178,12 @@ def _asked(question: Callable[..., answers.Answer]) -> Callable[[Request], Any]:
             return JSONResponse({"errors": errors})
 
     return answer
+
+
+async def _left(request: Request) -> None:
+    """Returns when the client has gone."""
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
 
 
 def _arguments(question: Callable[..., answers.Answer], data: bytes) -> dict[str, Any]:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from threading import Thread
 from typing import Any
-
-from starlette.requests import Request
 
 LONGEST = 120.0
 """Seconds of one answer; the longest of the guide's scenes takes ten, and to compile a reading a minute."""
@@ -26,8 +24,13 @@ class _EndError(BaseException):
     """Raised within the work that is to end."""
 
 
-async def answered(question: Callable[..., Any], given: dict[str, Any], request: Request) -> Any:
-    """What a question returns or raises.
+async def answered(
+    question: Callable[..., Any], given: dict[str, Any], left: Coroutine[Any, Any, None] | None = None
+) -> Any:
+    """What a question returns or raises; its work ends also where whoever awaits this is cancelled.
+
+    Args:
+        left: returns when nobody waits for the answer any more.
 
     Raises:
         StoppedError: it was stopped.
@@ -52,22 +55,17 @@ async def answered(question: Callable[..., Any], given: dict[str, Any], request:
 
         thread = Thread(target=work, daemon=True)
         thread.start()
-        left = asyncio.ensure_future(_left(request))
+        waits = {done} if left is None else {done, asyncio.ensure_future(left)}
         try:
-            await asyncio.wait({done, left}, timeout=LONGEST, return_when=asyncio.FIRST_COMPLETED)
+            await asyncio.wait(waits, timeout=LONGEST, return_when=asyncio.FIRST_COMPLETED)
             if done.done():
                 return done.result()
-            _end(thread)
             raise StoppedError(f"the answer took longer than {LONGEST:g} s and was stopped: ask for less at once")
         finally:
-            left.cancel()
-            done.cancel()
-
-
-async def _left(request: Request) -> None:
-    """Returns when the client has gone."""
-    while (await request.receive())["type"] != "http.disconnect":
-        pass
+            if not done.done():
+                _end(thread)
+            for each in waits:
+                each.cancel()
 
 
 def _end(thread: Thread) -> None:

@@ -25,10 +25,12 @@ from qsbearing.cli.guide import guide
 from qsbearing.cli.heat import heat
 from qsbearing.cli.import_model import import_model
 from qsbearing.cli.init import init
+from qsbearing.cli.mcp import mcp
 from qsbearing.cli.plot import plot
 from qsbearing.cli.report import report
 from qsbearing.cli.run import run
 from qsbearing.cli.schema import schema
+from qsbearing.cli.skill import skill
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
 from qsbearing.model.version import __version__
@@ -82,6 +84,8 @@ for command in (
     cost,
     init,
     schema,
+    mcp,
+    skill,
     catalogue,
     report,
     guide,

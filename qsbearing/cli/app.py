@@ -20,8 +20,8 @@ from qsbearing.cli.output import note, refuse
 @click.option("--open", "is_opened", is_flag=True, help="Open the page in the browser.")
 def app(scene: str, port: int, host: str, is_opened: bool) -> None:
     """Serve a page on this computer that shows SCENE, a file or a bearing of the catalogue: its numbers as sliders and
-    fields, its effects as switches, and the resulting contacts, stiffness and life. Of a set of rows, a file with
-    [[rows]], speed, loads and preload are fields.
+    fields, its effects as switches, and beside them the resulting contacts, stiffness and life. Of a set of rows, a
+    file with [[rows]], speed, loads (those on its shaft too) and preload are fields, and each row has a tab.
 
     The address that is printed has a token, without which nobody reads the scene.
 

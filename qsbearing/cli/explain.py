@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -15,10 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from qsbearing.documents.model import Block
-    from qsbearing.model.solution.solution import Solution
     from qsbearing.studies.chooser.explain import Row
-    from qsbearing.systems.sets.bearing_set import BearingSet
-    from qsbearing.systems.sets.set_solution import SetSolution
+    from qsbearing.studies.chooser.explained import Explained
 
 HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nness %")
 """Of `QUANTITIES`, in their order."""
@@ -48,60 +46,39 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
-    from dataclasses import replace
-
-    from qsbearing.model.scene.scene import Scene
-    from qsbearing.results.remarks import blocks, every_remark, message, remarks_record
-    from qsbearing.studies.chooser.explain import explain
+    from qsbearing.results.remarks import message
+    from qsbearing.studies.chooser.explained import explained
 
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
     loaded = load_one(scene)
-    shown: list[Block]
-    solution: Solution | SetSolution
-    if isinstance(loaded, Scene):
-        with solving():
-            solution, rows = explain(replace(loaded, tolerance=None), tolerance)
-        found: dict[str, Any] = {"status": str(solution.status), "message": message(solution), "tolerance": tolerance}
-        said = every_remark(solution)
-        found |= {"remarks": remarks_record(said)["remarks"]}
-        shown = [] if as_json else [*_effects(rows, tolerance), *blocks(said, is_apart=True)]
-    else:
-        solution, rows, found, shown = _of_set(loaded, as_json, tolerance)
+    with solving():
+        found = explained(loaded, tolerance)
     if as_json:
-        print_text(json.dumps(found | {"effects": [vars(row) for row in rows]}, indent=1, allow_nan=False) + "\n")
+        print_text(json.dumps(found.record, indent=1, allow_nan=False) + "\n")
     else:
-        print_table(shown)
-    if not solution.converged:
-        note(message(solution))
+        print_table(_shown(found, tolerance))
+    if not found.solution.converged:
+        note(message(found.solution))
         sys.exit(UNSOLVED)
 
 
-def _of_set(
-    of: BearingSet, as_json: bool, tolerance: float
-) -> tuple[SetSolution, list[Row], dict[str, Any], list[Block]]:
-    """The solution, a row for each effect, what JSON has before those, and what the terminal shows."""
-    from dataclasses import replace
-
+def _shown(found: Explained, tolerance: float) -> list[Block]:
     from qsbearing.documents.model import Paragraph
-    from qsbearing.results.remarks import blocks, every_remark, remarks_record
+    from qsbearing.model.solution.solution import Solution
+    from qsbearing.results.remarks import blocks
     from qsbearing.results.set_record import set_record
     from qsbearing.results.set_report import heading, rows_tables
-    from qsbearing.studies.chooser.explain_set import explain_set
-    from qsbearing.systems.sets.preload_limits import preload_summary
 
-    with solving():
-        solution, rows = explain_set(replace(of, tolerance=None), tolerance)
-        said = preload_summary(solution) if solution.converged else []
-        remarks = every_remark(solution)
-    found = set_record(solution, [{}] * len(solution.rows))
-    of_set = {key: found[key] for key in ("status", "message", "arrangement")} | remarks_record(remarks)
-    of_set |= {"preload": said, "tolerance": tolerance}
-    parts = heading(solution, found)
-    if solution.converged and not as_json:
-        told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(said)]
-        parts += [*rows_tables(found), *told, *_effects(rows, tolerance), *blocks(remarks, is_apart=True)]
-    return solution, rows, of_set, parts
+    solution = found.solution
+    after = [*_effects(found.rows, tolerance), *blocks(found.remarks, is_apart=True)]
+    if isinstance(solution, Solution):
+        return after
+    of_set = set_record(solution, [{}] * len(solution.rows))
+    if not solution.converged:
+        return heading(solution, of_set)
+    told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(found.record["preload"])]
+    return [*heading(solution, of_set), *rows_tables(of_set), *told, *after]
 
 
 def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
@@ -111,7 +88,7 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     from qsbearing.model.effects import QUANTITIES
     from qsbearing.studies.chooser.explain import two_digits
 
-    title = f"Effects and choices: change if left out (≈ usual parameters); needed above {100 * tolerance:g} %"
+    title = f"Effects and choices: change if left out (≈ usual parameters); needed if more than {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
     more = [*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else [])]

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from qsbearing.documents.guide import Page
-    from qsbearing.remarks.kinds import Kind
 
 
 @click.command(short_help="Read the guide: topics, a page, or all as HTML.")
@@ -29,6 +28,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     Exit codes: 0 done, 2 bad input.
     """
     from qsbearing.documents.guide import meant_by, topics
+    from qsbearing.results.guide_lists import LISTS
 
     pages = topics(lists=LISTS)
     text = ""
@@ -50,51 +50,6 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
         _list(pages)
 
 
-def _readings() -> str:
-    """Rows of the guide's table of readings, in the words of each."""
-    from qsbearing.readings.asked import READINGS
-
-    return "".join(f"| `{name}` | {each.gives} | {each.by} |\n" for name, each in READINGS.items())
-
-
-def _results() -> str:
-    """Rows of the page of symbols: those of the results that have one."""
-    from qsbearing.model.solution.result_keys import BALL, CONTACT, printed_unit, split
-    from qsbearing.readings.asked import READINGS
-
-    found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
-    found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]
-    found += [
-        (f"`{name}.{shown.path}`", shown, each.by)
-        for name, each in READINGS.items()
-        for shown in (*each.of_case, *each.of_contact, *each.of_ball)
-    ]
-
-    def written(key: str) -> str:
-        return printed_unit(split(key)[1]) or "-"
-
-    return "".join(
-        f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {written(shown.key)} | {source} |\n"
-        for names, shown, source in found
-        if shown.symbol
-    )
-
-
-def _remarks() -> str:
-    """Rows of the table of remarks."""
-    from qsbearing.files.file_keys import IN_FILE
-    from qsbearing.remarks.kinds import KINDS
-
-    def row(kind: Kind) -> str:
-        values = ", ".join(f"`{name}`" for name in kind.values)
-        return f"| `{kind.code}` | {kind.severity.words} | {values} | {kind.outline(IN_FILE)} |\n"
-
-    return "".join(map(row, KINDS.values()))
-
-
-LISTS = {"readings": _readings, "results": _results, "remarks": _remarks}
-
-
 def _list(pages: dict[str, Page]) -> None:
     from qsbearing.documents.model import Table
 
@@ -108,6 +63,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     from qsbearing.documents.guide import HOME, documents, file_of
     from qsbearing.documents.pages import pages
     from qsbearing.model.version import __version__
+    from qsbearing.results.guide_lists import LISTS
 
     into = folder(target) if target is not None else _own_folder()
     made = pages(documents(__version__, lists=LISTS), HOME)

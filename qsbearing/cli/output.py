@@ -74,10 +74,9 @@ def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
     """A result as JSON, with the input that it is reproduced from."""
     import json
 
-    from qsbearing.files.scene_tables import input_tables
+    from qsbearing.results.whole import with_input
 
-    whole = {"version": found["version"], "input": input_tables(of), **found}
-    print_text(json.dumps(whole, indent=1, allow_nan=False) + "\n")
+    print_text(json.dumps(with_input(of, found), indent=1, allow_nan=False) + "\n")
 
 
 def print_text(text: str) -> None:

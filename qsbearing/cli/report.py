@@ -94,7 +94,6 @@ def _refuse_another(page: Path, path: Path) -> None:
 
 def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
-    from qsbearing.model.scene.scene import Scene
     from qsbearing.results.remarks import message
 
     solution = solve(asked)
@@ -102,14 +101,6 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
         first = int(solution.converged.argmin())
         note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
         sys.exit(UNSOLVED)
-    if "spectrum" in asked.readings:
-        from qsbearing.reports import spectrum
+    from qsbearing.reports.of_any import document_of_any
 
-        return lambda: spectrum.document(solution, asked, solve, source, command)
-    if isinstance(asked, Scene):
-        from qsbearing.reports.document import document
-
-        return lambda: document(solution, asked, source, command)
-    from qsbearing.reports import set_document
-
-    return lambda: set_document.document(solution, source, command)
+    return lambda: document_of_any(solution, asked, source, command)

@@ -168,8 +168,7 @@ class Found(NamedTuple):
 
 
 def _of_scene(scene: Scene, accuracy: float | None) -> Found:
-    from qsbearing.results.json_record import record
-    from qsbearing.results.readings_record import Readings, all_columns, taken
+    from qsbearing.results.readings_record import Readings, all_columns
 
     def blocks(solution: Solution, readings: Readings) -> list[Block]:
         from qsbearing.documents.model import Paragraph
@@ -185,12 +184,9 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
 
     solution = _solved(scene, accuracy)
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
-    found = partial(_found, solution, asked, taken(solution), all_columns)
     if "spectrum" in scene.readings:
-        from qsbearing.results.spectrum_report import spectrum_record, spectrum_result
-
-        return found(spectrum_record, spectrum_result)
-    return found(record, blocks)
+        from qsbearing.results.spectrum_report import spectrum_result as blocks
+    return _found(solution, asked, all_columns, blocks)
 
 
 def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
@@ -210,22 +206,22 @@ def _of_data_sheet(scene: Scene) -> Found:
 
     solution = _solved(scene, None)
 
-    def with_ranges(solution: Solution, _: Readings) -> dict[str, Any]:
+    def with_ranges() -> dict[str, Any]:
         best = _solved(replace(scene, bearing=scene.bearing.inferred.at(0)), None)
         return record(best, taken(best), said=inferred.said(solution)) | inferred.inferred_record(solution)
 
     def blocks(solution: Solution, _: Readings) -> list[Block]:
         return inferred.inferred_tables(solution)
 
-    return _found(solution, scene, taken(solution), all_columns, with_ranges, blocks)
+    return _found(solution, scene, all_columns, blocks, with_ranges)
 
 
 def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     from qsbearing.documents.model import Paragraph
     from qsbearing.files.file_keys import IN_FILE
     from qsbearing.remarks.bearing import chosen
-    from qsbearing.results.readings_record import Readings, taken
-    from qsbearing.results.set_record import set_columns, set_record
+    from qsbearing.results.readings_record import Readings
+    from qsbearing.results.set_record import set_columns
 
     def blocks(solution: SetSolution, readings: list[Readings]) -> list[Block]:
         from qsbearing.results.set_report import set_result  # not above: --json does without
@@ -235,37 +231,28 @@ def _of_set(of: BearingSet, accuracy: float | None) -> Found:
 
     solution: SetSolution = _solved(of, accuracy)
     asked = of if accuracy is None else solution.set
-    found = partial(_found, solution, asked, [taken(row) for row in solution.rows], set_columns)
     if "spectrum" in of.readings:
-        from qsbearing.results.set_spectrum_report import set_spectrum_record, set_spectrum_result
-
-        return found(set_spectrum_record, set_spectrum_result)
-    return found(set_record, blocks)
+        from qsbearing.results.set_spectrum_report import set_spectrum_result as blocks
+    return _found(solution, asked, set_columns, blocks)
 
 
 def _found(
-    solution: Any, asked: Any, readings: Any, columns: Callable[..., Any], record: Callable[..., Any],
+    solution: Any,
+    asked: Any,
+    columns: Callable[..., Any],
     blocks: Callable[..., Any],
-) -> Found:  # fmt: skip
+    record: Callable[[], dict[str, Any]] | None = None,
+) -> Found:
     """What is shown of a solution and its readings, and of the limits of fits that have a name."""
+    from qsbearing.results.whole import all_taken, of_fits, whole_record
 
-    def whole() -> dict[str, Any]:
-        return record(solution, readings) | (_fits("fits_record", solution) or {})
+    readings = all_taken(solution)
 
     def shown() -> list[Block]:
-        return [*blocks(solution, readings), *(_fits("fits_blocks", solution) or ())]
+        return [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
 
+    whole = record or partial(whole_record, solution, readings)
     return Found(solution, asked, whole, shown, partial(columns, solution, readings), readings)
-
-
-def _fits(what: str, solution: Any) -> Any:
-    """Of `fit_limits`, which is loaded only for a scene or set with expanding rings."""
-    of = solution.scene if hasattr(solution, "scene") else solution.set
-    if not any(of.ring_effects) and not any(getattr(row, "ring_effects", None) for row in getattr(of, "rows", ())):
-        return None
-    from qsbearing.results import fit_limits
-
-    return getattr(fit_limits, what)(solution)
 
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:

@@ -19,14 +19,15 @@ from qsbearing.cli.vary import study_of, vary_option
 @click.option(
     "--format",
     "form",
-    type=click.Choice(["csv", "json", "mat", "calculix", "nastran"]),
+    type=click.Choice(["csv", "json", "mat", "ross", "calculix", "nastran", "abaqus", "ansys"]),
     default="csv",
-    help="csv: a table over speed and load. Of one operating point: json; mat (MATLAB); springs for CalculiX, Nastran.",
+    help="csv: a table over speed and load. Of one operating point: json; mat (MATLAB); ross (Python that makes "
+    "elements of ROSS); springs for CalculiX and Nastran; abaqus and ansys, which were not run.",
 )
 @click.option(
     "--units",
     type=click.Choice(["N-mm-t", "N-m-kg"]),
-    help="Of the other formats; N-mm-t unless given.",
+    help="Of the other formats; N-mm-t unless given, of ross N-m-kg.",
 )
 @click.option("--out", metavar="FILE", help="Write to this file instead of printing.")
 def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str | None, out: str | None) -> None:
@@ -41,7 +42,9 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
     if form != "csv":
-        _for_finite_elements(scene, vary, mirrored, form, units or "N-mm-t", out)
+        if form == "ross" and units == "N-mm-t":
+            refuse("--units: elements of ROSS are in N, m and kg")
+        _for_finite_elements(scene, vary, mirrored, form, units or ("N-m-kg" if form == "ross" else "N-mm-t"), out)
         return
     if units is not None:
         refuse("--units: a table as CSV is in N, m and rad; other formats have other units")
@@ -69,7 +72,7 @@ def _for_finite_elements(
     import numpy as np
 
     from qsbearing.cli.scene import load_one, solve
-    from qsbearing.files.stiffness_files import calculix_deck, json_text, mat_bytes, nastran_deck, seats_of
+    from qsbearing.files import stiffness_files as files
 
     of = load_one(scene)
     problems = [f"--vary: --format {form} is of one operating point"] if vary else []
@@ -83,9 +86,13 @@ def _for_finite_elements(
         if not solution.converged or not np.isfinite(solution.stiffness).all():
             note(solution.message() if not solution.converged else NO_TANGENT)
             sys.exit(UNSOLVED)
-        seats = seats_of(solution, units, mirrored=mirrored)
-        texts = {"json": json_text, "calculix": calculix_deck, "nastran": nastran_deck}
-        made = texts[form](seats, units) if form in texts else mat_bytes(seats, units)
+        seats = files.seats_of(solution, units, mirrored=mirrored)
+        if form == "ross":
+            made: str | bytes = files.ross_module(seats)
+        elif form in ("json", "mat"):
+            made = (files.json_text if form == "json" else files.mat_bytes)(seats, units)
+        else:
+            made = getattr(files, f"{form}_deck")(seats, units)
         write_files(writers, {"--out": lambda: made.encode() if isinstance(made, str) else made})
         if isinstance(made, str) and not writers:
             print_text(made)

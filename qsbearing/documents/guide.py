@@ -1,4 +1,4 @@
-"""The guide: its pages, and all of them as one document."""
+"""The guide: its pages, each a document."""
 
 from __future__ import annotations
 
@@ -77,6 +77,11 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
     return found
 
 
+def skill_text() -> str:
+    """What a language model is told of the commands."""
+    return (FOLDER / "skill" / "SKILL.md").read_text(encoding="utf-8")
+
+
 def meant_by(word: str, pages: Mapping[str, Page]) -> str:
     """What to read about a word that is no topic: a page spelled much like it, or those whose headings have it; empty
     where there is none."""
@@ -99,22 +104,12 @@ def meant_by(word: str, pages: Mapping[str, Page]) -> str:
     return f"See {', '.join(places)}" if places else ""
 
 
-def document(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> Document:
-    """All pages as one document."""
-    pages = topics(folder, lists)
-    found: list[Section] = []
-    for page in pages.values():
-        found += sections(page.text, folder, _links(page, pages, True), page.topic)
-    summary = f"How to use it, what it computes, and how far to trust it. Version {version}."
-    return Document("qsbearing", "Guide", found, summary)
-
-
 def documents(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Document]:
     """Each page as a document of its own, by the name of its file; the first is `HOME`."""
     pages = topics(folder, lists)
     found: dict[str, Document] = {}
     for page in pages.values():
-        (whole,) = sections(page.text, folder, _links(page, pages, False), page.topic)
+        (whole,) = sections(page.text, folder, _links(page, pages), page.topic)
         kind = f"qsbearing {version}" if page.topic == FIRST else "qsbearing guide"
         found[file_of(page.topic)] = Document(
             page.title.replace("`", ""),
@@ -130,12 +125,8 @@ def file_of(topic: str) -> str:
     return HOME if topic == FIRST else f"{topic}.html"
 
 
-def _links(page: Page, pages: dict[str, Page], in_one: bool) -> Links:
-    """Where the links of a page lead in the guide: to other sites and pages; files of the repository are none.
-
-    Args:
-        in_one: whether all pages are sections of one document, or documents of their own.
-    """
+def _links(page: Page, pages: dict[str, Page]) -> Links:
+    """Where the links of a page lead in the guide: to other sites and pages; files of the repository are none."""
 
     def lead(link: str) -> str | None:
         if re.match(r"https?://|mailto:", link):
@@ -145,8 +136,6 @@ def _links(page: Page, pages: dict[str, Page], in_one: bool) -> Links:
         if (path and Path(path).name != path) or topic not in pages:
             return None
         within = f"#{topic}-{place}" if place else ""
-        if in_one:
-            return within or f"#{topic}"
         return within if within and topic == page.topic else file_of(topic) + within
 
     return lead

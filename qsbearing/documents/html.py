@@ -20,6 +20,7 @@ VALUED = re.compile(r'(?<![\w-])(--?[a-z][\w-]*)( (?!-)(?:"[^"]*"|[^\s\\]+))?( \
 NARROWEST = 47
 """Letters of code on a line of a phone: so long an option stays on one line, with its value if there is room."""
 LONG_NAME = re.compile(r"\w{18,}")
+PATH = re.compile(r"(?:\w+/){2,}\w+")
 JOINT = re.compile(r"(?<=\w{3})[._](?=\w)")
 """Where a long name may be broken."""
 SHORT = 26
@@ -153,6 +154,7 @@ def _unbroken(text: str) -> str:
 def _jointed(text: str) -> str:
     """Text whose long names may break after an underscore, so that the column of names leaves room for the others, and
     whose numbers stay whole."""
+    text = PATH.sub(lambda found: found[0].replace("/", "/<wbr>"), text)
     text = LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
     return POWER.sub(lambda found: _whole(found[0]), text)
 

@@ -75,18 +75,33 @@ def bearing_of_sheet(
     fields: dict[str, Any] = {side: material(f"bearing.{side}", given.get(side, "steel"), errors) for side in MATERIALS}
     if len(errors) > before:
         return None
+    chosen = given.get("ball_set")
     fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
     try:
         found = infer_bearing(**fields, name=printable(given.get("name", label)))
     except SceneError as error:
         errors += map(translate, error.errors)
         return None
+    if chosen is not None:
+        return _chosen(found, chosen, outline, errors)
     if not may_infer:
         errors.append(
             FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(found))
         )
         return None
     return replace(found.bearing, inferred=found, outline=outline)
+
+
+def _chosen(found: InferredBearing, number: float, outline: Outline | None, errors: Errors) -> BallBearing | None:
+    """The set of this number in the list that `qsbearing run` prints, with its usual groove radius."""
+    sets = int(found.set_number[-1]) + 1
+    if number not in range(1, sets + 1):
+        cause = f"A whole number from 1 to {sets}: `qsbearing run` without it lists the sets that the data sheet allows"
+        errors.append(FileErrorDetail("bearing.ball_set", "is not on the list", number, cause=cause))
+        return None
+    case = int(np.flatnonzero(found.set_number == number - 1)[0])
+    name = f"{found.bearing.name}, ball set {number:.0f} of {sets}"
+    return replace(found.at(case), name=name, outline=outline)
 
 
 def refusal(bearing: BallBearing) -> str:
@@ -101,9 +116,9 @@ def _one_of(found: InferredBearing) -> str:
     numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
     lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
     return (
-        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one, "
-        "with ball_material and ring_material: "
-        f"the ratings fit best with {lines}, which often is not the true one"
+        "`qsbearing run` and `qs.load_scene` solve all of them, of one bearing at one operating point. Or choose one: "
+        "ball_set = 1 takes the first of the list that `qsbearing run` prints, "
+        f"which the ratings fit best, with {lines}, which often is not the true one"
     )
 
 

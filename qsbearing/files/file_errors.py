@@ -41,6 +41,15 @@ class FileErrorDetail:
     def __str__(self) -> str:
         return "\n    ".join(map(printable, self._parts()))
 
+    def record(self) -> dict[str, Any]:
+        """Its fields as data, those that there are; a value that is no number as a message repeats it."""
+        value = self.value if isinstance(self.value, bool | int | float) or self.value is None else shown(self.value)
+        found: dict[str, Any] = {"key": self.key, "problem": self.problem, "detail": self.detail, "value": value}
+        found |= {"unit": self.unit, "allowed": self.allowed and list(self.allowed), "cause": self.cause}
+        found |= {"note": self.note}
+        texts = {name: printable(each) if isinstance(each, str) else each for name, each in found.items()}
+        return {name: each for name, each in texts.items() if each not in ("", None)}
+
     @property
     def line(self) -> str:
         """All of it on one line, for use within another sentence."""

@@ -46,7 +46,7 @@ def key_at(path: Path) -> Key | None:
         keys = THERMAL_NUMBERS.get(last, ())
     else:
         keys = SET_NUMBERS.get(last) or numbers().get(last, ())
-        keys = (*keys, *IN_PLACE) if last == "bearing" else keys
+        keys = (*keys, *(key for key in IN_PLACE if key.name != "ball_set")) if last == "bearing" else keys
     return next((key for key in keys if key.name == name), None)
 
 
@@ -54,7 +54,9 @@ def spans_cases(path: Path, document: dict[str, Any]) -> bool:
     """Whether one scene or set of this document can have the number at many values, a case for each."""
     name = plain(path)
     if name == "rows.position_mm":  # rings that expand belong to the section of the shaft that their row is on
-        return "ring_expansion" not in str(document)
+        rows = document.get("rows")
+        holders = [document.get("effects"), *(rows if isinstance(rows, list) else [])]
+        return not any(isinstance(each, dict) and "ring_expansion" in each for each in holders)
     if path[0] not in (*SET_NUMBERS, "thermal"):
         return True
     return name.startswith(ONE_EACH) and name != "shaft.loads.position_mm"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from copy import deepcopy
 from math import nan
 from pathlib import Path
@@ -68,20 +69,23 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
     return scene_of(*document_of(source), may_infer=True)
 
 
-def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple[dict[str, Any], str, str]:
+def document_of(
+    source: str | os.PathLike[str], of_study: bool = False, allowed: Callable[[Path], Path] = Path
+) -> tuple[dict[str, Any], str, str]:
     """The tables of a file or of a built-in example, what to call it in errors, and the label of its bearing.
 
     Of a result these are the tables that it was made from.
 
     Args:
         of_study: of a sweep's result, with the tables of the study.
+        allowed: the place of a file that may be read, and of one that it names; raises for others.
 
     Raises:
         SceneFileError: it cannot be read.
     """
     path = Path(source)
-    if source in STANDARD_INPUT:
-        return _with_points(read_toml(path), Path()), "standard input", ""
+    if source in STANDARD_INPUT and allowed is Path:
+        return _with_points(read_toml(path), Path(), allowed), "standard input", ""
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.named(source)
         if entry is None:
@@ -89,18 +93,19 @@ def document_of(source: str | os.PathLike[str], of_study: bool = False) -> tuple
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
         return {"bearing": {"name": entry.name}, **deepcopy(entry.example)}, entry.name, ""
+    path = allowed(path)
     if path.suffix.lower() in result_file.ENDINGS:
         document, label = result_file.input_of(path, of_study)
         return document, str(source), label
     if not is_there(path) and catalogue.find(path.stem) is not None:
         raise refused(path, "no such file", f"The catalogue's {path.stem} is run by name, without {path.suffix}")
-    return _with_points(read_toml(path), path.parent), str(source), printable(path.stem)
+    return _with_points(read_toml(path), path.parent, allowed), str(source), printable(path.stem)
 
 
-def _with_points(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+def _with_points(document: dict[str, Any], folder: Path, allowed: Callable[[Path], Path]) -> dict[str, Any]:
     """The tables of a file, the points of a spectrum read from the file that it names."""
     table = document.get("spectrum")
-    return document | {"spectrum": points_of_table(table, folder)} if isinstance(table, dict) else document
+    return document | {"spectrum": points_of_table(table, folder, allowed)} if isinstance(table, dict) else document
 
 
 def text_of(source: str) -> str:

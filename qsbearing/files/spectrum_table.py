@@ -105,11 +105,14 @@ def _number(rest: dict[str, Any], point: Point, path: paths.Path) -> float:
     return float(point[path] if path in point else paths.value_at(rest, path))
 
 
-def points_of_table(table: dict[str, Any], folder: Path) -> list[dict[str, Any]]:
+def points_of_table(
+    table: dict[str, Any], folder: Path, allowed: Callable[[Path], Path] = Path
+) -> list[dict[str, Any]]:
     """The points of a table [spectrum] with a file, one for each of its rows.
 
     Args:
         folder: where the file's name counts from.
+        allowed: the place of a file that may be read; raises for others.
 
     Raises:
         SceneFileError: it cannot be read.
@@ -123,7 +126,9 @@ def points_of_table(table: dict[str, Any], folder: Path) -> list[dict[str, Any]]
         )
         raise refused("[spectrum]", "is neither a list of points nor the name of a file alone", cause)
     columns = {
-        heading: cells for heading, cells in read_table(folder / name, LABELS).items() if heading.lower() not in LABELS
+        heading: cells
+        for heading, cells in read_table(allowed(folder / name), LABELS).items()
+        if heading.lower() not in LABELS
     }
     return [dict(zip(columns, map(_cell, row), strict=True)) for row in zip(*columns.values(), strict=True)]
 

@@ -1,5 +1,5 @@
-"""The stiffness of a solved bearing or set for finite-element programs: as JSON, for MATLAB, as springs of CalculiX
-and Nastran.
+"""The stiffness of a solved bearing or set for other programs: as JSON, for MATLAB, as elements of ROSS, as springs of
+CalculiX, Nastran and Abaqus, as a matrix of ANSYS.
 
 Each row by itself, about the plane of its balls' centres, in the axes of the shaft.
 """
@@ -25,6 +25,11 @@ POINT = "on the axis, in the plane of the balls' centres"
 FIRST_NODE = 900_000
 """Nodes of a deck begin there: 100 for each row."""
 HELD = "The shaft's rotation about its axis, which no bearing holds, is held here:"
+
+
+NOT_RUN = "{mark} Not run here: no {program} was at hand. It follows the manual: first solve a load of known result."
+ANSYS_TYPE = 900
+"""Number of the element type; rows have real constants of the numbers after it."""
 
 
 class Seat(NamedTuple):
@@ -113,31 +118,99 @@ def mat_bytes(seats: list[Seat], units: str) -> bytes:
     return data.getvalue()
 
 
+def ross_module(seats: list[Seat]) -> str:
+    """All rows as a module of Python that makes elements of ROSS of them; of seats in N, m, kg."""
+    facts = _facts("N-m-kg")
+    lines = [
+        f'"""Bearings as elements of ROSS, by qsbearing {__version__} (its extra `ross`), at one operating point each.',
+        "",
+        "    rotor = ross.Rotor(shaft, disks, bearings(1, 6))",
+        "",
+        f"{facts['what'].capitalize()}; {facts['units']}.",
+        f"Axes of ROWS: {AXES}; bearings() turns them into those of ROSS.",
+        f"The node of a row: {POINT}. The whole matrix is used, what is not symmetric in it too.",
+        '"""',
+        "",
+        "import qsbearing as qs",
+        "",
+        "ROWS = [",
+    ]
+    for number, seat in enumerate(seats, 1):
+        load = ", ".join(f"{each:.6g}" for each in seat.load)
+        lines += [f"    # {number}: {seat.name}, x = {seat.position:.6g} m, loads on it {load} (N, N m)"]
+        lines += [f"    ({seat.speed * rpm!r}, [  # rad/s"]
+        lines += [f"        {[float(each) for each in row]!r}," for row in seat.stiffness]
+        lines += ["    ]),"]
+    lines += ["]", "", ""]
+    lines += [
+        "def bearings(*nodes, **more):",
+        '    """One for each row, at these nodes of the shaft; more: such as cxx, tag."""',
+    ]
+    lines += ["    pairs = zip(ROWS, nodes, strict=True)"]
+    lines += ["    return [qs.to_ross(matrix, speed, node, **more) for (speed, matrix), node in pairs]"]
+    return "\n".join(lines) + "\n"
+
+
 def calculix_deck(seats: list[Seat], units: str) -> str:
     """All rows as an input of CalculiX to be included: springs between the shaft and the ground.
 
     An auxiliary node takes each combination of displacements by *EQUATION, and a SPRING1 holds it.
     """
-    lines = _head("**", units, "Include it before the first *STEP.")
+    return _springs_by_equations(seats, units, [], True)
+
+
+def abaqus_deck(seats: list[Seat], units: str) -> str:
+    """The same for Abaqus, whose nodes turn as well as move; not run."""
+    return _springs_by_equations(seats, units, [NOT_RUN.format(mark="**", program="Abaqus")], False)
+
+
+def _springs_by_equations(seats: list[Seat], units: str, more: list[str], has_rotation_node: bool) -> str:
+    lines = [*_head("**", units, "Include it before the first *STEP."), *more]
     for number, seat in enumerate(seats, 1):
         moved, turned, springs = _springs(number, seat)
-        lines += [
-            *_row("**", number, seat, units),
-            f"** Node {moved} moves with the shaft at the bearing, and {turned} turns with it. Write into your model:",
-            f"**   *RIGID BODY, NSET=your_seat, REF NODE={moved}, ROT NODE={turned}",
-            "*NODE",
-        ]
-        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in (moved, turned, *(each.node for each in springs))]
+        how = [f"** Node {moved} moves and turns with the shaft at the bearing. Write into your model:"]
+        how += [f"**   *RIGID BODY, REF NODE={moved}, PIN NSET=your_seat"]
+        if has_rotation_node:
+            how = [f"** Node {moved} moves with the shaft at the bearing, and {turned} turns with it."]
+            how += ["** Write into your model:"]
+            how += [f"**   *RIGID BODY, NSET=your_seat, REF NODE={moved}, ROT NODE={turned}"]
+        turning, first = (turned, 1) if has_rotation_node else (moved, 4)
+        nodes = dict.fromkeys((moved, turning, *(each.node for each in springs)))
+        lines += [*_row("**", number, seat, units), *how, "*NODE"]
+        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in nodes]
         for node, constant, moves, turns in springs:
             terms = [(node, 1, 1.0), *((moved, dof, -part) for dof, part in moves)]
-            terms += [(turned, dof, -part) for dof, part in turns]
+            terms += [(turning, dof + first - 1, -part) for dof, part in turns]
             lines += [f"*ELEMENT, TYPE=SPRING1, ELSET=QS_{node}", f"{node}, {node}"]
             lines += [f"*SPRING, ELSET=QS_{node}", "1", f"{constant:.12e}", "*EQUATION", f"{len(terms)}"]
             for at in range(0, len(terms), 4):
                 lines.append(", ".join(f"{each}, {dof}, {part:.12e}" for each, dof, part in terms[at : at + 4]))
-            lines += ["*BOUNDARY", f"{node}, 2, 3"]
+            lines += ["*BOUNDARY", f"{node}, 2, 3"] if has_rotation_node else []
         if number == 1:
-            lines += [f"** {HELD}", "*BOUNDARY", f"{turned}, 1, 1"]
+            lines += [f"** {HELD}", "*BOUNDARY", f"{turning}, {first}, {first}"]
+    return "\n".join(lines) + "\n"
+
+
+def ansys_deck(seats: list[Seat], units: str) -> str:
+    """All rows as commands of ANSYS (APDL), not run: the symmetric part of each as a MATRIX27 from shaft to ground."""
+    lines = [*_head("!", units, "Read it by /INPUT within /PREP7."), NOT_RUN.format(mark="!", program="ANSYS")]
+    lines += [f"ET,{ANSYS_TYPE},MATRIX27", f"KEYOPT,{ANSYS_TYPE},3,4", f"TYPE,{ANSYS_TYPE}"]
+    for number, seat in enumerate(seats, 1):
+        moved, ground = FIRST_NODE + 100 * number + 1, FIRST_NODE + 100 * number + 2
+        whole = np.zeros((12, 12))
+        own = [0, 1, 2, 4, 5]
+        whole[np.ix_(own, own)] = 0.5 * (seat.stiffness + seat.stiffness.T)
+        constants = [f"{each:.12e}" for each in whole[np.triu_indices(12)]]
+        real = ANSYS_TYPE + number
+        lines += [
+            *_row("!", number, seat, units),
+            f"! Node {moved} moves and turns with the shaft at the bearing. Write into your model:",
+            f"!   CERIG,{moved},ALL,ALL  with the nodes of your seat selected",
+            *(f"N,{node},{seat.position:.13e},0,0" for node in (moved, ground)),
+            *(f"{f'R,{real}' if at == 0 else 'RMORE'},{','.join(constants[at : at + 6])}" for at in range(0, 78, 6)),
+            *(f"REAL,{real}", f"E,{moved},{ground}", f"D,{ground},ALL,0"),
+            *([f"! {HELD}", f"D,{moved},ROTX,0"] if number == 1 else []),
+        ]
     return "\n".join(lines) + "\n"
 
 

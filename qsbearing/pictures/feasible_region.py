@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import with_unit, without_unit, words
-from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, plain
+from qsbearing.pictures.study.labels import head, with_unit, without_unit, words
+from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, logarithmic, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -149,10 +149,10 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
             height = np.interp(x.best, x.values[there], each.values[there])
             axes.plot([x.best], [height], clip_on=False, zorder=5, **OPTIMUM)
         if x.is_log:
-            axes.set_xscale("log")
+            logarithmic(axes.xaxis)
     panels[-1].set_xlabel(x.heading, fontsize=9)
     said = f"Star: {best}" + ("; grey: a limit is not met" if spans else "")
-    figure.suptitle(f"{title}\n{said}" if title else said, fontsize=9, x=0.01, ha="left", parse_math=False)
+    head(figure, f"{title}\n{said}" if title else said)
     return figure
 
 
@@ -171,10 +171,10 @@ def _forbidden(x: Along, shown: Sequence[Shown], steps: bool) -> list[tuple[floa
 
 
 def _scales(axes: Axes, x: Along, y: Along) -> None:
-    for along, scale, label in ((x, axes.set_xscale, axes.set_xlabel), (y, axes.set_yscale, axes.set_ylabel)):
-        label(along.heading, fontsize=9)
+    for along, axis in ((x, axes.xaxis), (y, axes.yaxis)):
+        axis.set_label_text(along.heading, fontsize=9)
         if along.is_log:
-            scale("log")
+            logarithmic(axis)
     axes.set_xlim(x.values[0], x.values[-1])
     axes.set_ylim(y.values[0], y.values[-1])
     axes.tick_params(labelsize=8)

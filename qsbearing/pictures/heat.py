@@ -5,7 +5,17 @@ from __future__ import annotations
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.pictures.style import GREY, RED, ROW_LINES, STYLE, figure_of_size, plain, write_above
+from qsbearing.pictures.style import (
+    GREY,
+    RED,
+    ROW_LINES,
+    STYLE,
+    figure_of_size,
+    legend,
+    logarithmic,
+    plain,
+    write_above,
+)
 from qsbearing.systems.heat.state import along_curve, hottest, instant
 
 if TYPE_CHECKING:
@@ -37,7 +47,7 @@ def over_speed(found: dict[str, Any], own: float, title: str = "", whole: dict[s
                 at_whole["speed_rpm"], color=RED, linewidth=0.9, linestyle="-.", label="runaway, Palmgren's friction"
             )
         each.set_xlim(left=0.0)
-    _named(axes)
+    legend(figure, *axes)
     return figure
 
 
@@ -47,13 +57,13 @@ def over_time(found: dict[str, Any], title: str = "") -> Figure:
     figure, axes = _two("time, s", title, states)
     _draw(axes, states, found["time_s"][1:], None)
     for each in axes:
-        each.set_xscale("log")
-    _named(axes)
+        logarithmic(each.xaxis)
+    legend(figure, *axes)
     return figure
 
 
 def _two(along: str, title: str, states: list[dict[str, Any]]) -> tuple[Figure, Any]:
-    figure = figure_of_size(9.0, 4.4)
+    figure = figure_of_size(9.0, 4.7)
     if title:
         write_above(figure, title)
     axes = figure.subplots(1, 2)
@@ -86,8 +96,3 @@ def _draw(axes: Any, states: list[dict[str, Any]], along: list[float], fold: int
             each.plot(along[end - 1 :], values[end - 1 :], linestyle=style, color=colour, linewidth=0.9, alpha=0.4)
         if fold is not None:
             each.plot([], [], color=GREY, linewidth=0.9, alpha=0.4, label="pale: unstable")
-
-
-def _named(axes: Any) -> None:
-    for each in axes:
-        each.legend(fontsize=8, frameon=False)

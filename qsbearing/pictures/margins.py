@@ -1,4 +1,4 @@
-"""How much of each limit is used, as bars, beside the loads of the balls."""
+"""How much of each limit is used, as bars, above the loads of the balls."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 Bar = tuple[str, float, str]
 """A limit, the part of it that is used, and both numbers in words."""
 LIGHT = "0.91"
-FEWEST = 3
-"""Bars for which there is room: a single one is no thicker than one of several."""
+WIDTH, LOADS = 5.6, 1.7
+"""Of the picture, which a phone shows whole, and height of the loads [inches]."""
 ABOVE = 1.2
 """Height of the axes over what the loads need: the legend stands there."""
 MOST = 1.25
@@ -25,19 +25,20 @@ MOST = 1.25
 
 
 def margins(bars: Sequence[Bar], solution: Solution | None = None) -> Figure:
-    """A bar for each limit; beside them the loads of all balls, where they differ.
+    """A bar for each limit; below them the loads of all balls, where they differ.
 
     Args:
         solution: of a single case, where balls carry different loads.
     """
-    is_beside = solution is not None and not carry_alike(solution, ())
-    figure = figure_of_size(9.0, max(2.3 if is_beside else 0.0, 0.5 + 0.36 * max(len(bars), FEWEST)))
-    if solution is None or not is_beside:
+    height = 0.4 + 0.27 * len(bars)
+    if solution is None or carry_alike(solution, ()):
+        figure = figure_of_size(WIDTH, height)
         _draw_bars(figure.subplots(), bars)
         return figure
-    left, right = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
-    _draw_bars(left, bars)
-    _draw_loads(right, solution)
+    figure = figure_of_size(WIDTH, height + LOADS)
+    above, below = figure.subplots(2, 1, height_ratios=(height, LOADS))
+    _draw_bars(above, bars)
+    _draw_loads(below, solution)
     return figure
 
 
@@ -51,7 +52,7 @@ def _draw_bars(axes: Any, bars: Sequence[Bar]) -> None:
     for place, (*_, words) in zip(places, bars, strict=True):
         axes.text(MOST + 0.03, place, words, fontsize=9, va="center")
     axes.set_xlim(0.0, MOST)
-    axes.set_ylim(len(bars) - max(len(bars), FEWEST) - 0.6, len(bars) - 0.4)
+    axes.set_ylim(-0.6, len(bars) - 0.4)
     axes.set_xticks([0.0, 0.5, 1.0], ["0", "50 %", "limit"], fontsize=8)
     axes.tick_params(length=0)
     for spine in axes.spines.values():

@@ -150,7 +150,7 @@ def _label(axes: Axes, side: str, angle: float, load: float, pressure: float, di
     up = 1.0 if side == "outer" else -1.0
     name = "ₒ" if side == "outer" else "ᵢ"
     if load > 0.0:
-        text = f"α{name} = {angle / deg:.1f}°\nQ{name} = {load:.0f} N\np₀ = {pressure / MPa:.0f} MPa"
+        text = f"α{name} = {round(angle / deg, 1) + 0.0:.1f}°\nQ{name} = {load:.0f} N\np₀ = {pressure / MPa:.0f} MPa"
     else:
         text = f"{side} contact:\nno load"
     axes.text(

@@ -41,10 +41,16 @@ LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "pola
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
 FLAT = 2.1
 """Height of the angles of rows below each other, so that a page has room for them beside the loads."""
-SHAFT_HEIGHT = 3.4
+SHAFT_HEIGHT, SHAFT_WIDTH = 3.4, 6.6
 """Of a shaft in one plane [inches]."""
+ABOVE, FLATTER = 4.2, 0.72
+"""Height of a shaft above its rows [inches], and theirs over what they have alone."""
 PER_LINE = 3
 """Rows of a set side by side: more would be too small to read on a page."""
+PER_SHEET = 4
+"""Likewise on a sheet of everything, for a screen."""
+HIGHEST = 9.2
+"""Of a sheet of everything: 1400 dots on a screen, with its title [inches]."""
 
 
 def load_distribution(solution: Solution | SetSolution, index: Index = None) -> Figure:
@@ -111,7 +117,7 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
 
 def overview(solution: Solution | SetSolution, index: Index = None) -> Figure:
     """On one sheet loads, angles, ellipses and elastic grooves, or, where all balls carry alike, the section and the
-    ellipses; of a set, loads and angles of each row, and its shaft as it bends, if it does."""
+    ellipses; of a set, its shaft as it bends, if it does, then loads and angles of each row."""
     if isinstance(solution, SetSolution):
         return _rows([LOADS, ANGLES], solution, index)
     place = solution.place(index)
@@ -157,28 +163,32 @@ def _alone(
 def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> Figure:
     """A column for each row, below each other where there are many; one scale for all rows."""
     place = place_of(index, solution.shape)
-    count = len(solution.rows)
-    lines = -(-count // PER_LINE)
+    count, is_sheet = len(solution.rows), len(drawings) > 1
+    lines = -(-count // (PER_SHEET if is_sheet else PER_LINE))
     columns = -(-count // lines)
-    panels = [drawing.panel if len(drawings) > 1 else drawing.small for drawing in drawings]
+    panels = [drawing.panel if is_sheet else drawing.small for drawing in drawings]
     if drawings == [ANGLES] and lines > 1:
         panels = [(ANGLES.small[0], FLAT)]
-    heights = [height for _, height in panels] * lines
     shaft = solution.set.shaft
-    planes = planes_of(solution, place) if shaft is not None and shaft.sections and len(drawings) > 1 else []
-    heights += [SHAFT_HEIGHT] * len(planes)
-    figure = figure_of_size(max(columns * panels[0][0], 6.0), sum(heights) + 0.7)
+    planes = planes_of(solution, place) if shaft is not None and shaft.sections and is_sheet else []
+    above = int(bool(planes))
+    # Beside a shaft, rows get less of the height.
+    heights = [ABOVE] * above + [(FLATTER if above else 1.0) * height for _, height in panels] * lines
+    height = min(sum(heights) + 0.7, HIGHEST) if is_sheet else sum(heights) + 0.7
+    figure = figure_of_size(max(columns * panels[0][0], 6.0, SHAFT_WIDTH * len(planes)), height)
     grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
     drawn: list[Any] = []
-    for number, plane in enumerate(planes):
-        drawn.append(figure.add_subplot(grid[len(heights) - len(planes) + number, :]))
-        draw_deformed_shaft(drawn[-1], solution, place, plane)
+    if planes:
+        drawn.extend(figure.add_subfigure(grid[0, :]).subplots(1, len(planes), squeeze=False)[0])
+        for axes, plane in zip(drawn, planes, strict=True):
+            draw_deformed_shaft(axes, solution, place, plane)
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]
         span = min(low for low, _ in spans), max(high for _, high in spans)
         for number, row in enumerate(solution.rows):
             line, column = divmod(number, columns)
-            axes = figure.add_subplot(grid[line * len(drawings) + k, column], projection=drawing.projection)
+            place_of_panel = above + line * len(drawings) + k, column
+            axes = figure.add_subplot(grid[place_of_panel], projection=drawing.projection)
             drawing.draw(axes, row, place, span)
             own = solution.set.rows[number]
             name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))

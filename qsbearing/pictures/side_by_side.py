@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import with_unit, words
+from qsbearing.pictures.study.labels import head, title_panel, with_unit, words
 from qsbearing.pictures.style import figure_of_size
 
 if TYPE_CHECKING:
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 FIRST, OTHER = "0.55", "#0072b2"
 """Of the bearing that the others are compared with, and theirs."""
+PANEL = 4.6
+"""Width of a panel [inches]."""
 MARKED = 0.01
 """Relative difference from the first bearing that is shown (chosen: below it two bearings are alike)."""
 
@@ -28,13 +30,13 @@ def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequenc
     """
     columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
-    figure = figure_of_size(4.6 * columns, rows * (0.75 + 0.28 * len(labels)) + 0.4)
+    figure = figure_of_size(PANEL * columns, rows * (0.75 + 0.28 * len(labels)) + 0.4)
     grid = figure.subplots(rows, columns, squeeze=False, sharey=True).ravel()
     places = np.arange(len(labels))
     for axes, (name, unit, values) in zip(grid, panels, strict=False):
         shown = np.nan_to_num(np.asarray(values, float))
         axes.barh(places, shown, color=[FIRST, *[OTHER] * (len(labels) - 1)], height=0.7)
-        axes.set_title(with_unit(words(name), unit), fontsize=9, loc="left")
+        title_panel(axes, with_unit(words(name), unit), PANEL)
         axes.axvline(0.0, color="black", linewidth=0.8)
         low, high = min(0.0, shown.min()), max(0.0, shown.max())
         axes.set_xlim(low - 0.45 * (high - low) * (low < 0.0), high + 0.45 * (high - low) * (high > 0.0))
@@ -57,7 +59,7 @@ def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequenc
     grid[0].invert_yaxis()
     for axes in grid[len(panels) :]:
         axes.remove()
-    figure.suptitle(title, fontsize=10, x=0.01, ha="left", parse_math=False)
+    head(figure, title)
     return figure
 
 

@@ -106,6 +106,13 @@ def legend_within(axes: Axes) -> None:
     axes.legend(loc="upper center", ncols=len(axes.lines), fontsize=8, columnspacing=1.2, **white)
 
 
+def logarithmic(axis: Any) -> None:
+    """A logarithmic axis whose ticks are numbers, not powers."""
+    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+    axis.set_major_formatter(lambda value, _: f"{value:,.0f}" if value >= 1.0 else f"{value:g}")
+    axis.set_minor_formatter("")
+
+
 def plain(axes: Axes) -> None:
     """Axes with a light grid and no frame."""
     axes.grid(color="0.88", linewidth=0.6)
@@ -144,7 +151,11 @@ def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: fl
     """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_places`'s."""
     from matplotlib.ticker import MaxNLocator
 
-    circles = [value for value in MaxNLocator(4).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
+    circles: list[float] = []
+    most = FEWEST_CIRCLES
+    while len(circles) < FEWEST_CIRCLES:
+        most += 1
+        circles = [value for value in MaxNLocator(most).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
     axes.set_rgrids(circles, [""] * len(circles))
     if not np.isfinite(loads).all() or not azimuth.size:
         return
@@ -156,6 +167,8 @@ def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: fl
         axes.text(np.radians(angle), value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
 
 
+FEWEST_CIRCLES = 3
+"""Of a polar picture: fewer show no scale."""
 LABEL = (0.11, 0.05)
 """Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
 RADIUS = 1.9

@@ -31,12 +31,14 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     """
     scene = solution.scene
     report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
+    title, bearing = report_of.get("title", name), report.geometry_text(solution)
+    bearing = bearing if title == name else f"{name}: {bearing}"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
     found, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
-        report_of.get("title", name),
+        title,
         "Design report",
         [
             _results(solution),
@@ -48,7 +50,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
-        f"{name}: {report.geometry_text(solution)}. {point}.",
+        f"{capital(bearing)}. {point}.",
         head(
             report_of,
             margins(solution, found),

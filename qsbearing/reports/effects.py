@@ -118,7 +118,11 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
         if row.in_scene and row.verdict == NEEDED:
             has.append(f"{row.what}: {change}")
         elif row.verdict in (NEEDED, DATA_MISSING):
-            give = f"give {what[row.effect].needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
+            give = (
+                f"give {IN_FILE.of(what[row.effect].needs)}"
+                if row.verdict == DATA_MISSING
+                else f"add {', '.join(row.add)}"
+            )
             lines.append([row.what, Badge("no", "fail" if row.verdict == NEEDED else "finding"), change, give])
     limit = f"changes a result by more than {100 * tolerance:g} %"
     said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,6 @@ from qsbearing.results.report import freedom
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
 
-Line = tuple[str, str]
 HEADINGS = ("key result", "value")
 OF_ROWS = (
     ("largest pressure\nMPa", "max_pressure", MPa),
@@ -32,8 +31,53 @@ NOISE = 1e-10
 """Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
 
 
+class Part(NamedTuple):
+    """One number of a key result, or the smallest and the largest of several."""
+
+    of: str
+    """Whose it is: a raceway, a channel; empty for the only one."""
+    values: tuple[float, ...]
+    unit: str
+    digits: int | None = 4
+    """None: one decimal."""
+
+    @property
+    def number(self) -> str:
+        """As it reads, without its unit."""
+        if self.digits is None:
+            return " to ".join(dict.fromkeys(f"{each + 0.0:.1f}" for each in np.round(self.values, 1))) or "none"
+        return " to ".join(_number(each, self.digits) for each in self.values)
+
+    @property
+    def text(self) -> str:
+        """With whose it is and its unit."""
+        return " ".join(filter(None, (self.of, self.number, self.unit if self.values else "")))
+
+
+class KeyResult(NamedTuple):
+    """One result with its numbers."""
+
+    name: str
+    parts: tuple[Part, ...] = ()
+    condition: str = ""
+    """Under which it holds."""
+    note: str = ""
+    """Words besides the numbers, or in place of them."""
+
+    @property
+    def line(self) -> tuple[str, str]:
+        """Of a table."""
+        name = f"{self.name}, {self.condition}" if self.condition else self.name
+        return name, ": ".join(filter(None, (", ".join(part.text for part in self.parts), self.note)))
+
+
 def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
-    """Those of a single case.
+    """Those of a single case, as `results_of` has them."""
+    return Table(HEADINGS, [each.line for each in results_of(solution, readings)], "ll")
+
+
+def results_of(solution: Solution, readings: Mapping[str, Any]) -> list[KeyResult]:
+    """Those of a single case of a bearing.
 
     Args:
         readings: what the scene asked to be read off, by name.
@@ -41,8 +85,7 @@ def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
     lever = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
     ring = ring_lines(solution, "inner ring", lever)
     heat = _heat_lines(solution)
-    lines = [*contact_lines(solution), *ring, *_preload_lines(solution), *heat, *_life_lines(readings)]
-    return Table(HEADINGS, lines, "ll")
+    return [*contact_lines(solution), *ring, *_preload_lines(solution), *heat, *_life_lines(readings)]
 
 
 def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[Table]:
@@ -51,14 +94,32 @@ def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, An
     Args:
         readings: what each row was asked to be read off, by name.
     """
+    lines = [each.line for each in results_of_shaft(solution, readings)]
+    return [Table(HEADINGS, lines, "ll"), _rows_table(solution, readings)]
+
+
+def results_of_shaft(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
+    """Those of a set's shaft, its points first."""
     lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
-    lines = [
+    return [
         *_point_lines(solution),
         *ring_lines(solution, "shaft", lever),
         *_heat_lines(solution),
         *_system_life_lines(readings),
     ]
-    return [Table(HEADINGS, lines, "ll"), _rows_table(solution, readings)]
+
+
+def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, Any]) -> list[KeyResult]:
+    """Those of one row of a set.
+
+    Args:
+        number: from 0.
+        readings: what the row was asked to be read off, by name.
+    """
+    found = [KeyResult("axial load", (Part("", (float(solution.axial_loads[number]),), "N"),))]
+    if solution.preload_mounted is not None:
+        found.append(KeyResult("preload mounted", (Part("", (float(solution.preload_mounted[number]),), "N"),)))
+    return [*found, *contact_lines(solution.rows[number]), *_life_lines(readings)]
 
 
 def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
@@ -72,62 +133,59 @@ def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) ->
         sides = row.inner, row.outer
         for title, name, unit in OF_ROWS:
             if getattr(row.inner, name) is not None:
-                cells[title] = " / ".join(_largest(side, name, unit) for side in sides)
-        cells["contact angles\ndeg"] = " / ".join(_angles(side) for side in sides)
+                cells[title] = " / ".join(_number(_largest(side, name) / unit) for side in sides)
+        cells["contact angles\ndeg"] = " / ".join(_angles("", side).number for side in sides)
         if "life" in found and np.isfinite(found["life"].duration):
             cells["life\nh"] = _number(float(found["life"].duration) / HOUR)
         rows.append(cells)
     titles = list(dict.fromkeys(title for cells in rows for title in cells))
     lines = [[cells.get(title, "-") for title in titles] for cells in rows]
-    return Table(titles, lines, caption="Rows: inner / outer raceway")
+    return Table(titles, lines, caption="Rows: inner / outer raceway", stack=True)
 
 
-def _point_lines(solution: SetSolution) -> list[Line]:
+def _point_lines(solution: SetSolution) -> list[KeyResult]:
     """Deflection and stiffness of the shaft's named points: of a spindle, of its tool."""
     lines = []
     for name, point in solution.points.items():
         moved = _channels(point.displacement, np.ones(len(CHANNELS)), (um, "µm"), (mrad, "mrad"), {0, 1, 2})
         units = (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad")
         stiff = _channels(point.effective_stiffness, np.ones(len(CHANNELS)), *units, {0, 1, 2})
-        lines += [(f"{name}: deflection", moved), (f"{name}: stiffness", stiff)]
+        lines += [KeyResult(f"{name}: deflection", moved), KeyResult(f"{name}: stiffness", stiff)]
     return lines
 
 
-def contact_lines(solution: Solution) -> list[Line]:
+def contact_lines(solution: Solution) -> list[KeyResult]:
     """Maximum pressure, range of the contact angles, maximum load and required friction, of each raceway."""
+    sides = {"inner": solution.inner, "outer": solution.outer}
+
+    def largest(name: str, size: float, unit: str, digits: int = 4) -> tuple[Part, ...]:
+        return tuple(Part(of, (_largest(side, name) / size,), unit, digits) for of, side in sides.items())
+
     lines = [
-        ("maximum contact pressure", _of_sides(solution, lambda side: f"{_largest(side, 'max_pressure', MPa)} MPa")),
-        ("contact angles", _of_sides(solution, lambda side: _angles(side, " deg"))),
-        ("maximum contact load", _of_sides(solution, lambda side: f"{_largest(side, 'load', 1.0)} N")),
+        KeyResult("maximum contact pressure", largest("max_pressure", MPa, "MPa")),
+        KeyResult("contact angles", tuple(_angles(of, side) for of, side in sides.items())),
+        KeyResult("maximum contact load", largest("load", 1.0, "N")),
     ]
     if solution.inner.required_friction is not None:
-        friction = _of_sides(solution, lambda side: _largest(side, "required_friction", 1.0, 2))
-        lines.append(("required friction coefficient", friction))
-    empty = np.isfinite(solution.azimuth) & (solution.inner.load == 0.0)
-    if empty.any():
-        lines.append(
-            ("balls without load on the inner raceway", f"{empty.sum()} of {np.isfinite(solution.azimuth).sum()}")
-        )
+        lines.append(KeyResult("required friction coefficient", largest("required_friction", 1.0, "", 2)))
+    is_ball = np.isfinite(solution.azimuth)
+    empty = int((is_ball & (solution.inner.load == 0.0)).sum())
+    if empty:
+        count = Part("", (empty,), f"of {is_ball.sum()}")
+        lines.append(KeyResult("balls without load on the inner raceway", (count,)))
     return lines
 
 
-def _of_sides(solution: Solution, text: Callable[[RacewayContacts], str]) -> str:
-    return ", ".join(f"{name} {text(getattr(solution, name))}" for name in ("inner", "outer"))
+def _largest(side: RacewayContacts, name: str) -> float:
+    return float(np.nanmax(np.where(side.load > 0.0, getattr(side, name), 0.0)))
 
 
-def _largest(side: RacewayContacts, name: str, size: float, digits: int = 4) -> str:
-    return _number(float(np.nanmax(np.where(side.load > 0.0, getattr(side, name), 0.0))) / size, digits)
-
-
-def _angles(side: RacewayContacts, unit: str = "") -> str:
+def _angles(of: str, side: RacewayContacts) -> Part:
     loaded = side.angle[side.load > 0.0] / deg
-    if not loaded.size:
-        return "none"
-    low, high = (f"{each + 0.0:.1f}" for each in np.round([loaded.min(), loaded.max()], 1))
-    return f"{low}{unit}" if low == high else f"{low} to {high}{unit}"
+    return Part(of, (float(loaded.min()), float(loaded.max())) if loaded.size else (), "deg", None)
 
 
-def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[Line]:
+def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[KeyResult]:
     """Displacement and effective stiffness where ring or shaft is free to move, loads where it is not.
 
     Args:
@@ -141,40 +199,41 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad"), free)
     given = set(range(len(CHANNELS))) - free
     reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "N m"), given)
-    lines = [(f"displacement of the {what}", moved), (f"effective stiffness, {freedom(free)}", stiff)]
+    lines = [KeyResult(f"displacement of the {what}", moved), KeyResult("effective stiffness", stiff, freedom(free))]
     middle = solution.axial_from_middle if isinstance(solution, Solution) else None
     if middle is not None:
-        lines.insert(1, ("axial displacement from the middle", f"{_number(float(middle) / um)} µm"))
-    lines.append(("load where a displacement is given", reactions))
-    return [line for line in lines if line[1]]
+        lines.insert(1, KeyResult("axial displacement from the middle", (Part("", (float(middle) / um,), "µm"),)))
+    lines.append(KeyResult("load where a displacement is given", reactions))
+    return [line for line in lines if line.parts]
 
 
-def _preload_lines(solution: Solution) -> list[Line]:
+def _preload_lines(solution: Solution) -> list[KeyResult]:
     if solution.scene.preload is None:
         return []
     loads = (solution.preload_unmounted, solution.preload_mounted, solution.load[0])
-    words = ("before fitting", "mounted, at rest", "in operation")
-    return [("preload", ", ".join(f"{_number(float(load))} N {word}" for load, word in zip(loads, words, strict=True)))]
+    words = ("before fitting", "mounted at rest", "in operation")
+    parts = tuple(Part(word, (float(load),), "N") for load, word in zip(loads, words, strict=True))
+    return [KeyResult("preload", parts)]
 
 
 def _channels(
     values: NDArray, levers: NDArray, straight: tuple[float, str], turning: tuple[float, str], which: set[int]
-) -> str:
+) -> tuple[Part, ...]:
     """Channels with their values; what is rounding beside the largest, measured at the pitch circle, is left out."""
     sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
     found = []
     for i, channel in enumerate(CHANNELS):
         size, unit = turning if channel.is_rotation else straight
         if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max():
-            found.append(f"{channel.label} {_number(float(values[i]) / size)} {unit}")
-    return ", ".join(found)
+            found.append(Part(channel.label, (float(values[i]) / size,), unit))
+    return tuple(found)
 
 
-def _heat_lines(solution: Solution | SetSolution) -> list[Line]:
-    return [] if solution.thermal is None else [("heat balance", solution.thermal.message())]
+def _heat_lines(solution: Solution | SetSolution) -> list[KeyResult]:
+    return [] if solution.thermal is None else [KeyResult("heat balance", note=solution.thermal.message())]
 
 
-def _life_lines(readings: Mapping[str, Any]) -> list[Line]:
+def _life_lines(readings: Mapping[str, Any]) -> list[KeyResult]:
     life = readings.get("life")
     if life is None:
         return []
@@ -182,29 +241,29 @@ def _life_lines(readings: Mapping[str, Any]) -> list[Line]:
     if life.life_modification_factor is not None:
         limit = ", at its limit" if life.is_at_limit else ""
         factors.append(f"aISO {_number(float(life.life_modification_factor), 3)}{limit}")
-    lines = [("basic reference rating life", _life(life.basic_reference_rating_life, life.basic_duration))]
+    lines = [KeyResult("basic reference rating life", _life(life.basic_reference_rating_life, life.basic_duration))]
     if factors:
-        text = f"{_life(life.reference_rating_life, life.duration)}: {', '.join(factors)}"
-        lines.append(("modified reference rating life", text))
+        parts = _life(life.reference_rating_life, life.duration)
+        lines.append(KeyResult("modified reference rating life", parts, note=", ".join(factors)))
     return lines
 
 
-def _life(turns: NDArray, duration: NDArray) -> str:
-    text = f"{_number(float(turns) / MILLION)} million revolutions"
-    return f"{text}, {_number(float(duration) / HOUR)} h" if np.isfinite(duration) else text
+def _life(turns: NDArray, duration: NDArray) -> tuple[Part, ...]:
+    parts = (Part("", (float(turns) / MILLION,), "million revolutions"),)
+    return (*parts, Part("", (float(duration) / HOUR,), "h")) if np.isfinite(duration) else parts
 
 
-def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[Line]:
+def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
     """Where every row has a life in hours."""
     lives = [found["life"] for found in readings if "life" in found]
     if len(lives) < len(readings) or not np.isfinite([life.duration for life in lives]).all():
         return []
     basic, modified = (
-        f"{_number(float(system_life([getattr(life, name) for life in lives])) / HOUR)} h"
+        Part("", (float(system_life([getattr(life, name) for life in lives])) / HOUR,), "h")
         for name in ("basic_duration", "duration")
     )
-    lines = [("basic life of the set", basic), ("modified life of the set", modified)]
-    return lines if modified != basic else lines[:1]
+    lines = [KeyResult("basic life of the set", (basic,)), KeyResult("modified life of the set", (modified,))]
+    return lines if modified.number != basic.number else lines[:1]
 
 
 def _number(value: float, digits: int = 4) -> str:

@@ -76,7 +76,7 @@ def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     top = max([LOAD_RANGE[1], *(min(BEYOND * factor, MOST) for factor, _ in marks[:1])])
     factors = np.linspace(0.0, top, POINTS)
     swept = solve_set(loaded(of, factors))
-    figure = _figure(swept, factors, 1.0, "loads over those of the set", marks)
+    figure = _figure(swept, factors, 1.0, "load factor (1 = this case)", marks)
     said = load_sentences(of, changes)
     return shown(swept, figure, "all loads in proportion, the preload as it is", CURVES, said)
 

@@ -56,17 +56,16 @@ def document(
     )
     part = f"{100.0 * damage[worst]:.3g} % of the damage" + (" of a row" if len(found) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
-    said = [
-        each for each in blocks if isinstance(each, Table | Remark) or (isinstance(each, Paragraph) and each.is_apart)
-    ]
-    first = next(number for number, each in enumerate(whole.head) if isinstance(each, Remark))
-    # Warnings stand with their points above.
-    rest: list[Block] = [each for each in whole.head[first + 1 :] if not isinstance(each, Remark)]
+    lives = [Remark(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
+    points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Remark))
+    first, second, *_ = (number for number, each in enumerate(whole.head) if isinstance(each, Remark))
+    # Warnings of all points in the place of those of one.
+    rest: list[Block] = [each for each in whole.head[second:] if not isinstance(each, Remark)]
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[*whole.head[:first], *said, Paragraph(which), whole.head[first], *rest],
+        head=[*whole.head[:first], *lives, *points, Paragraph(which), *whole.head[first:second], *warned, *rest],
     )
 
 

@@ -71,7 +71,7 @@ def find(name: str, known: Mapping[str, Result]) -> Result | None:
 
 def reading_of(name: str) -> str | None:
     """The reading that a result's name belongs to, spelled as for `find`; None where it is none of a reading."""
-    full, plain = _of_readings(), re.sub(r"^(row_\d+|system)_", "", name.replace(".", "_"))
+    full, plain = of_readings(), re.sub(r"^(row_\d+|system)_", "", name.replace(".", "_"))
     for each in (plain, split(plain)[0]):
         for stem in (each, each.removesuffix("_max").removesuffix("_min")):
             meant = stem if stem in full else by_short_name(stem, full)
@@ -80,7 +80,7 @@ def reading_of(name: str) -> str | None:
     return None
 
 
-def _of_readings() -> dict[str, tuple[str, dict[str, str]]]:
+def of_readings() -> dict[str, tuple[str, dict[str, str]]]:
     """Of each result that a reading may give: the reading, and what a dataset says of the result."""
     return _of_entries(tuple(READINGS.items()))
 
@@ -118,13 +118,13 @@ def _of_entries(entries: tuple[tuple[str, Reading], ...]) -> dict[str, tuple[str
 
 def attributes_of(result: Result) -> dict[str, str]:
     """What a dataset says of a result: unit, words, symbol and source."""
-    of_readings = _of_readings()
+    known = of_readings()
     name, words = result.name, ""
     stem, _, ending = name.rpartition("_")
-    if name not in quantities.ALL and name not in of_readings and ending in OVER_BALLS:
+    if name not in quantities.ALL and name not in known and ending in OVER_BALLS:
         name, words = stem, f", {'largest' if ending == 'max' else 'smallest'}"
-    if name in of_readings:
-        found = of_readings[name][1]
+    if name in known:
+        found = known[name][1]
     elif name in quantities.ALL:
         found = quantities.ALL[name].attributes
     else:

@@ -10,7 +10,7 @@ from qsbearing.studies import keys
 from qsbearing.studies.study import MOST_SAMPLES, Sampling
 from qsbearing.studies.variables import DISTRIBUTIONS, FORMS, RANGE_KEYS
 
-_NUMBER = {"type": ["number", "string"]}
+_NUMBER = {"type": ["integer", "number", "string"]}
 """A study reads "0.3" as well."""
 
 

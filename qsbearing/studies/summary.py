@@ -6,7 +6,8 @@ Read in blocks: ten million points take no more memory than one million.
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -69,22 +70,35 @@ def point(results: Dataset, number: int) -> dict[str, float]:
     }
 
 
-def table(results: Dataset) -> list[Block]:
-    """The results as tables."""
-    ends, spread = [], []
-    for status, count, why, keys in endings(results):
-        where = ", ".join(f"{name} {value:.6g}" for name, value in keys.items())
-        ends.append((f"{count:,}", status, why, "" if status == "converged" else where))
+def spread(results: Dataset) -> Iterator[tuple[str, list[float], str]]:
+    """Each result that says something: its name, its `QUANTILES` over the points that are solved, and its unit."""
     for name, values in results.data_vars.items():
         if name in ITSELF:
             continue
         row = quantiles(blocks_of(values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
-            unit = printed_unit(str(values.attrs.get("units", "")))
-            spread.append((str(name), *(f"{value:.5g}" for value in row), unit))
+            yield str(name), list(map(float, row)), printed_unit(str(values.attrs.get("units", "")))
+
+
+def record(results: Dataset) -> dict[str, Any]:
+    """The results in a few numbers, as data."""
+    ends = [
+        {"points": count, "status": status, "why": why, "first": keys} for status, count, why, keys in endings(results)
+    ]
+    found = {name: {**dict(zip(HEADS, row, strict=True)), "unit": unit} for name, row, unit in spread(results)}
+    return {"points": ends, "results": found}
+
+
+def table(results: Dataset) -> list[Block]:
+    """The results as tables."""
+    ends = []
+    for status, count, why, keys in endings(results):
+        where = ", ".join(f"{name} {value:.6g}" for name, value in keys.items())
+        ends.append((f"{count:,}", status, why, "" if status == "converged" else where))
+    spreads = [(name, *(f"{value:.5g}" for value in row), unit) for name, row, unit in spread(results)]
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
-        Table(("result", *HEADS, "unit"), spread, f"l{'r' * len(HEADS)}l"),
+        Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
     ]
 
 

@@ -1,20 +1,25 @@
-"""The page in a real browser: a slider is dragged, a number is typed, and what is shown is what `run` prints."""
+"""The page in a real browser: a slider is dragged, a number is typed, and what is shown is what `run` prints; all of it
+on one screen, old results never as if they were new, and for people without a mouse or good eyes too."""
 
 from __future__ import annotations
 
-import importlib.util
+import json
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 
+from qsbearing.app import answers
 from tests.app.served import served, started
 from tests.app.test_answers import ran
-from tests.documents.browser import Browser, installed
+from tests.app.test_sets import SPINDLE
+from tests.documents.browser import OVERFLOWS, WIDTHS, Browser, barriers, installed
+from tests.systems.sets.arrangements import PAIR_FILE
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 
@@ -22,7 +27,11 @@ KEY = r"document.getElementById('key').innerText.replaceAll('\u00a0', ' ').repla
 LOAD = "document.getElementById('operation.axial_load_N')"
 SLIDER = "document.querySelector('[data-slides=\"operation.axial_load_N\"]')"
 DIAMETER = "document.getElementById('bearing.ball_diameter_mm')"
-UNDO = "document.getElementById('undo')"
+UNDO, PIN = "document.getElementById('undo')", "document.getElementById('pin')"
+OF = "document.getElementById('of').textContent"
+SOLVED = "document.getElementById('of').textContent.startsWith('Solved')"
+WHOLE = f"{SOLVED} && document.querySelectorAll('#tables table').length > 0 && !document.querySelector('.stale')"
+BOXES = "[...document.querySelectorAll('#boxes span')].map(e => e.textContent)"
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +53,24 @@ def page(browser: Browser, address: str) -> Browser:
     return browser
 
 
+def opened(browser: Browser, text: str) -> None:
+    """A file, on the page that is there."""
+    given = json.dumps({"text": text, "label": "mine"})
+    assert browser.value(f"take('open', {given})")
+    wait(browser, f"!busy && {WHOLE}")
+
+
+def press(browser: Browser, key: str, code: int) -> None:
+    for kind in ("rawKeyDown", "keyUp"):
+        browser.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key, windowsVirtualKeyCode=code)
+
+
+def boxes(browser: Browser, *names: str) -> dict[str, Any]:
+    """Where elements are in the window: left, top, right, bottom."""
+    script = "(name => { const r = document.getElementById(name).getBoundingClientRect();"
+    return {name: browser.value(f"{script} return [r.left, r.top, r.right, r.bottom]; }})({name!r})") for name in names}
+
+
 def wait(browser: Browser, script: str) -> None:
     until = time.monotonic() + 60.0
     while not browser.value(script):
@@ -63,7 +90,7 @@ def drag(browser: Browser, slider: str, pixels: float) -> None:
 
 
 def write(browser: Browser, field: str, text: str) -> None:
-    browser.value(f"(e => {{ e.focus(); e.select(); }})({field})")
+    browser.value(f"(e => {{ e.closest('details')?.setAttribute('open', ''); e.focus(); e.select(); }})({field})")
     browser.type(text)
     browser.value(f"{field}.blur()")
 
@@ -83,8 +110,10 @@ def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, addr
     tables["document"]["operation"]["axial_load_N"] = dragged
     found = ran(tables, tmp_path)
     pressure = max(ball["inner"]["max_pressure_MPa"] for ball in found["balls"])
-    wait(page, f"{KEY}.includes('inner {pressure:.0f} MPa')")
-    assert f"axial {found['effective_stiffness']['axial_N_per_um']:.4g} N/µm" in page.value(KEY)
+    wait(page, f"{KEY}.includes('{pressure:.0f} / ')")
+    stiffness = found["effective_stiffness"]
+    shown = " / ".join(f"{stiffness[f'{name}_N_per_um']:.4g}" for name in ("axial", "radial_y", "radial_z"))
+    assert f"{shown} N/µm\naxial / radial y / radial z" in page.value(KEY)
     assert page.value(f"{drawing}.outerHTML") != first
     page.click(UNDO)
     wait(page, f"{KEY} === {before!r}")
@@ -104,35 +133,93 @@ def test_a_wrong_number_is_told_at_its_field(page: Browser) -> None:
     assert page.complaints == []
 
 
-def test_an_old_answer_is_grey_and_says_of_which_input_it_is(page: Browser) -> None:
-    """While the next one is worked out, and where there is none."""
-    before = page.value(f"{LOAD}.value")
+def hold(page: Browser, question: str) -> None:
+    """Let the page wait for the answers to a question until `back()`."""
     page.value(
         "(() => { const real = window.fetch; window.fetch = async (...asked) => {"
-        " if (asked[0] === '/solve') await new Promise(done => { window.go = done; }); return real(...asked); };"
+        f" if (asked[0] === '/{question}') await new Promise(done => {{ window.go = done; }});"
+        " return real(...asked); };"
         " window.back = () => { window.fetch = real; window.go?.(); }; })()"
     )
-    write(page, LOAD, "1234")
+
+
+def test_an_old_answer_is_grey_and_says_of_which_input_it_is(page: Browser) -> None:
+    """From the very change on, while the next one is worked out, and where there is none."""
+    wait(page, WHOLE)
+    before, shares = page.value(f"{LOAD}.value"), page.value(BOXES)
+    assert any(each.endswith("%") for each in shares)
+    hold(page, "solve")
     parts = ("section", "key", "warnings", "angles", "life", "effects", "tables")
     grey = "[" + ", ".join(f"document.getElementById('{part}')" for part in parts) + "]"
-    of = "document.getElementById('of').textContent"
-    wait(page, f"{grey}.every(each => each.classList.contains('stale'))")
-    assert page.value(of) == f"Solving ... The results shown are those of operation.axial_load_N = {before}."
+    at_once = page.value(
+        f"(e => {{ e.value = 12345; e.oninput(); return [{OF}, {grey}.map(each => each.className),"
+        f" {BOXES}, {PIN}.disabled]; }})({LOAD})"
+    )
+    said = f"Solving ... The results are of axial load {float(before):,.0f} N."
+    assert at_once[0] == said and all("stale" in each for each in at_once[1]) and at_once[3]
+    assert set(at_once[2]) == {"not yet solved"}
     page.value("window.back()")
-    wait(page, f"{of} === '' && {grey}.every(each => !each.classList.contains('stale'))")
+    wait(page, f"{SOLVED} && {grey}.every(each => !each.classList.contains('stale'))")
+    wait(
+        page,
+        f"{BOXES}.some(each => each.endsWith('%')) && JSON.stringify({BOXES}) !== {json.dumps(json.dumps(shares))}",
+    )
     write(page, DIAMETER, "-3")
-    wait(page, f"{of}.startsWith('Not solved. The results shown are those of bearing.ball_diameter_mm = ')")
-    page.click(UNDO)
-    page.click(UNDO)
-    wait(page, f"{LOAD}.value === {before!r} && {of} === ''")
+    wait(page, f"{OF}.startsWith('Not solved. The results are of ball diameter ')")
+    write(page, LOAD, "-7")
+    wait(page, f"{OF}.includes(', axial load 12,345 N.') && {grey}.every(each => each.classList.contains('stale'))")
     assert page.complaints == []
+
+
+def test_an_answer_to_an_input_that_has_changed_since_stays_grey(page: Browser) -> None:
+    wait(page, WHOLE)
+    hold(page, "solve")
+    page.value(f"(e => {{ e.value = 700; e.oninput(); }})({LOAD})")
+    wait(page, "window.go !== undefined")
+    page.value(f"(e => {{ const go = window.go; e.value = 800; e.oninput(); window.go = undefined; go(); }})({LOAD})")
+    wait(page, f"window.go !== undefined && {OF}.includes('axial load 700 N')")
+    assert page.value("document.getElementById('key').classList.contains('stale')")
+    page.value("window.back()")
+    wait(page, SOLVED)
+
+
+def test_shares_of_effects_come_after_the_results(page: Browser) -> None:
+    wait(page, WHOLE)
+    hold(page, "effects")
+    write(page, LOAD, "777")
+    wait(page, f"{SOLVED} && !document.getElementById('tables').classList.contains('stale')")
+    assert set(page.value(BOXES)) == {"not yet solved"}
+    assert page.value("document.getElementById('effects').classList.contains('stale')")
+    page.value("window.back()")
+    wait(page, WHOLE)
+    told = answers.effects(page.value("now.document"), "")["effects"]
+    assert page.value(BOXES) == [each["most"] or each["verdict"] for each in told]
+
+
+def test_a_pinned_state_stands_beside_the_present_one(page: Browser) -> None:
+    wait(page, WHOLE)
+    first, load = page.value("found.key"), float(page.value(f"{LOAD}.value"))
+    page.click(PIN)
+    assert page.value(f"{PIN}.getAttribute('aria-pressed')") == "true" and "difference 0 / 0 %" in page.value(KEY)
+    write(page, LOAD, "900")
+    wait(page, f"{SOLVED} && {LOAD}.value === '900'")
+    second = page.value("found.key")
+    assert page.value("document.getElementById('said').textContent") == f"Pinned: axial load {load:,.0f} N."
+    loads = [next(each["parts"] for each in key if each["name"] == "maximum contact load") for key in (first, second)]
+    change = [100.0 * (now["values"][0] / old["values"][0] - 1.0) for old, now in zip(*loads, strict=True)]
+    shown = " / ".join(f"{each:+.3g}" for each in change).replace("-", "\u2212")
+    numbers = [" / ".join(part["number"] for part in parts) for parts in loads]
+    assert f"{numbers[1]} N\ninner / outer\npinned {numbers[0]}\ndifference {shown} %" in page.value(KEY)
+    angles = [next(each["parts"] for each in key if each["name"] == "contact angles") for key in (first, second)]
+    assert f"pinned {' / '.join(part['number'] for part in angles[0])}" in page.value(KEY)
+    page.click(PIN)
+    assert "pinned" not in page.value(KEY)
 
 
 def test_keys_move_a_slider_and_undo(page: Browser) -> None:
     before, load = page.value(KEY), page.value(f"{LOAD}.value")
     page.value(f"{SLIDER}.focus()")
-    for kind in ("rawKeyDown", "keyUp"):
-        page.ask("Input.dispatchKeyEvent", type=kind, key="PageUp", code="PageUp", windowsVirtualKeyCode=33)
+    press(page, "PageUp", 33)
     wait(page, f"{KEY} !== {before!r}")
     assert page.value(f"document.activeElement === {SLIDER}")
     for kind in ("rawKeyDown", "keyUp"):
@@ -143,8 +230,7 @@ def test_keys_move_a_slider_and_undo(page: Browser) -> None:
 def test_the_focus_stays_where_tab_brings_it(page: Browser) -> None:
     page.value(f"(e => {{ e.focus(); e.select(); }})({LOAD})")
     page.type("1300")
-    for kind in ("rawKeyDown", "keyUp"):
-        page.ask("Input.dispatchKeyEvent", type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9)
+    press(page, "Tab", 9)
     wait(page, f"Number({SLIDER}.max) === 2600")  # the fields are new ones around the number typed
     assert page.value("document.activeElement !== document.body")
 
@@ -167,24 +253,98 @@ def test_a_key_is_added_in_place_of_what_excludes_it(page: Browser) -> None:
     wait(page, "document.getElementById('preload.rigid_N') !== null")
     assert page.value(LOAD) is None
     write(page, "document.getElementById('preload.rigid_N')", "300")
-    wait(page, f"{KEY}.includes('300 N before fitting')")
+    wait(page, f"{KEY}.includes('300 / ') && {KEY}.includes('before fitting / mounted at rest / in operation')")
 
 
-@pytest.mark.parametrize("width", [360, 1400])
-def test_the_page_is_no_wider_than_its_window(page: Browser, width: int) -> None:
-    page.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
-    assert page.value("document.documentElement.scrollWidth") <= width
+def test_daily_use_needs_no_scrolling(browser: Browser, address: str, drawn: None) -> None:
+    """Of b218, on a screen of 1280 x 900: speed and load first, results beside them."""
+    browser.open(address)
+    wait(browser, "!busy && document.querySelectorAll('#effects tbody tr').length > 0")
+    document = answers.start("b218")["document"]
+    assert browser.value(f"take('check', {json.dumps({'document': document, 'label': 'b218'})})")
+    wait(browser, f"!busy && {WHOLE}")
+    inputs = ("pin", "undo", "save", "operation.speed_rpm", "operation.axial_load_N", "switches", "add")
+    results = ("of", "key", "warnings", "section", "stiffness", "life", "angles", "loads")
+    found = boxes(browser, *inputs, *results)
+    for name, (left, top, right, bottom) in found.items():
+        assert left >= 0.0 and top >= 0.0 and right <= 1280.0 and 0.0 < bottom <= 900.0, name
+        assert right > left, name
+    assert max(found[name][2] for name in inputs) < min(found[name][0] for name in results)
+    assert found["operation.speed_rpm"][1] < found["operation.axial_load_N"][1] < found["switches"][1]
 
 
-def test_nothing_serious_bars_anybody(page: Browser) -> None:
-    """By the rules of axe-core."""
-    package = importlib.util.find_spec("axe_core_python")
-    if package is None or package.submodule_search_locations is None:
-        pytest.skip("axe-core-python is not installed")
-    script = Path(package.submodule_search_locations[0]) / "axe.min.js"
-    page.value(script.read_text(encoding="utf-8") + "; true")
-    wait(page, "document.querySelectorAll('#tables table').length > 0 && !document.querySelector('.stale')")
-    found = page.value(
-        "axe.run().then(r => r.violations.map(v => [v.impact, v.id, v.nodes.slice(0, 3).map(n => n.html)]))"
+def test_on_a_phone_results_stay_above_the_inputs(page: Browser) -> None:
+    page.ask("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=False)
+    wait(page, WHOLE)
+    found = boxes(page, "results", "operation.speed_rpm", "warnings")
+    assert found["results"][3] <= found["operation.speed_rpm"][1] < found["warnings"][1]
+    for target in ("add", "tables"):
+        page.value(f"document.getElementById('{target}').scrollIntoView({{block: 'end'}})")
+        _, top, _, bottom = boxes(page, "results")["results"]
+        assert top == 0.0 and bottom <= 0.3 * 844 and page.value("scrollY") > 0.0
+        assert page.value("document.elementFromPoint(100, 60).closest('#results') !== null"), "covered"
+
+
+def test_rows_are_tabs_and_the_tool_comes_first(page: Browser, drawn: None) -> None:
+    opened(page, SPINDLE)
+    assert page.value(KEY).startswith("tool: deflection\n")
+    row = "document.getElementById('row').innerText"
+    loads = [each["key"][0]["parts"][0]["number"] for each in page.value("found.rows")]
+    assert loads[0] != loads[1] and page.value(row).startswith(f"axial load\n{loads[0]} N")
+    first, shaft = (page.value(f"document.getElementById('{name}').innerHTML") for name in ("section", "shaft"))
+    page.value("document.getElementById('tab 1').focus()")
+    press(page, "Enter", 13)
+    page.ask("Input.dispatchKeyEvent", type="char", text="\r")
+    wait(page, f"{row}.startsWith('axial load\\n{loads[1]} N')")
+    assert page.value("document.activeElement.id") == "tab 1"
+    assert page.value("document.getElementById('tab 1').getAttribute('aria-pressed')") == "true"
+    wait(page, WHOLE)
+    assert page.value("document.getElementById('section').innerHTML") != first
+    assert page.value("document.getElementById('shaft').innerHTML") == shaft
+    field = "document.getElementById('shaft.load 1.radial_y_N')"
+    before = page.value(KEY)
+    write(page, field, "650")
+    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    write(page, field, "1e30")
+    wait(page, f"{field}.getAttribute('aria-invalid') === 'true' && {OF}.includes('shaft, load 1, radial y 650 N')")
+    assert page.complaints == []
+
+
+def test_every_input_is_reached_by_tab_and_shows_it(page: Browser) -> None:
+    """Those of closed tables once they are opened, by the keyboard too."""
+    page.value("document.getElementById('table bearing').querySelector('summary').focus()")
+    page.ask("Input.dispatchKeyEvent", type="char", text=" ")
+    press(page, " ", 32)
+    wait(page, "document.getElementById('table bearing').open")
+    wait(page, f"!busy && {WHOLE}")
+    wanted = page.value(
+        "[...document.querySelectorAll('input, select, button, summary, #key')]"
+        ".filter(e => !e.disabled && e.checkVisibility()).map((e, k) => e.id ||= `unnamed ${k}`)"
     )
-    assert [each for each in found if each[0] in ("serious", "critical")] == []
+    page.value("document.activeElement.blur(); scrollTo(0, 0)")
+    seen: dict[str, bool] = {}
+    outlined = (
+        "(e => [e.id, [e, e.closest('.file')].some(each => each && getComputedStyle(each).outlineStyle === 'solid'"
+        " && parseFloat(getComputedStyle(each).outlineWidth) >= 2)])(document.activeElement)"
+    )
+    for _ in range(len(wanted) + 8):
+        press(page, "Tab", 9)
+        name, is_seen = page.value(outlined)
+        seen[name] = is_seen
+    assert set(wanted) - set(seen) == set()
+    assert [name for name in wanted if not seen[name]] == []
+
+
+@pytest.mark.parametrize("text", ["", PAIR_FILE, SPINDLE], ids=["scene", "set", "spindle"])
+def test_the_page_fits_its_window_and_bars_nobody(page: Browser, text: str) -> None:
+    """Nothing is wider than what holds it, and axe-core finds no violation of any of its rules."""
+    if text:
+        opened(page, text)
+    wait(page, WHOLE)
+    page.click(PIN)
+    for width in WIDTHS:
+        page.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        assert page.value("document.documentElement.scrollWidth") <= width
+        assert page.value(OVERFLOWS) == [], width
+        if width == WIDTHS[-1] or not text:
+            assert barriers(page) == [], width

@@ -14,92 +14,101 @@ pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 import qsbearing as qs
 from qsbearing.app import answers
+from qsbearing.app.inputs import ON_PAGE
 from qsbearing.documents.html import part
 from qsbearing.files.file_errors import SceneFileError
-from qsbearing.files.file_keys import IN_FILE
-from qsbearing.files.set_file import set_of
-from qsbearing.files.toml import tables_of
+from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.studies.chooser.explain_set import explain_set
+from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.app.test_answers import ran
+from tests.systems.sets.arrangements import PAIR_FILE
 
-PAIR = """
-[bearing]
-name = "7210C"
-
-[[rows]]
-position_mm = 0
-carries = "+x"
-
-[[rows]]
-position_mm = 20
-carries = "-x"
-
+SPINDLE = f"""{PAIR_FILE}
 [shaft]
 start_mm = -40
 [[shaft.sections]]
 length_mm = 90
 outer_diameter_mm = 50
+[[shaft.loads]]
+position_mm = -40
+radial_y_N = 500
 [shaft.points]
 tool_mm = -40
-
-[operation]
-speed_rpm = 9000
-axial_load_N = 200
-radial_load_y_N = 500
-moment_z_Nm = 0
-
-[preload]
-rigid_N = 400
-
-[effects]
-ball = ["centrifugal_force", "gyroscopic_moment"]
-raceway_control = "outer"
 """
+"""That pair on a shaft with a tool."""
 
 
 @pytest.fixture(scope="module")
-def first(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    file = tmp_path_factory.mktemp("sets") / "pair.toml"
-    file.write_text(PAIR)
-    return answers.start(str(file))
+def first() -> dict[str, Any]:
+    return answers.opened(SPINDLE, "spindle")
 
 
 @pytest.fixture
-def pair(first: dict[str, Any]) -> dict[str, Any]:
-    return {"document": copy.deepcopy(first["document"]), "label": first["label"]}
+def spindle(first: dict[str, Any]) -> dict[str, Any]:
+    return {"document": copy.deepcopy(first["document"]), "label": "spindle"}
+
+
+def set_of(tables: dict[str, Any]) -> BearingSet:
+    found = scene_or_set_of(tables["document"], "spindle", "spindle")
+    assert isinstance(found, BearingSet)
+    return found
 
 
 def test_the_page_has_the_inputs_of_the_shaft_and_says_what_it_leaves_to_the_file(first: dict[str, Any]) -> None:
-    shown = {tuple(field["path"]) for field in first["fields"]}
-    assert {("operation", "speed_rpm"), ("operation", "axial_load_N"), ("preload", "rigid_N")} <= shown
+    shown = {field["key"]: tuple(field["path"]) for field in first["fields"]}
+    assert {"operation.speed_rpm", "operation.axial_load_N", "preload.rigid_N", "shaft.load 1.radial_y_N"} <= set(shown)
+    assert shown["shaft.load 1.radial_y_N"] == ("shaft", "loads", 0, "radial_y_N")
+    assert next(iter(shown)) == "operation.speed_rpm" and all(field["is_daily"] for field in first["fields"])
+    (load,) = (field for field in first["fields"] if field["key"] == "shaft.load 1.radial_y_N")
+    assert (load["group"], load["words"], load["unit"], load["high"]) == ("shaft, load 1", "radial y", "N", 1000.0)
     addable = {each["path"]: each["replaces"] for each in first["addable"]}
-    assert {path[0] for path in [*shown, *addable]} == {"operation", "preload"}
+    assert {path[:2] for path in shown.values() if path[0] == "shaft"} == {("shaft", "loads")}
+    assert {path[0] for path in addable} == {"operation", "preload"}
     assert addable["preload", "mounted_N"]  # one preload; the shaft keeps its axial load
     assert all(path[0] == "preload" for path in addable["preload", "mounted_N"])
-    assert "change the file" in first["note"] and "effects" in first["note"]
+    assert "change the file" in first["note"] and "shaft" in first["note"]
 
 
-def test_an_answer_is_that_of_the_same_numbers(pair: dict[str, Any], drawn: None, tmp_path: Path) -> None:
-    pair["document"]["operation"] |= {"speed_rpm": 6000.0, "axial_load_N": 350.0}
-    told = answers.solved(**pair)
-    text = PAIR.replace("= 9000", "= 6000").replace("axial_load_N = 200", "axial_load_N = 350")
-    solution = qs.solve_set(set_of(tables_of(text, Path("pair")), "pair", "pair"))
-    assert told["is_solved"] and told["key"] == part(key_results_of_set(solution, [{}, {}]))
-    assert "tool: stiffness" in told["key"] and told["pictures"] == ["loads", "angles", "shaft"]
-    assert told["warnings"] == part(blocks(every_remark(solution), words=IN_FILE))
-    found = ran(pair, tmp_path)
-    assert f">{found['rows'][1]['axial_load_N']:.4g}<" in told["key"]
-    assert answers.detailed(**pair)["effects"] == [] and "Rows: load on each" in answers.detailed(**pair)["tables"]
+def test_an_answer_is_that_of_the_same_numbers(spindle: dict[str, Any], drawn: None, tmp_path: Path) -> None:
+    """The tool first; each row as the table of all rows has it."""
+    document = spindle["document"]
+    document["operation"] |= {"speed_rpm": 6000.0, "axial_load_N": 350.0}
+    document["shaft"]["loads"][0]["radial_y_N"] = 300.0
+    told = answers.solved(**spindle)
+    text = SPINDLE.replace("= 10000", "= 6000").replace("axial_load_N = 200", "axial_load_N = 350")
+    same = answers.opened(text.replace("radial_y_N = 500", "radial_y_N = 300"), "spindle")["document"]
+    assert same == document
+    solution = qs.solve_set(set_of(spindle))
+    shaft, rows = key_results_of_set(solution, [{}, {}])
+    assert told["is_solved"] and [each["name"] for each in told["key"][:2]] == ["tool: deflection", "tool: stiffness"]
+    assert [
+        ", ".join(f"{one['of']} {one['number']} {one['unit']}" for one in each["parts"]) for each in told["key"]
+    ] == [text for _, text in shaft.rows]
+    for row, line in zip(told["rows"], rows.rows, strict=True):
+        numbers = {each["name"]: " / ".join(one["number"] for one in each["parts"]) for each in row["key"]}
+        assert [row["name"], numbers["axial load"], numbers["preload mounted"]] == list(line[:3])
+        assert numbers["maximum contact pressure"] == line[3] and numbers["contact angles"] in line
+    assert told["pictures"] == ["shaft", "section", "loads", "angles", "ellipses"]
+    assert told["warnings"] == part(blocks(every_remark(solution), words=ON_PAGE))
+    found = ran(spindle, tmp_path)
+    assert told["rows"][1]["key"][0]["parts"][0]["values"][0] == pytest.approx(found["rows"][1]["axial_load_N"])
+    assert "Rows: load on each" in answers.detailed(**spindle)["tables"]
     for name in told["pictures"]:
-        assert answers.pictured(**pair, name=name)["picture"].startswith("<svg"), name
+        one, two = (answers.pictured(**spindle, name=name, row=row)["picture"] for row in (0, 1))
+        assert one.startswith("<svg") and (one == two) == (name == "shaft"), name
+    with pytest.raises(SceneFileError, match="no such picture"):
+        answers.pictured(**spindle, name="section", row=2)
 
 
-def test_the_remarks_are_those_of_run(pair: dict[str, Any], tmp_path: Path) -> None:
-    pair["document"]["operation"]["axial_load_N"] = 9000.0  # a row loses its preload, and its balls leave it
-    told = re.sub("<[^>]*>", "", unescape(answers.solved(**pair)["warnings"]))
-    remarks = ran(pair, tmp_path)["remarks"]
-    assert len(remarks) > 2
+def test_the_remarks_are_those_of_run(spindle: dict[str, Any], tmp_path: Path) -> None:
+    """But for the names of fields, where a remark has any."""
+    spindle["document"]["operation"]["axial_load_N"] = 9000.0  # a row loses its preload, and its balls leave it
+    told = re.sub("<[^>]*>", "", unescape(answers.solved(**spindle)["warnings"]))
+    remarks = [each for each in ran(spindle, tmp_path)["remarks"] if "give [" not in each["text"]]
+    assert len(remarks) > 1
     for each in remarks:
         assert plain(each["text"])[1:].rstrip(".") in plain(told)  # a sentence there: its capital, its end
 
@@ -109,28 +118,40 @@ def plain(text: str) -> str:
     return text.replace("\u2060", "").replace("\xa0", " ")
 
 
-def test_a_number_that_cannot_be_is_refused_at_its_field(pair: dict[str, Any]) -> None:
-    pair["document"]["operation"]["speed_rpm"] = "fast"
-    pair["document"]["preload"]["rigid_N"] = -400.0
+def test_a_number_that_cannot_be_is_refused_at_its_field(first: dict[str, Any], spindle: dict[str, Any]) -> None:
+    spindle["document"]["operation"]["speed_rpm"] = "fast"
+    spindle["document"]["preload"]["rigid_N"] = -400.0
+    spindle["document"]["shaft"]["loads"][0]["radial_y_N"] = "much"
     with pytest.raises(SceneFileError) as caught:
-        answers.solved(**pair)
-    assert {each.key for each in caught.value.errors} == {"operation.speed_rpm", "preload.rigid_N"}
+        answers.solved(**spindle)
+    keys = {each.key for each in caught.value.errors}
+    assert keys == {"operation.speed_rpm", "preload.rigid_N", "shaft.load 1.radial_y_N"}
+    assert keys <= {field["key"] for field in first["fields"]}
 
 
-def test_a_set_without_a_solution_says_why(pair: dict[str, Any]) -> None:
-    del pair["document"]["preload"], pair["document"]["shaft"]
-    pair["document"]["rows"] = pair["document"]["rows"][:1]
-    pair["document"]["operation"] = {"speed_rpm": 6000.0, "axial_load_N": -900.0}
-    told = answers.solved(**pair)
-    assert not told["is_solved"] and told["picture"] == "" and told["pictures"] == [] and "load" in told["key"]
+def test_a_set_without_a_solution_says_why(spindle: dict[str, Any]) -> None:
+    del spindle["document"]["preload"], spindle["document"]["shaft"]
+    spindle["document"]["rows"] = spindle["document"]["rows"][:1]
+    spindle["document"]["operation"] = {"speed_rpm": 6000.0, "axial_load_N": -900.0}
+    told = answers.solved(**spindle)
+    assert not told["is_solved"] and told["picture"] == "" and told["pictures"] == [] and told["rows"] == []
+    assert "load" in told["warnings"]
 
 
-def test_a_saved_set_opens_as_it_was(pair: dict[str, Any]) -> None:
-    kept = answers.saved(**pair)
-    assert kept["file"] == "pair.toml"
-    assert answers.opened(kept["text"], "pair")["document"] == pair["document"]
+def test_a_saved_set_opens_as_it_was(spindle: dict[str, Any]) -> None:
+    kept = answers.saved(**spindle)
+    assert kept["file"] == "spindle.toml"
+    assert answers.opened(kept["text"], "spindle")["document"] == spindle["document"]
 
 
-def test_effects_of_a_set_are_not_switched(pair: dict[str, Any]) -> None:
-    with pytest.raises(SceneFileError, match="is a set of rows"):
-        answers.switched(**pair, effect="hertz_angle", is_on=True)
+def test_effects_of_a_set_are_switched_and_solved_as_explain_does(spindle: dict[str, Any]) -> None:
+    before = {each["effect"]: each for each in answers.solved(**spindle)["effects"]}
+    assert list(before) == [entry.name for entry in EFFECTS]
+    assert before["centrifugal_force"]["is_in"] and before["gyroscopic_moment"]["can"]
+    rows = explain_set(set_of(spindle), 0.01)[1]
+    told = answers.effects(**spindle)["effects"]
+    assert [each["changes"] for each in told] == [[row.change(name) for name in QUANTITIES] for row in rows]
+    other = answers.switched(**spindle, effect="gyroscopic_moment", is_on=True)["document"]
+    assert other["effects"]["ball"] == ["centrifugal_force", "gyroscopic_moment"]
+    back = answers.switched(other, "spindle", "gyroscopic_moment", False)["document"]
+    assert back == spindle["document"]

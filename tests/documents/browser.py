@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import shutil
@@ -93,13 +94,17 @@ class Browser:
         address = page if isinstance(page, str) else page.as_uri()
         self._own = address if isinstance(page, str) else "file:"
         self.ask("Emulation.setScriptExecutionDisabled", value=not scripts)
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        self.resize(width)
         self._loaded = False
         self.ask("Page.navigate", url=address)
         until = time.monotonic() + PATIENCE
         while not self._loaded:
             assert time.monotonic() < until, "the page is not there in time"
             self._hear()
+
+    def resize(self, width: int) -> None:
+        """Give the window another width [px]."""
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
 
     def value(self, script: str) -> Any:
         """What an expression is worth in the page."""
@@ -163,12 +168,25 @@ class Browser:
         return said
 
 
+def barriers(browser: Browser) -> list[str]:
+    """What bars people from the page that is open, by all rules of axe-core; nothing where that is not installed."""
+    package = importlib.util.find_spec("axe_core_python")
+    if package is None or package.submodule_search_locations is None:
+        return []
+    browser.value((Path(package.submodule_search_locations[0]) / "axe.min.js").read_text(encoding="utf-8") + "; true")
+    found: list[str] = browser.value(
+        "axe.run().then(r => r.violations.flatMap(v => v.nodes.slice(0, 3).map(n => `${v.impact} ${v.id}: ${n.html}`)))"
+    )
+    return found
+
+
 def layout_faults(browser: Browser, page: Path) -> list[str]:
     """What is wrong with a page at the three widths: wider than its window or than what holds it, links that lead
     nowhere, complaints of the browser."""
     faults = []
+    browser.open(page)
     for width in WIDTHS:
-        browser.open(page, width=width)
+        browser.resize(width)
         if browser.value(WIDE) > width:
             faults.append(f"{width} px: the page is wider than its window")
         faults += [f"{width} px: {each}" for each in browser.value(OVERFLOWS)]

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from qsbearing.cli.guide import LISTS
-from qsbearing.documents.guide import document as whole_guide
+from qsbearing.documents.guide import HOME, documents
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Section, Table
-from tests.documents.browser import DEAD, OVERFLOWS, WIDE, Browser, installed, layout_faults
+from qsbearing.documents.pages import pages
+from tests.documents.browser import OVERFLOWS, WIDE, Browser, installed, layout_faults
 from tests.documents.example import document
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
@@ -98,20 +99,21 @@ def test_a_table_that_stacks_on_a_phone_is_not_cut_on_a_tablet(browser: Browser,
 
 @pytest.fixture(scope="module")
 def guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("guide") / "guide.html"
-    path.write_text(html(whole_guide("0", lists=LISTS)), encoding="utf-8")
-    return path
+    """Its folder."""
+    folder = tmp_path_factory.mktemp("guide")
+    for name, text in pages(documents("0", lists=LISTS), HOME).items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
 
 
 def test_nothing_of_the_guide_is_wider_than_what_holds_it(browser: Browser, guide: Path) -> None:
-    assert layout_faults(browser, guide) == []
+    assert {page.name: faults for page in guide.glob("*.html") if (faults := layout_faults(browser, page))} == {}
 
 
-def test_formulas_of_the_guide_are_drawn_and_links_lead_somewhere(browser: Browser, guide: Path) -> None:
+def test_formulas_of_the_guide_are_drawn(browser: Browser, guide: Path) -> None:
     """A numerator is above its denominator, an index lower than its base: the browser knows MathML."""
-    browser.open(guide)
-    assert browser.value(DEAD) == []
-    assert browser.value("document.querySelectorAll('math').length") > 150
+    browser.open(guide / "model.html")
+    assert browser.value("document.querySelectorAll('math').length") > 100
     used = browser.value("[...document.querySelectorAll('math *')].map(e => e.tagName)")
     assert set(used) <= MATHML
     assert used.count("mfrac") > 20 and used.count("msub") > 100 and used.count("msqrt") > 0
@@ -126,11 +128,11 @@ def test_formulas_of_the_guide_are_drawn_and_links_lead_somewhere(browser: Brows
 
 
 def test_the_contents_mark_the_section_being_read(browser: Browser, guide: Path) -> None:
-    browser.open(guide)
-    browser.value("document.getElementById('symbols').scrollIntoView()")
+    browser.open(guide / "model.html")
+    browser.value("document.getElementById('model-rings-and-balls-that-grow').scrollIntoView()")
     browser.value("new Promise(done => setTimeout(done, 100))")
     marked = "[...document.querySelectorAll('nav a[aria-current]')].map(a => a.hash)"
-    assert browser.value(marked) == ["#symbols"]
+    assert browser.value(marked) == ["#model-rings-and-balls-that-grow"]
 
 
 def test_an_element_that_is_too_wide_is_found(browser: Browser, page: Path) -> None:

@@ -10,10 +10,9 @@ from click.testing import CliRunner, Result
 
 from qsbearing import __version__
 from qsbearing.cli import cli
-from qsbearing.documents.guide import FOLDER, HOME, document, file_of, topics
-from qsbearing.documents.html import html
+from qsbearing.documents.guide import FOLDER, HOME, documents, file_of, topics
 from qsbearing.documents.markdown import sections
-from qsbearing.documents.model import Bullets, Code, Md, Paragraph, Picture, Section, Table
+from qsbearing.documents.model import Bullets, Code, Document, Md, Paragraph, Picture, Section, Table
 from qsbearing.documents.pdf import pdf
 from tests.documents.page import Page
 
@@ -75,8 +74,11 @@ def test_each_topic_is_a_sound_page(tmp_path: Path) -> None:
         ]
 
 
-def test_the_whole_guide_is_a_pdf() -> None:
-    assert pdf(document(__version__), strict=True).startswith(b"%PDF")
+def test_each_page_can_be_a_pdf() -> None:
+    """With the letters and formulas of all: one document, whose links do not matter here."""
+    found = documents(__version__).values()
+    whole = Document("Guide", "", [Section(each.title, [*each.head, *each.sections]) for each in found])
+    assert pdf(whole, strict=True).startswith(b"%PDF")
 
 
 def test_a_folder_that_cannot_be_is_refused(tmp_path: Path) -> None:
@@ -160,4 +162,4 @@ def test_pages_come_in_the_order_of_the_first(tmp_path: Path) -> None:
     for name, text in {"index": "[z](z.md) [b](b.md)", "a": "", "b": "", "z": ""}.items():
         (tmp_path / f"{name}.md").write_text(f"# {name}\n\n{text}\n")
     assert list(topics(tmp_path)) == ["index", "z", "b", "a"]
-    assert Page.of(html(document("0", tmp_path))).faults == []
+    assert list(documents("0", tmp_path)) == [file_of(topic) for topic in ("index", "z", "b", "a")]

@@ -14,13 +14,13 @@ import qsbearing
 from fem_check import meshing
 from fem_check.checks import bearing_sector
 from fem_check.product.scenes import SceneProblemError
-from fem_check.report import cutaway
 from fem_check.rows.agreement import Level, Row
 from fem_check.running import records_store
 from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
 from fem_check.solids.sector_comparison import OperatingPoint
 from fem_check.solids.sector_geometry import SectorGeometry
+from tests.verification.benchmarks import cutaway
 
 POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
 

@@ -224,7 +224,7 @@ def row(deviation: float, uncertainty: float) -> Row:
 
 @pytest.mark.parametrize(
     ("deviation", "uncertainty", "verdict"),
-    [(-0.009, 0.042, "finding"), (-0.009, 0.01, "pass"), (0.06, 0.042, "fail"), (0.045, 0.042, "fail")],
+    [(-0.009, 0.042, "finding"), (-0.009, 0.01, "pass"), (0.06, 0.042, "fail"), (0.045, 0.042, "finding")],
 )
 def test_meshes_too_coarse_to_decide_do_not_fail(deviation, uncertainty, verdict):
     assert row(deviation, uncertainty).verdict == ("pass" if verdict == "pass" else "fail")

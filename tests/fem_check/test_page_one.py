@@ -13,6 +13,7 @@ import pytest
 from fem_check.report import evidence, page_one, questions
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.sections import traceability
+from fem_check.running import kept_files
 from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Remark, Section, Table
@@ -45,12 +46,11 @@ def altered(kept: Kept, **changes: Any) -> Kept:
 
 
 def at_one_commit(found: Evidence, commit: str) -> Evidence:
-    """The same evidence, every record made at one commit."""
+    """The same evidence, every record made at one commit by this version."""
+    made = {"commit": commit, "dirty": False, "qsbearing": __version__}
 
     def moved(kept: Kept) -> Kept:
-        return altered(
-            kept, provenance={**(kept.provenance or {"date": "2026-01-01"}), "commit": commit, "dirty": False}
-        )
+        return altered(kept, provenance={**(kept.provenance or {"date": "2026-01-01"}), **made})
 
     changes: dict[str, Any] = {}
     for field in dataclasses.fields(found):
@@ -75,7 +75,7 @@ def sector_rows(found: Evidence, end: str, quantity: str) -> list[dict[str, Any]
 
 def test_page_one_names_the_document_and_the_commit(shipped: Evidence) -> None:
     text = text_of(shipped)
-    assert f"QSB-VR-{__version__}" in text
+    assert f"QSB-VR-{traceability.listed(kept.version for kept in shipped.all())}" in text
     assert (provenance.commit() or "an installed package")[:12] in text
     for word in ("Prepared by", "Reviewed by", "Released by", "Scope.", "± means:", "Changes since the last release."):
         assert word in text
@@ -111,29 +111,38 @@ def test_page_one_prints_every_waiver_and_all_that_did_not_converge(shipped: Evi
     for name in lost & set(NOT_CONVERGED):
         assert name in text
         assert NOT_CONVERGED[name] in text
-    assert len(shipped.recomputed) == 2
-    for kept in shipped.recomputed:
-        count = f"{len(kept.data['not_converged'])} of {kept.data['count']:,} {kept.data['campaign'].replace('_', ' ')}"
-        assert count in text
+    for one in map(questions.scenes, shipped.random_scenes):
+        assert f"{one.name} {one.lost} of {one.count:,}" in text
 
 
 def test_page_one_and_the_readme_count_the_same_random_scenes(shipped: Evidence) -> None:
-    every = questions.total(shipped.campaigns)
-    assert f"not converged: {every.lost} of {every.count:,}" in text_of(shipped)
-    assert f"{every.count:,} random scenes | {every.lost} not converged" in (ROOT / "README.md").read_text("utf-8")
+    every, text = questions.total(shipped.random_scenes), text_of(shipped)
+    assert f"not converged: {every.lost} of {every.count:,}" in text
+    said = f"Of {every.count:,} random scenes {every.lost} did not converge, and none is wrong"
+    assert said in (ROOT / "README.md").read_text("utf-8")
+    assert every.wrong == 0
+
+
+def test_page_one_counts_how_every_random_scene_ended(shipped: Evidence) -> None:
+    """Solved, refused by reason, not converged: none is left out."""
+    every, why = questions.total(shipped.random_scenes), questions.refusals(shipped.random_scenes)
+    assert every.solved + sum(why.values()) + every.lost == every.count
+    text = text_of(shipped)
+    assert f"Of {every.count:,}: {every.solved:,} solved, of which 0 wrong; {sum(why.values()):,} without" in text
+    assert all(f"{reason} {number:,}" in text for reason, number in why.items())
+    assert {"open side", "over shoulder", "friction without load"} <= set(why)
 
 
 def test_page_one_counts_the_origin_of_records(shipped: Evidence) -> None:
     """A set of several commits, or with one that is not known, is never called a release."""
-    (table,) = [
-        each for each in page_one.blocks(shipped, [], None) if isinstance(each, Table) and "older" in each.headings
-    ]
-    counted = [sum(int(str(line[column])) for line in table.rows) for column in (1, 2, 3, 4)]  # type: ignore[index]
-    assert counted[0] == sum(counted[1:]) == len(list(shipped.all()))
+    text, count = text_of(shipped), len(list(shipped.all()))
+    here = [tuple(map(int, pair)) for pair in re.findall(r"(\d+) of (\d+)", text.partition("At the commit tested:")[2])]
+    others, unknown = map(int, re.findall(r"(\d+) records are of other commits, (\d+) of none", text)[0])
+    assert sum(total for _, total in here[:3]) == count == sum(n for n, _ in here[:3]) + others + unknown
     assert "not a release" in page_one.level(shipped)
     one = at_one_commit(shipped, "a" * 40)
     assert "not a release" not in page_one.level(one)
-    assert traceability.tally(one.all())[1:] == (counted[0], 0)
+    assert traceability.tally(one.all(), traceability.tested(one)) == (count, 0, 0)
     spoiled = dataclasses.replace(one, reference=altered(one.reference, provenance=None))  # type: ignore[arg-type]
     assert "not a release" in page_one.level(spoiled)
     assert "not a release" in page_one.level(at_one_commit(shipped, "")), "none of them is known"
@@ -141,17 +150,15 @@ def test_page_one_counts_the_origin_of_records(shipped: Evidence) -> None:
 
 def test_page_one_verdict_follows_the_records(shipped: Evidence) -> None:
     """May be used where all is met; what fails is said, and then it may not."""
-    (missed,) = [each for each in questions.all_of(shipped) if each.verdict.kind == "fail"]
     said = verdict(shipped)
-    assert said.status == "fail"
-    assert missed.missed in said.text
+    assert said.status == "warning"
     assert "May be used for" in said.text
     assert "Not validated for" in said.text
-    met = dataclasses.replace(
-        shipped, campaigns=[altered(kept, bar=kept.data["bar"] | {"allowed": 99}) for kept in shipped.campaigns]
-    )
-    assert verdict(met).status == "warning"
-    assert verdict(at_one_commit(met, "a" * 40)).status == "pass"
+    lost = [altered(kept, not_converged=[]) for kept in shipped.campaigns]  # none of them is excused by name
+    of_lost = dataclasses.replace(shipped, campaigns=lost)
+    (missed,) = [each for each in questions.all_of(of_lost) if each.verdict.kind == "fail"]
+    assert verdict(of_lost).status == "fail"
+    assert missed.missed in verdict(of_lost).text
     kept = shipped.checks["patch_test"]
     failing = dataclasses.replace(shipped, checks=shipped.checks | {"patch_test": altered(kept, verdict="fail")})
     assert "Fail: patch_test" in verdict(failing).text
@@ -174,3 +181,60 @@ def test_page_one_requirements_name_check_record_and_sum(shipped: Evidence) -> N
     assert all(kept.digest == sums[kept.name] for kept in shipped.all() if kept.name in sums)
     for kept in shipped.all():
         assert kept.digest.startswith(shown[kept.name.removeprefix("fem_check/records/")]), kept.name
+
+
+COMMIT = "a" * 40
+
+
+@pytest.fixture
+def whole(shipped: Evidence, monkeypatch: pytest.MonkeyPatch) -> Evidence:
+    """Every record of one commit, which differs from that checked out by records alone, after a gate that passed."""
+    monkeypatch.setattr(kept_files, "others", lambda tested: [])
+    monkeypatch.setattr(provenance, "is_dirty", lambda: False)
+    found = at_one_commit(shipped, COMMIT)
+    assert found.gate is not None
+    return dataclasses.replace(found, gate=altered(found.gate, verdicts={"clean tree": [], "benchmarks": []}))
+
+
+def test_page_one_calls_records_of_one_commit_a_release(whole: Evidence) -> None:
+    said = verdict(whole)
+    assert said.text.startswith(f"**{__version__}, one commit, all records of it. Usable within its limits.**")
+    assert said.status == "pass"
+    assert f"of this report{COMMIT[:12]}, " in text_of(whole)
+
+
+@pytest.mark.parametrize(
+    ("spoilt", "said"),
+    [
+        ("code", "the code is not that of the records: a.py changed since aaaaaaaaaaaa"),
+        ("dirty", "the source has changes that are not committed"),
+        ("version", "the records are of version 0.0.1"),
+        ("gate", "the release run failed at: benchmarks"),
+        ("running", "no release run that ended is on record"),
+        ("one record", "not of aaaaaaaaaaaa: tests/relations.json"),
+    ],
+)
+def test_page_one_names_what_makes_it_no_release(whole: Evidence, spoilt: str, said: str, monkeypatch: Any) -> None:
+    assert whole.gate is not None
+    assert whole.relations is not None
+    found = whole
+    if spoilt == "code":
+        monkeypatch.setattr(kept_files, "others", lambda tested: ["a.py"])
+    elif spoilt == "dirty":
+        monkeypatch.setattr(provenance, "is_dirty", lambda: True)
+    elif spoilt == "version":
+        made = whole.relations.provenance | {"qsbearing": "0.0.1"}
+        found = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
+    elif spoilt == "gate":
+        failed = altered(whole.gate, verdicts={"clean tree": [], "benchmarks": ["slow"]})
+        found = dataclasses.replace(whole, gate=failed)
+    elif spoilt == "running":
+        kept = {key: value for key, value in whole.gate.data.items() if key != "verdicts"}
+        found = dataclasses.replace(whole, gate=dataclasses.replace(whole.gate, data=kept))
+    else:
+        made = whole.relations.provenance | {"commit": "b" * 40}
+        found = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
+    text = verdict(found).text
+    assert said in text
+    assert "not a release" in text
+    assert verdict(found).status == "warning"

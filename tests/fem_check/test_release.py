@@ -18,7 +18,7 @@ from fem_check.cli import cli
 from fem_check.release import drift, gate, manifest, steps, tree
 from fem_check.release.steps import Place, Step, StepError
 from fem_check.rows.agreement import Findings, Level, Row
-from fem_check.running import known
+from fem_check.running import kept_files, known
 from qsbearing.results import provenance
 from tests.verification.campaign.envelope import ENVELOPES
 
@@ -26,6 +26,7 @@ CHECKS = ("check patch_test", "check formula")
 RECORDS = Path("fem_check") / "records"
 PATCH = "quick/patch_test.json"
 ROOT = Path(__file__).parents[2]
+CAMPAIGNS = "fem_check/records/gate/release/campaign"
 every_step = steps.all_steps
 
 
@@ -64,6 +65,7 @@ def stand_for_all(patch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(autouse=True)
 def two_checks(monkeypatch):
     stand_for_all(monkeypatch)
+    monkeypatch.setattr(gate, "write_tables", lambda place: None)
 
 
 def at(monkeypatch, folder: Path) -> None:
@@ -91,6 +93,7 @@ def made(tmp_path_factory) -> Path:
     repository = place / "repository"
     with pytest.MonkeyPatch.context() as patch:
         stand_for_all(patch)
+        patch.setattr(gate, "write_tables", lambda place: None)
         repository.mkdir()
         provenance.git("init", "-q", folder=repository)
         (repository / ".gitignore").write_text("results/\n")
@@ -145,7 +148,8 @@ def test_it_needs_every_check_and_all_the_rest():
     for level in Level:
         names = {step.name for step in every_step(level)}
         assert {f"check {name}" for name in ALL} < names
-        assert {"hard cases", *(f"campaign {name}" for name in ENVELOPES), "benchmarks", "reports"} < names
+        campaigns = (*ENVELOPES, *steps.RECOMPUTED[level])
+        assert {"hard cases", *(f"campaign {name}" for name in campaigns), "benchmarks", "reports"} < names
         assert "validation book" in names
 
 
@@ -202,7 +206,7 @@ def test_a_record_deleted_from_the_previous_ones_is_named(place):
 
 
 def test_without_a_manifest_the_previous_records_are_not_trusted(place):
-    (place / "repository" / RECORDS / manifest.NAME).unlink()
+    (place / "repository" / kept_files.MANIFEST).unlink()
     commit(place / "repository")
     result = release(place / "out", "--json")
     assert result.exit_code == 1
@@ -411,23 +415,39 @@ def test_drift_of_hard_cases():
 
 
 def test_drift_of_a_campaign():
-    old, new = (record_of("tests/verification/campaign/records/wild_seed_1_count_200000.json") for _ in range(2))
+    old, new = (record_of(f"{CAMPAIGNS}/wild/summary.json") for _ in range(2))
+    for record in (old, new):
+        record["count"] = steps.SCENES[Level.RELEASE]["wild"]
+        record["classes"] = {"converged": record["count"] - 22, "not_converged": 22}
+    limit = round(drift.CAMPAIGN_SCENES * old["count"])
     assert drift.of_campaign(new, old) == []
-    new["classes"]["not_converged"] += 40
-    new["classes"]["converged"] -= 40
+    new["classes"]["not_converged"] += limit
+    new["classes"]["converged"] -= limit
     assert drift.of_campaign(new, old) == []
     new["classes"]["not_converged"] += 1
     (reason,) = drift.of_campaign(new, old)
-    assert reason.startswith("not converged: 22 of 200000 scenes before, 63 now (limit 40)")
+    assert reason.startswith(f"not converged: 22 of {old['count']} scenes before, {23 + limit} now (limit {limit})")
     missed = old | {"not_converged": ["wild/1/0/1"] * 52}
     (reason,) = _step("campaign wild").wrong(missed)
     assert reason.startswith("the bar is missed") and "wild/1/0/1" in reason
     assert _step("campaign wild").wrong(old) == []
 
 
+def test_a_recomputed_campaign_of_another_number_or_with_a_wrong_case_fails():
+    record = record_of(f"{CAMPAIGNS}/spindles/summary.json")
+    step = _step("campaign spindles")
+    assert step.wrong(record) == []
+    assert step.moved(record, record) == []
+    assert step.wrong(record | {"wrong": ["3/4: sleeve"]}) == ["3/4: sleeve"]
+    assert step.wrong(record | {"count": 19_900}) == ["19900 cases are counted, 20000 were asked for"]
+    other = record | {"ended": record["ended"] | {"not_converged": 200}}
+    assert step.moved(other, record) == ["not converged: 137 of 20000 scenes before, 200 now (limit 4)"]
+
+
 def test_known_scenes_pass_by_name_and_only_while_they_are_not_solved():
-    record = record_of("tests/verification/campaign/records/realistic_seed_1_count_500000.json")
-    wrong = _step("campaign realistic").wrong
+    record = record_of(f"{CAMPAIGNS}/realistic/summary.json")
+    count = record["count"]
+    wrong = steps._campaign(Level.RELEASE, "realistic", count).wrong
     assert set(record["not_converged"]) == set(known.NOT_CONVERGED)
     assert wrong(record) == []
     (reason,) = wrong(record | {"not_converged": [*record["not_converged"], "realistic/1/2/3"]})

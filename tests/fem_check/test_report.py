@@ -156,7 +156,7 @@ def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
 def test_an_angle_is_no_per_cent() -> None:
     """Its deviation and its limit are degrees, and it is rounded to its uncertainty."""
     angle = row("inner angle", 40.4321, 0.25) | {"unit": "deg", "reference": 40.0, "deviation_percent": 1.08025}
-    assert table([(1, angle)]).rows[0][2:4] == ["+0.4321 ± 0.0040°", "0.1 °"]
+    assert table([(1, angle)]).rows[0][2:4] == ["+0.4321 ± 0.0040°", "0.1°"]
 
 
 def test_a_material_is_its_bodys_and_a_sentence_stays_one() -> None:
@@ -222,7 +222,7 @@ def test_a_failing_row_is_the_verdict(records: Path) -> None:
 def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> None:
     found = evidence.read(records)
     missed = json.loads(json.dumps(found.campaigns[0].data))
-    missed["bar"]["allowed"] = missed["classes"]["not_converged"] - 1
+    missed |= {"bar": missed["bar"] | {"allowed": missed["classes"]["not_converged"] - 1}, "not_converged": []}
     campaigns = [dataclasses.replace(found.campaigns[0], data=missed)]
     text = Page.of(html(validation.document(dataclasses.replace(without_the_rest(found), campaigns=campaigns)))).text
     lost = missed["classes"]["not_converged"]
@@ -354,22 +354,24 @@ def test_no_verdict_is_cut_off_on_a_wide_screen(page: str, tmp_path: Path) -> No
 
 
 def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
-    """The layout that the release gate leaves: its own campaigns and hard cases go before those of the repository."""
-    gate = records / "gate" / "quick"
+    """The layout that the release gate leaves: its own records go before those of the repository."""
+    gate, beside = records / "gate" / "quick", records / "repository" / "tests" / "verification" / "hard_cases"
     (gate / "campaign" / "wild").mkdir(parents=True)
-    (gate / "hard_cases").mkdir()
+    beside.mkdir(parents=True)
     kept = evidence.read(records)
-    campaign = kept.campaigns[0].data | {"count": 4321}
+    (wild,) = [each.data for each in kept.campaigns if each.data["envelope"] == "wild"]
+    campaign = wild | {"count": 4321}
     (gate / "campaign" / "wild" / "summary.json").write_text(json.dumps(campaign))
     assert kept.hard_cases is not None
-    (gate / "hard_cases" / "table.json").write_text(json.dumps(kept.hard_cases.data))
+    (beside / "table.json").write_text(json.dumps(kept.hard_cases.data | {"made": "here"}))
     steps = {"check patch_test": {"seconds": 1.5, "error": None}, "benchmarks": {"seconds": 2.0, "error": "no time"}}
     (gate / "steps.json").write_text(json.dumps({"commit": "c" * 40, "level": "quick", "steps": steps}))
     found = dataclasses.replace(evidence.read(records), book={}, cost=None, model_cost=None)
     page = Page.of(html(validation.document(found)))
     assert page.faults == []
     assert "4,321" in page.text
-    assert "gate/quick/hard_cases/table.json" in page.text
+    assert found.hard_cases is not None
+    assert found.hard_cases.data["made"] == "here"
     assert "benchmarks: no time" in page.text
     assert "1 of 2 steps made their records" in page.text
 

@@ -38,7 +38,7 @@ def test_a_deviation_has_the_digits_of_its_uncertainty(
 
 def test_of_a_reference_that_is_zero_there_is_no_per_cent() -> None:
     angle = row_text.of_row(row(0.0, 0.0145, "deg", None, 2.0))
-    assert angle == ("0", "0.0145", "", "", "0.02 °")
+    assert angle == ("0", "0.0145", "", "", "0.02°")
     assert row_text.difference(row(0.0, 0.0145, "deg", None, 2.0)) == "0.0145"
     length = row_text.of_row(row(0.0, 3e-9, "m", 1e-7, 5e-7))
     assert length == ("0", "0.003 ± 0.001", "", "", "0.005 µm")

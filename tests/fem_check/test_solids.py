@@ -10,13 +10,14 @@ from fem_check import meshing
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.references import hertz
 from fem_check.meshing import MeshError
-from fem_check.product.scenes import groove_contact
+from fem_check.product.scenes import drawing_at_rest, groove_contact, load_scene
 from fem_check.solids import bodies, contact_results, normal_contact
 from fem_check.solids.bodies import RingSection
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.condensation import condense_free
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
+from fem_check.solids.half_space_sector import half_spaces
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 needs_gmsh = pytest.mark.skipif(meshing.gmsh_problem() is not None, reason=str(meshing.gmsh_problem()))
@@ -79,11 +80,31 @@ def test_a_rigid_motion_costs_nothing_and_shows_nothing(ball):
 def test_surface_loads_add_up_to_the_pressure(ball, frame):
     centred = TetrahedralBody(bodies.ball(RADIUS, [frame.patch], 2).shifted(np.array([*frame.ball.centre, 0.0])), STEEL)
     x, y = frame.basis.points
-    pressure = np.maximum(0.0, 1.0 - (x / frame.patch.half_length) ** 2 - (y / frame.patch.half_width) ** 2)
+    pressure = np.maximum(0.0, 1.0 - (x / frame.basis.lines_x[-1]) ** 2 - (y / frame.patch.half_width) ** 2)
     forces = (frame.loads(centred, on_ball=True) @ pressure).reshape(-1, 3).sum(axis=0)
     expected = -0.5 * frame.resultants @ pressure
     # What separates them is the quadrature over cells that do not match the facets, here at their coarsest.
     assert forces[:2] == pytest.approx(expected, abs=1e-3 * np.hypot(*expected))
+
+
+def test_half_spaces_under_the_pressure_functions_move_as_a_half_space():
+    """Hertz's pressure on its ellipse moves the contact's middle by the approach less the parabola's gap."""
+    groove = groove_contact("b218", "outer")
+    problem = groove.problem(1000.0)
+    exact = hertz(problem)
+    normal = np.array([np.sin(groove.contact_angle), np.cos(groove.contact_angle)])
+    patch = Patch(normal, exact.semi_major_axis, exact.semi_minor_axis, 1.0)
+    centre = np.array([0.0, 0.5 * groove.pitch_diameter])
+    torus = Torus(centre + (groove.ball_radius - groove.groove_radius) * normal, groove.groove_radius)
+    of = ContactFrame(Sphere(centre, groove.ball_radius), torus, normal, patch, 8, 0.5)
+    x, y = of.basis.points
+    left = 1.0 - (x / exact.semi_major_axis) ** 2 - (y / exact.semi_minor_axis) ** 2
+    pressure = exact.max_pressure * np.sqrt(np.maximum(left, 0.0))
+    work = float(pressure @ half_spaces(of, drawing_at_rest(load_scene("b218"), "b218")) @ pressure)
+    gap = float(of.basis.weighted(problem.parabolic_gap) @ pressure)
+    force = float(of.basis.forces @ pressure)
+    # Eight bilinear cells on a pressure with an upright edge, and a slope of a/R = 0.15: a per cent.
+    assert (work + gap) / force == pytest.approx(exact.approach, rel=0.01)
 
 
 def test_heights_are_those_of_sphere_and_torus(frame):

@@ -151,7 +151,7 @@ def test_every_choice_of_the_model_is_followed(i, j):
 
 
 def test_catalogue_and_clearance_stand():
-    deep = product_scenes.scenes()["deep groove with 10 um of clearance, at rest"]
+    deep = product_scenes.scenes()["deep groove with 10 µm of clearance, at rest"]
     rows = [*catalogue_rows(), *clearance_rows(DRAWING), *clearance_rows(scenes.drawing_at_rest(deep, "x"))]
     assert failing(rows) == set()
 
@@ -164,7 +164,7 @@ def test_a_digit_of_a_material_is_seen(material, field, digit, monkeypatch):
     scene = qs.load_scene("7210c_hybrid")
     wrong = replace(scene, bearing=replace(scene.bearing, ball_material=getattr(qs, material)))
     monkeypatch.setattr(qs, "load_scene", lambda name: wrong if name == "7210c_hybrid" else scene)
-    assert {field, f"ball_material.{field}"} & failing(catalogue_rows())
+    assert {field, f"ball's {field}"} & failing(catalogue_rows())
 
 
 def test_what_is_in_no_equilibrium_fails(monkeypatch):
@@ -204,7 +204,7 @@ EVERY_QUANTITY = (
     "loads turned by 217 degrees, free to tilt, at rest",
     "inner raceway control, 6000 rpm",
     "control by ball, near where it changes, 6000 rpm",
-    "deep groove with 10 um of clearance, at rest",
+    "deep groove with 10 µm of clearance, at rest",
 )
 """Scenes at rest and at speed whose rows together are of every quantity that is judged."""
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import qsbearing
+from fem_check import meshing
 from fem_check.checks import true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ElasticConstants
@@ -14,10 +15,11 @@ from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
 from fem_check.rows.agreement import Level
-from fem_check.solids import contact_block, true_contact, true_statics
+from fem_check.solids import bodies, contact_block, true_contact, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
 
+needs_gmsh = pytest.mark.skipif(meshing.gmsh_problem() is not None, reason=str(meshing.gmsh_problem()))
 STEEL = ElasticConstants(208e9, 0.3)
 LOAD = 2000.0
 
@@ -32,15 +34,15 @@ def condensed(contact):
     return contact.condensed()
 
 
-def gap_misses(condensed) -> list[str]:
-    """Quantities whose ratio to the parabola's is farther from the boundary elements' than the check allows."""
+def gap_misses(condensed, times=1.0) -> list[str]:
+    """Quantities whose ratio to the parabola's is farther from the boundary elements' than so many tolerances."""
     reference = boundary_element.over_hertz(condensed.contact.groove, LOAD).ratio
     exact = condensed.over_hertz(LOAD, follows_surface=False)
     parabola = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
     return [
         name
         for name, tolerance in true_geometry.GAP_TOLERANCES.items()
-        if not 100.0 * abs(exact[name] / parabola[name] / reference[name] - 1.0) <= tolerance
+        if not 100.0 * abs(exact[name] / parabola[name] / reference[name] - 1.0) <= times * tolerance
     ]
 
 
@@ -117,6 +119,13 @@ def test_the_equator_s_uncertainty_holds_the_direction_of_the_forces():
     solved = true_geometry.Solved(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
     equator = next(row for row in true_geometry.gap_rows(solved) if row.quantity == "equator moves out")
     assert equator.uncertainty_percent > 0.03 > equator.deviation_percent - 1e-9
+
+
+def test_hertz_s_gap_on_the_true_bodies_gives_his_ellipse_but_for_the_mesh(condensed):
+    # With three elements per semi-axis a is 0.2, b 1.0 and p0 1.8 % off; the ratios of the checks keep that out.
+    found = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
+    for name, within in (("semi_major_axis", 0.005), ("semi_minor_axis", 0.02), ("max_pressure", 0.03)):
+        assert found[name] == pytest.approx(1.0, abs=within)
 
 
 def test_normals_that_follow_the_surface_matter(condensed):
@@ -245,17 +254,36 @@ def test_planted_ring_twice_as_wide_is_seen(condensed):
     }
 
 
-def test_an_uncut_contact_near_the_shoulder_has_a_shorter_patch(contact):
-    reach = contact.frame.patch.half_length / contact.frame.patch.semi_major_axis
-    assert reach == contact_block.PATCH
+def with_shoulder(contact, semi_axes):
+    """The contact where the groove ends so many semi-axes from its middle."""
     tip = contact.frame.patch.semi_major_axis / contact.groove.groove_radius
+    shoulder = contact.groove.contact_angle + semi_axes * tip
+    return replace(contact, profile=replace(contact.ring_profile, high_shoulder=shoulder))
 
-    def of_shoulder(semi_axes):
-        shoulder = contact.groove.contact_angle + semi_axes * tip
-        near = replace(contact, profile=replace(contact.ring_profile, high_shoulder=shoulder))
-        return near.frame.patch.reach, near.mesh_file("ring")
 
-    # Nearer than the least the patch is as usual, and the ring refuses it.
-    for semi_axes, expected in ((1.33, 1.3), (1.27, 1.25), (1.2, 1.3)):
-        assert of_shoulder(semi_axes)[0] == pytest.approx(expected, abs=1e-3)
-    assert of_shoulder(1.27)[1] != of_shoulder(1.26)[1]
+def test_a_patch_near_the_shoulder_ends_at_the_groove_s_edge(contact):
+    assert contact.frame.patch.reach == (contact_block.PATCH, contact_block.PATCH)
+    for semi_axes, expected in ((1.45, 1.3), (1.35, 1.35), (1.02, 1.02)):
+        frame = with_shoulder(contact, semi_axes).frame
+        assert frame.patch.reach == pytest.approx((expected, contact_block.PATCH))
+    # The edge itself, over the tangent plane; on the other side pressure has as much room as ever.
+    across = contact.groove.groove_radius * np.sin(1.02 * frame.patch.semi_major_axis / contact.groove.groove_radius)
+    assert frame.basis.lines_x[[0, -1]] == pytest.approx([-across, contact.frame.basis.lines_x[-1]])
+    assert np.ptp(frame.basis.points[1][frame.basis.points[0] == frame.basis.lines_x[0]]) > 0.0
+    assert with_shoulder(contact, 1.27).mesh_file("ring") != with_shoulder(contact, 1.26).mesh_file("ring")
+
+
+@needs_gmsh
+def test_an_uncut_contact_is_solved_up_to_the_groove_s_edge(contact, tmp_path, monkeypatch):
+    monkeypatch.setattr(meshing, "cache_folder", lambda: tmp_path)
+    near = with_shoulder(contact, 1.001).condensed()
+    # Hardly moved over the mesh, which would cut it, one contact in place of the mean: a tells the cell, 0.3 semi-axes.
+    assert gap_misses(near, times=4.0) == []
+    with pytest.raises(meshing.MeshError, match=r"its ellipse ends 0\.2° .* beyond the groove's edge.* overrun"):
+        with_shoulder(contact, 0.98).mesh("ring")
+
+
+def test_elements_that_do_not_fit_a_groove_are_told_where_it_ends(contact):
+    near = with_shoulder(contact, 1.1)
+    with pytest.raises(meshing.MeshError, match=r"1\.1° .* from the groove's edge, .* need 3\.2°: one contact"):
+        bodies.ring(near.section, contact.frame.patch, near.half_pitch, 3)

@@ -58,7 +58,7 @@ def blocks(page: Path) -> list[Block]:
 
 def commands(text: str) -> Iterator[list[str]]:
     """The words of each command of a shell block: comments, continued lines and the environment's folder taken away."""
-    for line in text.replace("\\\n", " ").splitlines():
+    for line in text.replace("\\\n", " ").replace(" && ", "\n").splitlines():
         words = shlex.split(line, comments=True)
         if words:
             yield [words[0].removeprefix(".venv/bin/"), *words[1:]]

@@ -119,8 +119,8 @@ def test_the_index_names_every_page() -> None:
 
 
 def test_links_lead_to_sections() -> None:
-    """The whole guide as one page: its maker refuses a link to a section that there is not."""
-    from qsbearing.documents.data import data
-    from qsbearing.documents.guide import document
+    """Their maker refuses a link to a page or section that there is not."""
+    from qsbearing.documents.guide import HOME, documents
+    from qsbearing.documents.pages import pages
 
-    data(document("0"))
+    pages(documents("0"), HOME)

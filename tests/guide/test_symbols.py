@@ -7,12 +7,12 @@ import re
 import pytest
 
 import qsbearing as qs
-from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import topics
 from qsbearing.files.file_keys import numbers
 from qsbearing.model.effects import GyroscopicMoment
 from qsbearing.model.solution.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
 from qsbearing.readings.asked import READINGS
+from qsbearing.results.guide_lists import LISTS
 from qsbearing.studies import keys
 from qsbearing.studies.results import Result, attributes_of
 from tests.guide.pages import GUIDE

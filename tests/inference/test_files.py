@@ -202,3 +202,62 @@ def test_unsolved_bearings_of_the_list_are_said(tmp_path: Path) -> None:
     assert found["inferred"] == {} and found["status"] == "no_equilibrium"
     assert any("are not solved" in each for each in found["warnings"])
     assert np.isfinite(found["ball_sets"][0]["misfit"])
+
+
+SEVERAL = PRINTED["SKF 7210 BEP"][0]
+
+
+def test_a_chosen_ball_set_is_one_of_the_list(tmp_path: Path) -> None:
+    """With the results that `run` has for it in its list, and a name that says which it is."""
+    listed = qs.load_scene(scene(tmp_path, SEVERAL)).bearing
+    sets = int(listed.inferred.set_number[-1]) + 1
+    assert sets > 2
+    for number in range(1, sets + 1):
+        one = qs.load_scene(scene(tmp_path, f"{SEVERAL}\nball_set = {number}")).bearing
+        case = int(np.flatnonzero(listed.inferred.set_number == number - 1)[0])
+        for name in ("ball_count", "ball_diameter", "inner_groove_radius", "pitch_diameter", "free_contact_angle"):
+            assert getattr(one, name) == np.broadcast_to(getattr(listed, name), listed.inferred.misfit.shape)[case]
+        assert one.inferred is None
+        assert f"ball set {number} of {sets}" in one.name
+        assert one.outline == listed.outline
+
+
+@pytest.mark.parametrize("number", ["0", "1.5", "25"])
+def test_a_ball_set_that_is_not_on_the_list_is_refused(number: str, tmp_path: Path) -> None:
+    result = run(tmp_path, f"{SEVERAL}\nball_set = {number}")
+    assert result.exit_code == 2
+    assert f"bearing.ball_set = {number}" in result.stderr
+    given = run(tmp_path, 'name = "7210C"\nball_set = 1')
+    assert given.exit_code == 2
+    assert "bearing.ball_set" in given.stderr and "has no use" in given.stderr
+
+
+PAIR = '[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
+
+
+@pytest.mark.parametrize(
+    ("command", "rest"),
+    [
+        (["explain"], LOADED),
+        (["run"], f"{LOADED}\n{PAIR}\n[preload]\nrigid_N = 200\n"),
+        (["run"], "[[spectrum]]\nshare = 1\naxial_load_N = 300\nspeed_rpm = 1000\n[readings.life]\n"),
+    ],
+)
+def test_with_a_chosen_ball_set_other_commands_take_the_file(command: list[str], rest: str, tmp_path: Path) -> None:
+    """Which refuse it without, and say how to choose."""
+    refused = CliRunner().invoke(cli, [*command, scene(tmp_path, SEVERAL, rest)])
+    assert refused.exit_code == 2
+    assert "ball_set = 1" in refused.stderr
+    taken = CliRunner().invoke(cli, [*command, scene(tmp_path, f"{SEVERAL}\nball_set = 1", rest)])
+    assert taken.exit_code == 0, taken.output
+
+
+def test_a_sweep_takes_a_chosen_ball_set_and_varies_none(tmp_path: Path) -> None:
+    file, out = scene(tmp_path, f"{SEVERAL}\nball_set = 2"), tmp_path / "out.csv"
+    swept = CliRunner().invoke(cli, ["sweep", file, "--vary", "axial_load_N=300,600", "--out", str(out)])
+    assert swept.exit_code == 0, swept.output
+    with out.open(encoding="utf-8") as table:
+        assert {row["axial_load_N"] for row in csv.DictReader(table)} == {"300.0", "600.0"}
+    refused = CliRunner().invoke(cli, ["sweep", file, "--vary", "bearing.ball_set=1,2"])
+    assert refused.exit_code == 2
+    assert "is not a numeric key of a scene" in refused.stderr

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import re
 import sys
+import tomllib
 import warnings
 from io import BytesIO
 from itertools import pairwise
@@ -21,7 +22,18 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.patches import Ellipse  # noqa: E402
 
 from qsbearing import pictures  # noqa: E402
-from qsbearing.pictures.style import CHANNEL_LINES, ROW_LINES, STYLE, figure_of_size, legend, legend_within  # noqa: E402
+from qsbearing.files.set_file import set_of  # noqa: E402
+from qsbearing.pictures.style import (  # noqa: E402
+    CHANNEL_LINES,
+    ROW_LINES,
+    STYLE,
+    figure_of_size,
+    label_circles,
+    legend,
+    legend_within,
+    logarithmic,
+)
+from tests.guide.pages import GUIDE, blocks  # noqa: E402
 
 EFFECTS: dict[str, Any] = {
     "ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()),
@@ -318,3 +330,34 @@ def test_no_label_of_a_circle_touches_a_mark(tmp_path: Path) -> None:
                 away = np.abs(marks - [0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)])
                 clear = away - [0.5 * box.width, 0.5 * box.height]
                 assert clear.max(axis=1).min() > 3.5 * figure.dpi / 72.0, label.get_text()
+
+
+def test_a_spindle_s_sheet_begins_with_its_shaft_and_fits_a_screen() -> None:
+    (text, *_) = (block.text for block in blocks(GUIDE / "spindle.md") if block.language == "toml")
+    figure = pictures.overview(qs.solve_set(set_of(tomllib.loads(text), "spindle.toml")))
+    figure.canvas.draw()
+    assert figure.get_size_inches()[1] * figure.dpi <= 1400
+    by_height = sorted(figure.axes, key=lambda axes: -axes.get_position().y1)
+    assert [axes.get_title().split()[0] for axes in by_height] == ["Shaft"] * 2 + ["Row"] * 8
+    for axes in by_height[:2]:
+        for words in axes.texts:
+            assert axes.bbox.y0 <= words.get_window_extent().y0 and words.get_window_extent().y1 <= axes.bbox.y1
+
+
+@pytest.mark.parametrize("top", [1.0, 11.9, 406.0, 2.2e3, 7.1e-3])
+def test_a_polar_picture_has_three_circles(top: float) -> None:
+    axes = figure_of_size(3.0, 3.0).add_subplot(projection="polar")
+    axes.set_ylim(0.0, top)
+    azimuth = np.linspace(0.0, 6.0, 7)
+    label_circles(axes, azimuth, [np.full(7, 0.9 * top)], top)
+    assert 3 <= len(axes.yaxis.get_ticklocs()) <= 8
+
+
+def test_logarithmic_axes_show_numbers_not_powers() -> None:
+    """As those of time and of life."""
+    axes = figure_of_size(4.0, 3.0).subplots()
+    axes.plot([0.5, 7200.0], [1.0, 2.0])
+    logarithmic(axes.xaxis)
+    axes.figure.canvas.draw()
+    shown = {label.get_text() for label in axes.get_xticklabels() + axes.get_xticklabels(minor=True)}
+    assert {"1", "10", "100", "1,000"} <= shown and not any("^" in each for each in shown)

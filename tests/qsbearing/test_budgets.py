@@ -12,26 +12,22 @@ ROOT = Path(qsbearing.__file__).parent
 USUAL = 5500
 """Lines of a folder."""
 BUDGETS = {
-    # Wanted: 12,400. Each effect, and plain Python in place of a kernel that is not compiled yet, took its lines here.
-    "model": 13500,
+    # Wanted: 12,400. Each effect, and plain Python in place of a kernel that is not compiled yet, took its lines here;
+    # 15 are a process that compiles before anything is asked.
+    "model": 13515,
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     "systems": 5700,
     # Wanted: 5,500. Of these, 2,050 are REXS: XML, JSON and ZIP of strangers read and edited, nine versions of names,
     # units, the mapping of bearings and shafts with its assumptions, results put back; 210 are decks of springs.
     # 100 more: any number by its path, spectra from tables, keys in remarks, temperatures that are yet to be found.
-    # 280 more: the schema of files.
-    "files": 7700,
-    # The tables of studies within that schema.
-    "studies": 5600,
+    # 280 more: the schema of files. 80 more: stiffness for ROSS, Abaqus and ANSYS.
+    "files": 7800,
+    # The tables of studies within that schema; what `explain` prints as data, which was in its command.
+    "studies": 5700,
     # With its compiler; wanted: 5,200. Balls that lost the inner raceway, lanes, and records as plain objects.
     "model/kernel + model/compiler": 5800,
 }
 LONGEST = 450
-LONGER = {
-    # What a solution holds and what is derived of it, one short property each.
-    "model/solution/solution.py": 560,
-    "systems/sets/set_solution.py": 470,
-}
 LAYERS = 10
 """Of `qsbearing`. Wanted: 8. Readings make remarks, results name keys as files do, reports take their table of effects
 from studies."""
@@ -54,7 +50,7 @@ def test_files_are_short() -> None:
     long = {}
     for file in ROOT.rglob("*.py"):
         name, lines = file.relative_to(ROOT).as_posix(), len(file.read_text(encoding="utf-8").splitlines())
-        if lines > LONGER.get(name, LONGEST):
+        if lines > LONGEST:
             long[name] = lines
     assert long == {}
 

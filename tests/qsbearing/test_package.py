@@ -221,3 +221,11 @@ def test_another_user_s_cache_is_not_read(probe: Path, tmp_path: Path) -> None:
     done = doubled_once(probe, cache)
     assert not (tmp_path / "made").exists()
     assert f"{owned} is another user's: remove it" in done.stderr
+
+
+@pytest.mark.heavy
+def test_the_wheel_is_small(tmp_path: Path) -> None:
+    root = Path(qs.__file__).parents[1]
+    subprocess.run([sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", root, "-w", tmp_path], check=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    assert wheel.stat().st_size <= 2.5e6

@@ -21,7 +21,6 @@ import qsbearing as qs
 from qsbearing.app import answers
 from qsbearing.app.inputs import ON_PAGE
 from qsbearing.cli import cli
-from qsbearing.cli.guide import LISTS
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import Remark as Shown
 from qsbearing.documents.model import Section
@@ -34,6 +33,7 @@ from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Of, Remark
 from qsbearing.remarks.wording import PYTHON, Reader
 from qsbearing.reports import document, effects, set_document
+from qsbearing.results.guide_lists import LISTS
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies import inferred
 from qsbearing.studies.design import shown

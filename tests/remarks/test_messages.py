@@ -86,7 +86,7 @@ def test_the_warnings_of_many_say_how_many_and_which_is_the_first(many: qs.Solut
 def test_balls_are_counted_in_singular_and_plural() -> None:
     for which, said in (
         ([True, False, False], "1 ball (no. 0) carries"), ([False, True, True], "2 balls (no. 1 to 2) carry"),
-        ([True, True], "All 2 balls carry"),
+        ([True, True], "All 2 balls carry"), ([True, True, False, True], "3 balls (no. 0 to 1, 3) carry"),
     ):  # fmt: skip
         assert f"{some_balls(which):carries/carry}" == said
 

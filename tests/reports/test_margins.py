@@ -84,14 +84,14 @@ def test_the_answer_follows_from_margins_and_remarks(
 
 
 def test_bars_end_where_their_limit_is_used_up() -> None:
-    """And beside them stand the loads of the balls, where these differ."""
+    """And below them stand the loads of the balls, where these differ."""
     alike, apart = (
         qs.solve(qs.Scene(B218, qs.Operation(axial_load=5_000.0, radial_load_y=load, tilt_y=0.0, tilt_z=0.0)))
         for load in (0.0, 2_000.0)
     )
     bars = [("a", 0.4, "4 of 10"), ("b", 30.0, "300 of 10")]
     assert len(picture.margins(bars, alike).axes) == 1
-    left, right = picture.margins(bars, apart).axes
-    np.testing.assert_allclose([each.get_width() for each in left.patches], [1.25, 1.25, 0.4, 1.25])
-    heights = [each.get_height() for each in right.patches]
+    above, below = picture.margins(bars, apart).axes
+    np.testing.assert_allclose([each.get_width() for each in above.patches], [1.25, 1.25, 0.4, 1.25])
+    heights = [each.get_height() for each in below.patches]
     np.testing.assert_allclose(heights, np.concatenate([apart.inner.load, apart.outer.load]))

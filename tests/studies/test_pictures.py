@@ -14,10 +14,10 @@ from qsbearing.cli import cli
 from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.pictures.study import Kind, PictureError, picture, select
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import head, label_curves
+from qsbearing.pictures.study.labels import head, label_curves, title_panel
 from qsbearing.pictures.study.maps import extended_below_zero
 from qsbearing.pictures.study.spread import rank_correlation
-from qsbearing.pictures.style import figure_of_size, label_places
+from qsbearing.pictures.style import STYLE, figure_of_size, label_places
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -176,6 +176,7 @@ def test_where_nothing_is_solved_the_reason_stands(results: dict) -> None:
         ("balls", {"kind": "map"}, "two axes"),
         ("random", {"kind": "lines"}, "need an axis"),
         ("speed", {"at": {"axial_load_N": 3000}}, "not among its values"),
+        ("radial", {"kind": "azimuth", "y": ["inner_load", "ring_displacement_axial"]}, "not ring_displacement_axial"),
     ],
 )
 def test_what_cannot_be_drawn_is_said(results: dict, name: str, chosen: dict, said: str) -> None:
@@ -316,6 +317,25 @@ def test_a_circle_close_to_a_curve_all_round_has_no_label() -> None:
 def test_a_preload_is_named_in_the_title() -> None:
     study = Study.of("b218", {"preload.rigid_N": [500, 1000], "speed_rpm": "0:8000:3"})
     assert picture(sweep(study)).get_suptitle().endswith("curves: rigid preload")
+
+
+def test_lives_of_raceways_share_a_panel_and_lives_have_axes_of_powers_of_ten() -> None:
+    results = sweep(Study.of("b218", {"axial_load_N": "2000:20000:3"}, quantities=["inner_load_max"]))
+    load = results["axial_load_N"].values
+    of = {"inner_life": 1e13 / load**3, "outer_life": 2e13 / load**3, "duration": 1e9 / load**2}
+    lives = {f"life_{name}": ("axial_load_N", values, {"units": "h"}) for name, values in of.items()}
+    axes = picture(results.assign(lives), y=list(lives)).axes
+    assert [each.get_yscale() for each in axes] == ["log", "log"]
+    assert [line.get_color() for line in axes[0].lines] == [STYLE[side]["color"] for side in ("inner", "outer")]
+
+
+def test_a_panel_s_title_does_not_reach_the_next_one() -> None:
+    figure = figure_of_size(7.4, 3.0)
+    for axes in figure.subplots(1, 2):
+        title_panel(axes, "modified reference rating life of all rows of the set together, million revolutions", 3.7)
+    FigureCanvasAgg(figure).draw()
+    one, other = ([text for text in axes.get_children() if text.__class__.__name__ == "Text"] for axes in figure.axes)
+    assert max(text.get_window_extent().x1 for text in one) < min(text.get_window_extent().x0 for text in other)
 
 
 def test_a_long_title_has_more_lines() -> None:

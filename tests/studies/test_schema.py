@@ -58,7 +58,7 @@ def test_it_is_a_schema_and_the_command_prints_it() -> None:
 def test_a_key_says_what_it_is() -> None:
     operation = SCHEMA["properties"]["operation"]["properties"]
     assert operation["tilt_z_mrad"] == {
-        "description": "Tilt z [mrad]", "type": "number", "minimum": -200.0, "maximum": 200.0,
+        "description": "Tilt z [mrad]", "type": ["integer", "number"], "minimum": -200.0, "maximum": 200.0,
     }  # fmt: skip
     spring = SCHEMA["definitions"]["preload"]["properties"]["spring_N"]
     assert (spring["description"], spring["minimum"]) == ("Spring [N]: a constant force", 0.0)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from fem_check.book.case import Panel, Points, Result, Series, compared
 from fem_check.book.published import columns_of
+from fem_check.rows.row_text import scientific, short_exponents
 from qsbearing.readings.dynamic_rating import rating_ratio
 
 SOURCE = "github.com/JRaposo-m/AxisForge-Design-Studies, iso16281_rows.csv"
@@ -128,8 +129,8 @@ def run() -> Result:
         f"As it is, displacements differ by up to {100 * abs(off['radial displacement']):.3f} %, moments by "
         f"{100 * abs(off['moment']):.1f} %, lives with clearance by up to {100 * abs(off['life with clearance']):.0f} "
         "%; with the other program's 1.48, lever and angle put in, displacements agree within "
-        f"{max(abs(off[f'{each} displacement as theirs']) for each in ('radial', 'axial')):.0e} µm and lives within "
-        f"{abs(off['life as theirs']):.0e}.",
+        f"{scientific(max(abs(off[f'{each} displacement as theirs']) for each in ('radial', 'axial')), 1)} µm and "
+        f"lives within {scientific(abs(off['life as theirs']), 1)}.",
         rows,
         [
             Panel(
@@ -154,8 +155,10 @@ def run() -> Result:
              "ours as it is"],
             [
                 [1e3 * points["clearance_mm"][i], points["tilt_mrad"][i], 1e3 * points["radial_mm"][i],
-                 f"{1e3 * (theirs.values['radial_mm'] - points['radial_mm'])[i]:+.0e}", points["moment_Nmm"][i],
-                 f"{(theirs.values['moment_Nmm'] - points['moment_Nmm'])[i]:+.0e}", points["life_Mrev"][i],
+                 short_exponents(f"{1e3 * (theirs.values['radial_mm'] - points['radial_mm'])[i]:+.0e}"),
+                 points["moment_Nmm"][i],
+                 short_exponents(f"{(theirs.values['moment_Nmm'] - points['moment_Nmm'])[i]:+.0e}"),
+                 points["life_Mrev"][i],
                  here.values["life_Mrev"][i]]
                 for i in range(len(tilt))
             ],

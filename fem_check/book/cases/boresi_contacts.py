@@ -12,6 +12,7 @@ from fem_check.book.case import Panel, Result, Series, compared
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
 from fem_check.product.hertz import of_qsbearing
+from fem_check.rows.row_text import scientific
 
 SOURCE = "Boresi & Schmidt, Advanced Mechanics of Materials, chapter 17"
 STEEL = ElasticConstants(200e9, 0.29)
@@ -121,8 +122,8 @@ def run() -> Result:
     limit = max(row.tolerance_percent or 0.0 for row in rows if row.unit == "MPa" and "shear" not in row.quantity)
     charts = max(abs(row.deviation_percent) for row in rows if row.quantity == "largest pressure, as printed")
     return Result(
-        f"Both contacts agree with exact integrals within {limit:.0e} %; the book's charts are up to {charts:.1f} % off"
-        " in the largest pressure.",
+        f"Both contacts agree with exact integrals within {scientific(limit, 1)} %; the book's charts are up to "
+        f"{charts:.1f} % off in the largest pressure.",
         rows,
         panels,
     )

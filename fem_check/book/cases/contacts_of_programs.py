@@ -7,6 +7,7 @@ import numpy as np
 import qsbearing as qs
 from fem_check.book.case import Panel, Result, Series, compared
 from fem_check.book.published import bearing
+from fem_check.rows.row_text import scientific
 
 PROGRAM = "an open quasi-static program, read by an earlier evaluation"
 MARC = "Marc, benchmark of a sphere on a rigid plane"
@@ -51,8 +52,8 @@ def run() -> Result:
     speeds = np.linspace(0.0, 15000.0, 31)[1:]
     curve = solved(speeds)
     return Result(
-        f"Constants {constants['inner']:.5e} and {constants['outer']:.5e} N/m^1.5, inner angle {angle:.4f} degrees "
-        f"(printed {ANGLE}); contact radius of the sphere {contact:.4f} mm.",
+        f"Constants {scientific(constants['inner'], 6)} and {scientific(constants['outer'], 6)} N/m^1.5, inner "
+        f"angle {angle:.4f} degrees (printed {ANGLE}); contact radius of the sphere {contact:.4f} mm.",
         rows,
         [
             Panel(

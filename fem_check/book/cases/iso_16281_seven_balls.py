@@ -13,6 +13,7 @@ import numpy as np
 
 import qsbearing as qs
 from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.rows.row_text import scientific
 
 SOURCE = "github.com/minzhun/ISO16281, Test_BallBearing.py (attributed to MASTA)"
 RATING = 23400.0
@@ -140,8 +141,8 @@ def run() -> Result:
     names = [load.name for load in LOADS]
     at = np.concatenate([[i] * len(load.printed) for i, load in enumerate(LOADS)])
     return Result(
-        f"{len(deviations)} displacements within {max(map(abs, deviations)):.1e}, {len(life_deviations)} lives within "
-        f"{max(map(abs, life_deviations)):.1e}, relative.",
+        f"{len(deviations)} displacements within {scientific(max(map(abs, deviations)), 2)}, {len(life_deviations)} "
+        f"lives within {scientific(max(map(abs, life_deviations)), 2)}, relative.",
         rows,
         [
             Panel(

@@ -17,14 +17,14 @@ MODULUS, POISSON = 208e9, 0.3
 THICKNESS = 5e-3
 """Of the thin ring, over its mean radius: shear and normal force make 3e-5 there."""
 OPPOSED = (0.149, -0.137)
-"""Printed changes of diameter along and across two loads that pull it apart, over P R^3/(E I)."""
+"""Printed changes of diameter along and across two loads that pull it apart, over P R³/(E I)."""
 THREE = 0.01594
-"""Outward deflection at each of three equal loads, over P R^3/(E I): the formula's value, to four digits."""
+"""Outward deflection at each of three equal loads, over P R³/(E I): the formula's value, to four digits."""
 DIGIT = "half of the last printed digit, and harmonics beyond the model's 24th (3e-4 of it)"
 
 
 def deflection(loads: int, angle: NDArray) -> NDArray:
-    """Of a thin ring from inside by equal loads, outward, over P R^3/(E I); angles from one of them."""
+    """Of a thin ring from inside by equal loads, outward, over P R³/(E I); angles from one of them."""
     bore = 1.0 - 0.5 * THICKNESS
     ring = Annulus(bore, 1.0 + 0.5 * THICKNESS, MODULUS, POISSON)
     compliance = by_load(rim_compliances(ring).bore_by_bore, bore, 1.0)
@@ -45,10 +45,10 @@ def run() -> Result:
     three = float(deflection(3, np.zeros(1))[0])
     case = f"thin ring, thickness {THICKNESS:g} mean radii, two opposed loads from inside"
     rows = [
-        compared(case, "diameter along the loads, over P R^3/(E I)", "1", OPPOSED[0], along, THIN, 6e-4, DIGIT),
+        compared(case, "diameter along the loads, over P R³/(E I)", "1", OPPOSED[0], along, THIN, 6e-4, DIGIT),
         compared(case, "diameter across them", "1", OPPOSED[1], across, THIN, 6e-4, DIGIT),
         compared(
-            "the same, three equal loads", "radius at a load, over P R^3/(E I)", "1", THREE, three, MANY, 5e-5,
+            "the same, three equal loads", "radius at a load, over P R³/(E I)", "1", THREE, three, MANY, 5e-5,
             "harmonics beyond the model's 24th, 3e-3 of it",
         ),
     ]  # fmt: skip
@@ -62,12 +62,12 @@ def run() -> Result:
     angle = np.linspace(0.0, pi, 181)
     degrees = np.degrees(angle)
     return Result(
-        f"Two opposed loads change a thin ring's diameters by {along:.4f} and {across:.4f} P R^3/(E I), three push it "
+        f"Two opposed loads change a thin ring's diameters by {along:.4f} and {across:.4f} P R³/(E I), three push it "
         f"out by {three:.5f} at each.",
         rows,
         [
             Panel(
-                "angle from a load, degrees", "outward, over P R^3/(E I)",
+                "angle from a load, degrees", "outward, over P R³/(E I)",
                 [
                     Series("two loads", "line", degrees, deflection(2, angle)),
                     Series("three loads", "dashed", degrees, deflection(3, angle)),

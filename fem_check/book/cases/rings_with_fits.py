@@ -101,7 +101,7 @@ def run() -> Result:
     inner, outer = solution.inner_ring, solution.outer_ring
     assert inner is not None
     assert outer is not None
-    by_hand, case = pressure_by_hand(), "inner ring 12 000 rpm, outer ring 4000 rpm, fits and temperatures"
+    by_hand, case = pressure_by_hand(), "inner ring 12,000 rpm, outer ring 4000 rpm, fits and temperatures"
     pressure = float(np.asarray(inner.seat_pressure))
     rows = [
         compared(case, "seat pressure of the inner ring", "MPa", 1e-6 * by_hand, 1e-6 * pressure, HAND,

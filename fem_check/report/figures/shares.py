@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from textwrap import shorten
+from textwrap import fill
 
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
@@ -27,11 +27,13 @@ def drawable(rows: Sequence[Entry]) -> dict[str, list[float]]:
 def draw(entry: Entry) -> Figure:
     """A line of points for each quantity, on a logarithmic axis that ends past the limit."""
     shares = drawable(entry["rows"])
-    figure, axes = plt.subplots(figsize=(5.0, 0.8 + 0.22 * len(shares)), layout="constrained")
-    for height, values in enumerate(shares.values()):
-        axes.plot(values, [height] * len(values), **(FOUND | {"markersize": 7}))
+    names = [fill(name, 30) for name in shares]
+    height = 0.8 + 0.15 * sum(1.5 + name.count("\n") for name in names)
+    figure, axes = plt.subplots(figsize=(5.0, height), layout="constrained")
+    for place, values in enumerate(shares.values()):
+        axes.plot(values, [place] * len(values), **(FOUND | {"markersize": 7}))
     axes.axvline(1.0, **HERTZ)
-    axes.set_yticks(range(len(shares)), [shorten(name, 30, placeholder=" ...") for name in shares], fontsize=8)
+    axes.set_yticks(range(len(shares)), names, fontsize=8)
     axes.set(xscale="log", xlabel="deviation and uncertainty over the limit", ylim=(-0.6, len(shares) - 0.4))
     axes.set_xlim(None, 2.0)
     axes.grid(axis="y", color="0.9", linewidth=0.6)

@@ -10,7 +10,7 @@ from fem_check.book.not_yet import NOT_YET
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
 from fem_check.report.questions import is_counter_example
-from fem_check.report.rows import as_read, badge, reasons, table, used, worst
+from fem_check.report.rows import badge, reasons, table, used, worst
 from qsbearing.documents.drawing import width_of
 from qsbearing.documents.model import Block, Bullets, Cell, Facts, Md, Paragraph, Picture, Remark, Section, Table
 
@@ -61,8 +61,8 @@ def _overview(records: Sequence[Kept]) -> list[Block]:
         row = max(kept.data["rows"], key=used)
         near = table([(1, row)]).rows[0]
         what, limit = (str(near[column]) for column in (2, 3))  # type: ignore[index]
-        name = f"{as_read(row['quantity'])}: {what} of {limit}" if limit else ""
-        lines.append([kept.data["title"], as_read(kept.data["summary"]), name, badge(kept.data["verdict"])])
+        name = f"{row['quantity']}: {what} of {limit}" if limit else ""
+        lines.append([kept.data["title"], kept.data["summary"], name, badge(kept.data["verdict"])])
     good = sum(kept.data["verdict"] == "pass" for kept in expected)
     words = Md(
         f"**{good} of {len(expected)} published cases are met within their limits.** `fem-check book` writes a page "
@@ -85,7 +85,7 @@ def _anchor(entry: dict[str, Any]) -> str:
 
 def _answer(entry: dict[str, Any]) -> Remark:
     """The result; of a counter-example that it is one: to meet it would be no success."""
-    summary = as_read(entry["summary"])
+    summary = entry["summary"]
     if is_counter_example(entry):
         return Remark(Md(f"**Counter-example: agreement is not expected.** {summary}"), "finding")
     return Remark(Md(f"**{summary}**"), entry["verdict"])
@@ -95,11 +95,11 @@ def _page(kept: Kept) -> Section:
     entry = kept.data
     blocks: list[Block] = [
         _answer(entry),
-        Paragraph(as_read(entry["question"])),
-        Facts([("Kind", entry["kind_text"]), *(("Source", as_read(source)) for source in entry["sources"])]),
+        Paragraph(entry["question"]),
+        Facts([("Kind", entry["kind_text"]), *(("Source", source) for source in entry["sources"])]),
     ]
     if entry["inputs"]:
-        inputs = [[as_read(str(cell)) for cell in each] for each in entry["inputs"]]
+        inputs = [[str(cell) for cell in each] for each in entry["inputs"]]
         blocks.append(Table(("input", "value", "from"), inputs, "lll", "Inputs", stack=True))
     blocks += [*_lists(entry), *_picture(entry, 1.0), table([(1, row) for row in entry["rows"]], "Agreement")]
     blocks.append(Table(("quantity", "limit", "reason"), reasons(entry["rows"]), "lll", "Limits", stack=True))
@@ -122,7 +122,7 @@ def _not_yet() -> Section:
 
 
 def _lists(entry: dict[str, Any]) -> list[Block]:
-    items = [f"{heading}: {as_read('; '.join(entry[key]))}" for key, heading in LISTS.items() if entry.get(key)]
+    items = [f"{heading}: {'; '.join(entry[key])}" for key, heading in LISTS.items() if entry.get(key)]
     return [Bullets(items)] if items else []
 
 

@@ -34,7 +34,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
         )
         blocks += [Remark(Md(words), "finding"), auto.trace]
     if kept is None:
-        return [*blocks, missing("The cost of the model's levels", "qsbearing cost SCENE --out DIR")]
+        return [*blocks, missing("The cost of the model's levels", "model_cost")]
     from qsbearing.studies.cost import tables
 
     levels, *_ = (block for block in tables.report(kept.data) if not isinstance(block, Paragraph))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fem_check.report.evidence import Evidence, missing
-from fem_check.report.rows import as_read
 from qsbearing.documents.model import Cell, Paragraph, Section, Table
 
 
@@ -11,16 +10,14 @@ def section(evidence: Evidence) -> Section:
     """A row for each error: printed, correct, effect."""
     kept = evidence.errata
     if kept is None:
-        return Section(
-            "Errors of the source", [missing("What they do", "python -m tests.verification.reference.errata")], "errata"
-        )
+        return Section("Errors of the source", [missing("What they do", "errata")], "errata")
     found = kept.data
     rows: list[list[Cell]] = [
-        [as_read(each[name]) for name in ("place", "printed", "correct", "shows", "effect")] for each in found["errors"]
+        [each[name] for name in ("place", "printed", "correct", "shows", "effect")] for each in found["errors"]
     ]
     words = (
         f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
-        f"solved: {found['scene']}. As corrected: {as_read(found['corrected'])}."
+        f"solved: {found['scene']}. As corrected: {found['corrected']}."
     )
     table = Table(
         ("place", "printed", "correct", "evidence", "effect on the results"), rows, "lllll", "Errors", stack=True

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.questions import MEASURES
-from fem_check.report.rows import as_read
 from fem_check.rows.row_text import number, scientific
 from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Remark, Section, Table
 
@@ -23,13 +22,11 @@ def section(evidence: Evidence) -> Section:
 
 def _reference(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [
-            missing("The comparison with the fifty-digit solutions", "python -m tests.verification.reference.table")
-        ]
+        return [missing("The comparison with the fifty-digit solutions", "reference")]
     cases = sorted(kept.data["cases"], key=lambda each: (each["verdict"] == "pass", -_error(each)))
     good = sum(each["verdict"] == "pass" for each in cases)
     rows: list[list[Cell]] = [
-        [each["case"], as_read(each["what"]), *(scientific(each[name], 2) for name in MEASURES), Badge(each["verdict"])]
+        [each["case"], each["what"], *(scientific(each[name], 2) for name in MEASURES), Badge(each["verdict"])]
         for each in cases[:MOST]
     ]
     said = (
@@ -50,7 +47,7 @@ def _error(case: dict[str, float]) -> float:
 
 def _relations(kept: Kept | None) -> list[Block]:
     if kept is None:
-        return [missing("The outcome of the tests of relations", "python -m tests.relations")]
+        return [missing("The outcome of the tests of relations", "relations")]
     files = kept.data["files"]
     passed, failed = (sum(each[name] for each in files) for name in ("passed", "failed"))
     bad = ", ".join(each["file"] for each in files if each["failed"])

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import re
+import subprocess
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.questions import Question
 from fem_check.report.rows import counts
-from qsbearing.documents.model import Block, Bullets, Cell, Code, Facts, Group, Md, Paragraph, Section, Table
+from fem_check.running import kept_files
+from qsbearing import __version__
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Code, Facts, Group, Md, Paragraph, Section, Table
 from qsbearing.results import provenance
 
 NOT_RECORDED = "not recorded"
+PASSED = Badge("pass", "pass")
 
 
 def section(evidence: Evidence, questions: Sequence[Question]) -> Section:
@@ -42,11 +47,22 @@ def _line(kept: Kept) -> list[Cell]:
     return [name, kept.name.removeprefix("fem_check/records/"), f"{commit} {day}", tally, kept.digest[:12]]
 
 
-def tally(records: Iterable[Kept]) -> tuple[int, int, int]:
-    """Of records: made at the commit that runs, at another, at one that is not known."""
-    now, commits = provenance.commit(), [_commit(kept) for kept in records]
-    here = sum(each == now for each in commits if each)
+def tally(records: Iterable[Kept], tested: str) -> tuple[int, int, int]:
+    """Of records: made at the commit that was tested, at another, at one that is not known."""
+    commits = [_commit(kept) for kept in records]
+    here = sum(each == tested for each in commits if each)
     return here, sum(bool(each) for each in commits) - here, sum(not each for each in commits)
+
+
+def tested(evidence: Evidence) -> str:
+    """The commit that most records are of, the last made of several that have as many; empty where none is known."""
+    found = Counter(_commit(kept) for kept in evidence.all() if _commit(kept))
+    last = {_commit(kept): _date(kept) for kept in sorted(evidence.all(), key=_date)}
+    return max(found, key=lambda each: (found[each], last[each]), default="")
+
+
+def _date(kept: Kept) -> str:
+    return str(kept.provenance.get("date") or "")
 
 
 def _commit(kept: Kept) -> str:
@@ -61,12 +77,50 @@ def is_mixed(evidence: Evidence) -> bool:
     return len(commits) > 1 or "" in commits
 
 
+NAMED = 3
+"""Records or files that a sentence names."""
+
+
 def origins(evidence: Evidence) -> str:
-    """Of how many commits the records are."""
-    commits = [_commit(kept) for kept in evidence.all()]
+    """Of how many commits the records are, and which are not of that of the most."""
+    commits, most = [_commit(kept) for kept in evidence.all()], tested(evidence)
     known, unknown = len({each for each in commits if each}), commits.count("")
     said = f"the records come from {known} commit{'' if known == 1 else 's'}"
-    return said + (f", and {unknown} of {len(commits)} do not name theirs" if unknown else "")
+    said += f", and {unknown} of {len(commits)} do not name theirs" if unknown else ""
+    strange = [kept.name.removeprefix("fem_check/records/") for kept in evidence.all() if _commit(kept) != most]
+    return f"{said}; not of {most[:12]}: {named(strange)}" if most else said
+
+
+def named(names: Sequence[str]) -> str:
+    """The first of them, and how many more."""
+    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return ", ".join(names[:NAMED]) + more
+
+
+def objections(evidence: Evidence) -> list[str]:
+    """What forbids to call records of one commit a release: code that is not theirs, a gate that did not pass."""
+    of, found = tested(evidence), []
+    if provenance.commit():  # not an installed package, which holds the records that it was built with
+        try:
+            changed = kept_files.others(of)
+            found += (
+                [f"the code is not that of the records: {named(changed)} changed since {of[:12]}"] if changed else []
+            )
+        except (OSError, subprocess.SubprocessError):
+            found.append(f"the commit {of[:12]} of the records is not one of this repository")
+        found += ["the source has changes that are not committed"] if provenance.is_dirty() else []
+    versions = {kept.version for kept in evidence.all()} | {__version__}
+    if len(versions) > 1:
+        found.append(
+            f"the records are of version {listed(sorted(versions - {__version__}))}, the code is {__version__}"
+        )
+    verdicts = evidence.gate.data.get("verdicts") if evidence.gate else None
+    if verdicts is None:
+        found.append("no release run that ended is on record")
+    else:
+        failed = [name for name, reasons in verdicts.items() if reasons]
+        found += [f"the release run failed at: {named(failed)}"] if failed else []
+    return found
 
 
 def digest(records: Iterable[Kept]) -> str:
@@ -121,11 +175,16 @@ def _gate(kept: Kept | None) -> list[Block]:
     """The last release run: that a step made its records says nothing of what they hold."""
     if kept is None:
         return []
-    steps = kept.data["steps"]
+    steps, verdicts = kept.data["steps"], kept.data.get("verdicts", {})
     errors = [f"{name}: {done['error']}" for name, done in steps.items() if done["error"]]
     seconds = sum(done["seconds"] for done in steps.values())
     words = (
         f"**Last release run**, {kept.data['level']} level, commit {kept.data['commit'][:12]}: "
         f"{len(steps) - len(errors)} of {len(steps)} steps made their records, in {seconds / 60.0:.0f} min."
     )
-    return [Paragraph(Md(words)), *([Bullets(errors)] if errors else []), kept.trace]
+    lines: list[list[Cell]] = [
+        [name, f"{steps[name]['seconds']:.0f}" if name in steps else "", Badge("fail", "fail") if why else PASSED]
+        for name, why in verdicts.items()
+    ]
+    table = [Table(("step", "seconds", "verdict"), lines, "lrl", "Steps of the release run")] if lines else []
+    return [Paragraph(Md(words)), *([Bullets(errors)] if errors else []), *table, kept.trace]

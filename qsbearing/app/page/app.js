@@ -2,28 +2,32 @@
 // The scene is the page's own: the server is told it with each question and keeps nothing.
 const $ = id => document.getElementById(id);
 const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
-const PICTURES = ["angles", "loads", "stiffness", "life", "ellipses", "shaft"];
-const MAIN = ["section", "key", "warnings"], SLOW = [...PICTURES, "effects", "tables"], PATIENCE = 150;
+const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
+const OF_ROW = ["section", "angles", "loads", "ellipses"];  // of a set
+const MAIN = ["section", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
+const NOT_YET = "not yet solved";
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
-let shown = null, waits = 0;  // the input that the results on the page are of; a timer
+let shown = null, found = null, pinned = null;  // the input of the results on the page; these; those to compare with
+let row = 0, fields = new Map(), late = new AbortController();
 
-async function ask(question, given) {
+async function ask(question, given, signal) {
   try {
     const answer = await fetch("/" + question, {
-      method: "POST", headers: {"Content-Type": "application/json", ...TOKEN}, body: JSON.stringify(given)});
+      method: "POST", headers: {"Content-Type": "application/json", ...TOKEN}, body: JSON.stringify(given), signal});
     return await answer.json();
   } catch (error) {
     return {errors: [{key: "", text: "The program that makes this page no longer answers: start it again"}]};
   }
 }
 
-function make(tag, attributes = {}, text = "") {
+function make(tag, attributes = {}, text = "", ...children) {
   const made = Object.assign(document.createElement(tag), attributes);
   if (text) made.textContent = text;
+  made.append(...children);
   return made;
 }
 
-const at = (path, table = now.document) => path.reduce((found, name) => found?.[name], table);
+const at = (path, table = now.document) => path.reduce((inner, name) => inner?.[name], table);
 
 function put(path, value) {
   let table = now.document;
@@ -42,80 +46,93 @@ function settle() {
 }
 
 async function take(question, given) {
-  const found = await ask(question, given);
-  if (found.errors) return complain(found.errors), false;
-  now = {document: found.document, label: given.label ?? now.label};
+  const told = await ask(question, given);
+  if (told.errors) return complain(told.errors), false;
+  now = {document: told.document, label: given.label ?? now.label};
   settle();
-  show(found);
+  kept(() => show(told));
   return true;
+}
+
+// What has the focus is made anew, and has it still.
+function kept(change) {
+  const id = document.activeElement?.id;
+  change();
+  if (id && document.activeElement?.id !== id) $(id)?.focus();
 }
 
 const isSet = () => "rows" in now.document;
 
-function show(found) {
-  const groups = new Map();
-  $("note").textContent = found.note;
+function show(told) {
+  $("note").textContent = told.note;
   $("entry").disabled = isSet();  // rows may have bearings of their own
-  $("effects").closest("section").hidden = isSet();
-  for (const field of found.fields) {
-    const title = field.path.slice(0, -1).join(", ").replaceAll("_", " ") || "scene";
-    if (!groups.has(title)) groups.set(title, []);
-    groups.get(title).push(fieldOf(field));
+  const open = new Set([...document.querySelectorAll("details[open]")].map(each => each.id));
+  fields = new Map(told.fields.map(field => [field.path.join("."), field]));
+  for (const place of ["daily", "others"]) {
+    const groups = Map.groupBy(told.fields.filter(field => field.is_daily === (place === "daily")), field => field.group);
+    $(place).replaceChildren(...[...groups].map(([title, own]) => {
+      const words = title.replaceAll("_", " ") || "scene";
+      if (place === "daily") return make("fieldset", {}, "", make("legend", {}, words), ...own.map(fieldOf));
+      const head = make("summary", {}, words === "effects" ? "choices of the model" : words, make("span", {}, title === "bearing" ? sizes() : ""));
+      return make("details", {id: `table ${title}`, open: open.has(`table ${title}`)}, "", head, ...own.map(fieldOf));
+    }));
   }
-  const focused = document.activeElement?.id;
-  $("inputs").replaceChildren(...[...groups].map(([title, fields]) => {
-    const set = make("fieldset");
-    set.append(make("legend", {}, title), ...fields);
-    return set;
-  }));
-  if (focused) document.getElementById(focused)?.focus();
   const first = make("option", {value: ""}, "choose ...");
-  $("add").replaceChildren(first, ...found.addable.map((key, number) => make("option", {value: number}, key.path.join("."))));
-  $("add").onchange = () => add(found.addable[$("add").value]);
+  $("add").replaceChildren(first, ...told.addable.map((key, number) => make("option", {value: number}, key.path.join("."))));
+  $("add").onchange = () => add(told.addable[$("add").value]);
   solve();
 }
 
-function fieldOf({path, words, unit, options, low, high, step, is_needed}) {
-  const id = path.join("."), value = at(path), row = make("div", {className: "field"});
-  const label = make("label", {htmlFor: id, title: id}, words);
-  row.append(label);
+function sizes() {
+  const {ball_count, ball_diameter_mm, pitch_diameter_mm, free_contact_angle_deg: angle} = now.document.bearing ?? {};
+  return ball_count ? `: ${ball_count} × ${ball_diameter_mm} on ${pitch_diameter_mm} mm${angle ? `, ${angle}°` : ""}` : "";
+}
+
+function fieldOf({path, key: id, words, unit, options, low, high, step, is_needed}) {
+  const value = at(path), field = make("div", {className: options ? "field words" : "field"});
+  field.append(make("label", {htmlFor: id, title: id}, words));
+  let range = "";
   if (options) {
     const input = make(options.length ? "select" : "input", {id});
     if (options.length) input.append(...[...new Set([value, ...options])].map(word => make("option", {value: word}, word)));
     input.value = value;
     input.onchange = () => { put(path, input.value); renew(); };
-    row.append(input);
+    field.append(input);
   } else {
-    const range = make("input", {id: `${id} slider`, type: "range", min: low, max: high, step, value, ariaLabel: `${words}, slider`});
     const number = make("input", {id, type: "number", step: "any", value});
+    range = make("input", {id: `${id} slider`, type: "range", min: low, max: high, step, value, ariaLabel: `${words}, slider`});
     range.dataset.slides = id;
     range.oninput = () => { number.value = range.value; put(path, Number(range.value)); solve(); };
     range.onchange = settle;
     number.oninput = () => { put(path, number.value === "" ? "" : Number(number.value)); solve(); };
     number.onchange = renew;
-    row.append(range, number, make("span", {}, unit));
+    field.append(number, make("span", {}, unit));
   }
   if (!is_needed) {
     const remove = make("button", {id: `${id} out`, type: "button", title: `Leave out ${words}`, ariaLabel: `Leave out ${words}`}, "×");
     remove.onclick = () => { put(path, undefined); renew(); };
-    row.append(remove);
+    field.append(remove);
   }
-  row.append(make("span", {className: "wrong", id: `${id} wrong`}));
-  return row;
+  field.append(range, make("span", {className: "wrong", id: `${id} wrong`}));
+  return field;
 }
 
 // Fields and sliders anew around what the tables have now; wrong numbers stay, to be corrected.
 async function renew() {
-  const found = await ask("show", {document: now.document});
-  if (found.errors) return complain(found.errors);
+  const told = await ask("show", {document: now.document});
+  if (told.errors) return complain(told.errors);
   settle();
-  show(found);
+  kept(() => show(told));
 }
 
 function add(key) {
   for (const path of key.replaces) if (at(path.slice(0, -1))) put(path, undefined);
   put(key.path, key.value);
-  renew().then(() => document.getElementById(key.path.join("."))?.focus());
+  renew().then(() => {
+    const field = $(key.path.join("."));
+    field?.closest("details")?.setAttribute("open", "");
+    field?.focus();
+  });
 }
 
 function complain(errors) {
@@ -123,11 +140,12 @@ function complain(errors) {
   for (const each of document.querySelectorAll(".wrong")) each.textContent = "";
   const elsewhere = [];
   for (const {key, text} of errors) {
-    const field = document.getElementById(key);
-    if (!field || !key) { elsewhere.push(text); continue; }
+    const field = key && $(key);
+    if (!field) { elsewhere.push(text); continue; }
     field.setAttribute("aria-invalid", "true");
     field.setAttribute("aria-describedby", `${key} wrong`);
-    document.getElementById(`${key} wrong`).textContent += text + "\n";
+    field.closest("details")?.setAttribute("open", "");
+    $(`${key} wrong`).textContent += text + "\n";
   }
   $("errors").replaceChildren(...elsewhere.map(text => make("li", {}, text)));
   if (errors.length) grey("Not solved.");
@@ -137,20 +155,32 @@ function complain(errors) {
 function grey(why) {
   if (!shown || JSON.stringify(shown) === JSON.stringify(now)) return;
   for (const id of [...MAIN, ...SLOW]) $(id).classList.add("stale");
-  const before = leaves(shown.document), after = leaves(now.document);
-  const other = [...new Set([...before.keys(), ...after.keys()])].filter(key => before.get(key) !== after.get(key));
-  const told = other.slice(0, 3).map(key => before.has(key) ? `${key} = ${before.get(key)}` : `without ${key}`);
-  if (other.length > 3) told.push("...");
-  $("of").textContent = `${why} The results shown are those of ${told.join(", ") || shown.label || "the scene before"}.`;
+  for (const each of document.querySelectorAll("#boxes span")) each.textContent = NOT_YET;
+  $("pin").disabled = true;
+  $("of").className = "old";
+  $("of").textContent = `${why} The results are of ${differences(shown, now) || shown.label || "the scene before"}.`;
 }
 
-function leaves(table, before = "", found = new Map()) {
+// What an input has that is not so in another one.
+function differences(one, other) {
+  const before = leaves(one.document), after = leaves(other.document);
+  const keys = [...new Set([...before.keys(), ...after.keys()])].filter(key => before.get(key) !== after.get(key));
+  const told = keys.slice(0, 3).map(key => {
+    const {words, group, unit} = fields.get(key) ?? {words: key, group: "", unit: ""};
+    const name = /\d/.test(group) ? `${group}, ${words}` : words, value = before.get(key);
+    if (!before.has(key)) return `no ${name}`;
+    return `${name} ${typeof value === "number" ? value.toLocaleString("en-GB", {maximumFractionDigits: 9}) : value} ${unit}`.trim();
+  });
+  return [...told, ...(keys.length > 3 ? ["..."] : [])].join(", ");
+}
+
+function leaves(table, before = "", into = new Map()) {
   for (const [name, value] of Object.entries(table ?? {})) {
     const path = before ? `${before}.${name}` : name;
-    if (value && typeof value === "object" && !Array.isArray(value)) leaves(value, path, found);
-    else found.set(path, Array.isArray(value) ? JSON.stringify(value) : value);
+    if (value && typeof value === "object") leaves(value, path, into);
+    else into.set(path, value);
   }
-  return found;
+  return into;
 }
 
 function fresh(ids) {
@@ -161,75 +191,142 @@ function fresh(ids) {
 async function solve() {
   again = true;
   turn += 1;
+  late.abort();  // nobody waits for what is to be read of the input before
+  grey("Solving ...");
   if (busy) return;
   busy = true;
   while (again) {
     again = false;
-    const asked = JSON.stringify(now);
-    clearTimeout(waits);
-    waits = setTimeout(() => grey("Solving ..."), PATIENCE);
-    const found = await ask("solve", now);
-    clearTimeout(waits);
-    complain(found.errors ?? []);
-    if (!found.errors) {
-      shown = JSON.parse(asked);
-      for (const id of SLOW) $(id).classList.add("stale");
-      fresh(MAIN);
-      $("of").textContent = "";
-      $("name").textContent = (!isSet() && now.document.bearing?.name) || now.label || "Bearing";
-      Object.assign($("section"), {innerHTML: found.picture, hidden: found.picture === ""});
-      for (const id of ["key", "warnings"]) $(id).innerHTML = found[id];
-      const others = PICTURES.filter(id => !found.pictures.includes(id));
-      for (const id of others) $(id).replaceChildren();
-      fresh(others);
-      rest(turn, found.pictures);
+    const asked = JSON.stringify(now), told = await ask("solve", now);
+    complain(told.errors ?? []);
+    if (!told.errors) {
+      [shown, found] = [JSON.parse(asked), told];
+      kept(results);
+      if (JSON.stringify(now) === asked) rest(turn);
+      else grey("Solving ...");
     }
     await new Promise(done => requestAnimationFrame(done));
   }
   busy = false;
 }
 
-// What takes longer follows when nothing moves.
-async function rest(mine, pictures) {
-  await new Promise(done => setTimeout(done, 60));
-  for (const name of pictures) {
-    if (mine !== turn) return;
-    const found = await ask("picture", {...now, name});
-    if (found.errors || mine !== turn) return;
-    Object.assign($(name), {role: "img", ariaLabel: found.alt, innerHTML: found.picture});
-    fresh([name]);
-  }
-  if (mine !== turn) return;
-  const found = await ask("rest", now);
-  if (mine !== turn || found.errors) return;
-  $("tables").innerHTML = found.tables;
-  $("effects").tBodies[0].replaceChildren(...found.effects.map(effectOf));
-  fresh(["tables", "effects"]);
+// The results on the page are those of `shown`.
+function results() {
+  for (const id of SLOW) $(id).classList.add("stale");
+  fresh([...MAIN, ...PICTURES.filter(id => !found.pictures.includes(id))]);
+  $("of").className = "";
+  $("of").textContent = found.is_solved ? "Solved: the results are of the inputs shown." : "No results: see the remark.";
+  $("name").textContent = (!isSet() && now.document.bearing?.name) || now.label || "Bearing";
+  Object.assign($("section"), {innerHTML: found.picture});
+  for (const id of PICTURES) if (id !== "section" && !found.pictures.includes(id)) $(id).replaceChildren();
+  $("warnings").innerHTML = found.warnings;
+  $("boxes").replaceChildren(...found.effects.map(switchOf));
+  row = Math.min(row, Math.max(found.rows.length - 1, 0));
+  keyResults();
 }
 
-function effectOf({effect, what, is_in, can, changes, verdict, why}) {
-  const row = make("tr"), cell = make("td"), box = make("input", {type: "checkbox", id: `effect ${effect}`, checked: is_in, disabled: !can});
+// Key results, those of one row of a set among them, beside those that are pinned.
+function keyResults() {
+  $("pin").disabled = !found.is_solved && !pinned;
+  $("pin").setAttribute("aria-pressed", String(Boolean(pinned)));
+  $("pin").textContent = pinned ? "Unpin" : "Pin";
+  $("said").textContent = pinned ? `Pinned: ${differences(pinned.input, shown) || "these inputs"}.` : "";
+  cards("key", found.key, pinned?.key);
+  $("rows").hidden = !found.rows.length;
+  $("tabs").replaceChildren(...found.rows.map(({name}, number) => {
+    const tab = make("button", {type: "button", id: `tab ${number}`, ariaPressed: String(number === row)}, name);
+    tab.onclick = () => { row = number; kept(keyResults); rest(++turn, OF_ROW); };
+    return tab;
+  }));
+  cards("row", found.rows[row]?.key ?? [], pinned?.rows[row]?.key);
+}
+
+function cards(id, own, before) {
+  $(id).replaceChildren(...own.map(({name, condition, parts, note}) => {
+    const old = before && (before.find(each => each.name === name)?.parts ?? []);
+    const lines = [...Map.groupBy(parts, part => part.unit)].map(([unit, several]) => numbers(unit, several, old));
+    return make("div", {className: "card", title: condition}, "", make("div", {className: "name"}, name),
+      make("div", {className: "numbers"}, "", ...lines), ...(note ? [make("small", {className: "note"}, note)] : []));
+  }));
+}
+
+// Numbers of one unit in a line; below it what was pinned, and by how much they differ from that.
+function numbers(unit, parts, before) {
+  const line = make("div", {}, "", make("b", {}, parts.map(part => part.number).join(" / ")), ` ${unit}`);
+  const whose = parts.map(part => part.of).filter(Boolean).join(" / ");
+  if (whose) line.append(make("small", {}, whose));
+  if (!before) return line;
+  const old = parts.map(({of}) => before.find(part => part.of === of && part.unit === unit));
+  line.append(make("small", {}, `pinned ${old.map(part => part?.number ?? "-").join(" / ")}`));
+  const pairs = parts.map(({values}, k) => [values, old[k]?.values ?? []]);
+  const inPerCent = unit !== "deg" && pairs.every(([one, other]) => other.every((value, k) => value * one[k] > 0 || value === one[k]));
+  const change = (value, old) => signed(inPerCent ? 100 * (value / old - 1) || 0 : value - old);
+  const texts = pairs.map(([one, other]) => one.length === other.length && [...new Set(one.map((value, k) => change(value, other[k])))].join(" to ") || "-");
+  line.append(make("small", {className: "change"}, `difference ${texts.join(" / ")} ${inPerCent ? "%" : unit}`));
+  return line;
+}
+
+function signed(value) {
+  const text = String(Number(Math.abs(value).toPrecision(3)));
+  return Math.abs(value) < 5e-5 ? "0" : (value < 0 ? "−" : "+") + text;
+}
+
+// What takes longer follows when nothing moves.
+async function rest(mine, only) {
+  late.abort();
+  const {signal} = late = new AbortController(), input = shown;
+  if (only) for (const id of only) $(id).classList.add("stale");
+  await new Promise(done => setTimeout(done, 60));
+  for (const name of found.pictures) {
+    if (only && !only.includes(name) && !$(name).classList.contains("stale")) continue;
+    if (mine !== turn) return;
+    const told = await ask("picture", {...input, name, row}, signal);
+    if (told.errors || mine !== turn) return;
+    Object.assign($(name), {role: "img", ariaLabel: told.alt, innerHTML: told.picture});
+    fresh([name]);
+  }
+  for (const question of ["rest", "effects"]) {
+    if (!$(question === "rest" ? "tables" : "effects").classList.contains("stale") || mine !== turn) continue;
+    const told = await ask(question, input, signal);
+    if (mine !== turn || told.errors) return;
+    if (question === "rest") $("tables").innerHTML = told.tables;
+    else effects(told.effects);
+    fresh([question === "rest" ? "tables" : "effects"]);
+  }
+}
+
+function switchOf({effect, words, what, is_in, can}) {
+  const box = make("input", {type: "checkbox", id: `effect ${effect}`, checked: is_in, disabled: !can});
   box.onchange = async () => { await take("switch", {...now, effect, is_on: box.checked}) || (box.checked = is_in); };
-  cell.append(box);
-  const name = make("td");
-  name.append(make("label", {htmlFor: box.id}, what), make("small", {}, why));
-  row.append(cell, name, ...changes.map(text => make("td", {className: "r"}, text)), make("td", {}, verdict));
-  return row;
+  const change = make("span", {id: `change ${effect}`}, found.is_solved ? NOT_YET : "");
+  return make("div", {className: "switch", title: what}, "", box, make("label", {htmlFor: box.id}, words), change);
+}
+
+function effects(told) {
+  for (const {effect, most, verdict} of told) $(`change ${effect}`).textContent = most || verdict;
+  $("effects").tBodies[0].replaceChildren(...told.map(({what, changes, verdict, why}) => make(
+    "tr", {}, "", make("td", {}, what, make("small", {}, why)),
+    ...changes.map(text => make("td", {className: "r"}, text)), make("td", {}, verdict))));
 }
 
 async function undo() {
   if (!past.length) return;
   now = JSON.parse(settled = past.pop());
   $("undo").disabled = past.length === 0;
-  show(await ask("show", {document: now.document}));
+  const told = await ask("show", {document: now.document});
+  kept(() => show(told));
 }
 
 async function saved(use) {
-  const found = await ask("save", now);
-  if (found.errors) return complain(found.errors);
-  use(found);
+  const told = await ask("save", now);
+  if (told.errors) return complain(told.errors);
+  use(told);
 }
 
+$("pin").onclick = () => {
+  pinned = pinned ? null : {input: shown, ...found};
+  keyResults();
+};
 $("undo").onclick = undo;
 document.onkeydown = event => {
   if (event.key === "z" && (event.ctrlKey || event.metaKey) && event.target.type !== "text") { event.preventDefault(); undo(); }
@@ -252,11 +349,11 @@ $("open").onchange = async () => {
 };
 $("entry").onchange = () => take("check", {document: {...now.document, bearing: {name: $("entry").value}}, label: ""});
 $("inputs").onsubmit = event => event.preventDefault();
-fetch("/start", {headers: TOKEN}).then(answer => answer.json()).then(found => {
-  if (found.errors) return complain(found.errors);
-  $("entries").replaceChildren(...found.catalogue.map(name => make("option", {value: name})));
-  $("effects").tHead.rows[0].append(...[...found.quantities, "verdict"].map(name => make("th", {scope: "col"}, name)));
-  now = {document: found.document, label: found.label};
+fetch("/start", {headers: TOKEN}).then(answer => answer.json()).then(told => {
+  if (told.errors) return complain(told.errors);
+  $("entries").replaceChildren(...told.catalogue.map(name => make("option", {value: name})));
+  $("effects").tHead.rows[0].append(...[...told.quantities, "verdict"].map(name => make("th", {scope: "col"}, name)));
+  now = {document: told.document, label: told.label};
   settle();
-  show(found);
+  show(told);
 });

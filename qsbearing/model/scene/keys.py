@@ -86,6 +86,7 @@ DATA_SHEET = (
     Key("f0", "f0"),
     Key("pair_rigidity_N_per_um", "pair_rigidity", "N/um", N / um),
     Key("pair_preload_N", "pair_preload", "N", N, FORCE),
+    Key("ball_set", "ball_set", range=(1.0, 30.0)),
 )
 SHEET_WORDS = ("maker", "rating_practice")
 """What of a data sheet tells the balls and grooves that it does not print."""

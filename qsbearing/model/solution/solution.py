@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.above import Plotted, above
+from qsbearing.model.above import above
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_CONSISTENT_CONTROL, UNLOADED_RING
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution import preload_state, ring_stiffness
-from qsbearing.model.solution.case_index import Index, Place, place_of
+from qsbearing.model.solution import ring_stiffness
 from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.solved_cases import SolvedCases
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
@@ -44,31 +43,7 @@ CALLED_FOR_BY = {
 """The field of the scene without which there is no such array."""
 
 
-@dataclass(frozen=True)
-class LeftOut:
-    """An effect or choice that was left out."""
-
-    effect: str
-    """Its name in `qsbearing.model.effects.EFFECTS`."""
-    estimated_error: Any
-    """Largest relative error of all that is read, expected of leaving it out; shape (*cases)."""
-
-
-@dataclass(frozen=True)
-class Choice:
-    """What was asked, what is in the solution and what is not."""
-
-    tolerance: float
-    effects: tuple[str, ...]
-    """Names of the effects and choices that the solution has, at their finest."""
-    added: tuple[str, ...]
-    """Those of them that the scene did not name."""
-    left_out: tuple[LeftOut, ...]
-    solves: int
-    """How often the scene was solved to choose."""
-
-
-class Solution(Plotted):
+class Solution(SolutionOfCases):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
@@ -101,13 +76,13 @@ class Solution(Plotted):
         self.positions = positions
         self.controls = controls
         self.seconds = seconds
-        """Wall time of the solve [s]."""
         self.threads = threads
         """At most so many solved it, and read it off."""
-        self.choice: Choice | None = None
-        """What was chosen and left out where effects were chosen automatically; None where the scene names them."""
-        self.thermal: Any = None
-        """Temperatures and heats (`systems/heat/state.py`), where the scene asks for its steady state."""
+
+    @property
+    def codes(self) -> NDArray:
+        """How each of the flattened cases ended, by the kernel's codes."""
+        return np.asarray(self.results["status"])
 
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
@@ -116,7 +91,7 @@ class Solution(Plotted):
             cases: a mask; shape (*cases).
             code: of the kernel, for their status.
         """
-        self.results["status"][np.reshape(cases, -1)] = code
+        self.codes[np.reshape(cases, -1)] = code
 
     @property
     def inner(self) -> RacewayContacts:
@@ -133,33 +108,13 @@ class Solution(Plotted):
         """The solution as the indicators of effects read it."""
         return OperatingPoint(self)
 
-    def _shaped(self, array: NDArray, *tail: int) -> Any:
-        shaped = array.reshape(self.shape + tail)
-        return shaped[()] if not shaped.shape else shaped
-
-    def place(self, index: Index) -> Place:
-        """The index of one case along each case axis.
-
-        Raises:
-            ValueError: the index is missing or does not name one case of this solution.
-        """
-        return place_of(index, self.shape)
-
-    def flat_index(self, index: Index) -> int:
-        """The number of a case, counted along the flattened case axes."""
-        place = self.place(index)
-        return int(np.ravel_multi_index(place, self.shape)) if place else 0
-
     def __repr__(self) -> str:
         name = f"Solution of {self.scene.bearing.name or 'a bearing'}"
         if self.shape:
             return f"{name}: {self.maker.count} cases {self.shape}, {self.counts()}"
-        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
         if not self.converged:
-            return f"{lines[0]}{', ' if self.reason else ''}{self.reason}"
-        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
-            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
-            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+            return f"{name}: {self._summary()}{', ' if self.reason else ''}{self.reason}"
+        lines = [f"{name}: {self._summary()}", *self._channels()]
         for side, contacts in (("inner", self.inner), ("outer", self.outer)):
             angles = contacts.angle[contacts.load > 0.0] / deg
             if angles.size:
@@ -171,7 +126,7 @@ class Solution(Plotted):
         """How many cases ended how, and the first of each kind that is not solved."""
         shown = []
         for code, status in STATUS_OF_CODE.items():
-            cases = np.flatnonzero(self.results["status"] == code)
+            cases = np.flatnonzero(self.codes == code)
             if cases.size:
                 where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
                 shown.append(f"{cases.size} {status}{where}")
@@ -198,19 +153,6 @@ class Solution(Plotted):
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
         return self.solved.read(row, CODES[name]) if self._has(name) else None
-
-    @property
-    def converged(self) -> Any:
-        """Whether each case is solved; shape (*cases)."""
-        return self._shaped(self.results["status"] == CONVERGED)
-
-    @property
-    def status(self) -> Any:
-        """`Status` of a single case, or an array of their names; shape (*cases)."""
-        if not self.shape:
-            return STATUS_OF_CODE[int(self.results["status"][0])]
-        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(names[self.results["status"]])
 
     @property
     def reason(self) -> Any:
@@ -255,7 +197,7 @@ class Solution(Plotted):
 
         Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
         """
-        out = np.where((self.results["status"] == CONVERGED)[:, None], self.results["displacement"], np.nan)
+        out = self._known(self.results["displacement"])
         for part, cases in self.solved.stretches():
             out[part, :3] *= cases["length"][:, None]
         out[:, 0] += self.maker.axial_datum_shift()
@@ -277,7 +219,7 @@ class Solution(Plotted):
     @cached_property
     def load(self) -> NDArray:
         """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
-        out = np.where((self.results["status"] == CONVERGED)[:, None], self.results["load"], np.nan)
+        out = self._known(self.results["load"])
         for part, cases in self.solved.stretches():
             out[part] *= cases["force"][:, None]
             out[part, 3:] *= cases["length"][:, None]
@@ -395,19 +337,6 @@ class Solution(Plotted):
         return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.load[..., 0])
 
     @cached_property
-    def preload_state(self) -> Any:
-        """maintained, lost or excessive; shape (*cases); empty where not solved; None likewise.
-
-        Lost: in operation below 1 % of what is given. Excessive: without radial loads and moments above three times it.
-        """
-        return None if self.preload_loads is None else preload_state.states(self.preload_loads)[()]
-
-    @property
-    def preload_share(self) -> Any:
-        """What is carried in operation over what is given; shape (*cases); NaN where nothing is; None likewise."""
-        return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]
-
-    @cached_property
     def inner_ring(self) -> RingState | None:
         """Seat pressure, growth and stress of the inner ring; fields (*cases); None without ring expansion."""
         return self._ring_state(0)
@@ -475,24 +404,6 @@ class Solution(Plotted):
         return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
 
     @property
-    def locked_stiffness(self) -> NDArray:
-        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5), SI.
-
-        How fast a channel's load grows with its own displacement; NaN where a case is not solved.
-        """
-        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
-
-    @property
-    def effective_stiffness(self) -> NDArray:
-        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI.
-
-        The reciprocal of the diagonal of `compliance`: what two solves with neighbouring loads show, at most the locked
-        stiffness of a bearing at rest. NaN where `compliance` is: for channels whose displacement is prescribed, where
-        a case is not solved, and where nothing resists some free direction.
-        """
-        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
-
-    @property
     def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
         return self.maker.free_channels
@@ -534,26 +445,3 @@ class Solution(Plotted):
             ImportError: ROSS is not installed.
         """
         return above("of_solution")(self, self.scene.operation.speed, n, index, **arguments)
-
-
-def stiffness(scene: Scene, solution: Solution) -> NDArray:
-    """`solution.stiffness`, after a check that the solution belongs to this scene.
-
-    Raises:
-        ValueError: the solution belongs to another scene.
-    """
-    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
-        raise ValueError(
-            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
-        )
-    return solution.stiffness
-
-
-def _is_equal(one: Any, other: Any) -> bool:
-    """Whether two scenes, or parts of scenes, are given the same; their numbers may be arrays."""
-    if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(map(_is_equal, one, other))
-    if is_dataclass(one) and type(one) is type(other):
-        given = [field.name for field in fields(one) if field.init]
-        return all(_is_equal(getattr(one, name), getattr(other, name)) for name in given)
-    return np.array_equal(one, other)

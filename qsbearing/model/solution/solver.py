@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable
+from dataclasses import fields, is_dataclass
 from functools import partial
 from typing import Any
 
@@ -126,3 +127,26 @@ def unfound_errors(effects: Iterable[Any]) -> list[ErrorDetail]:
         return []
     cause = "Give it, or a heat balance that has the balls"
     return [ErrorDetail("ball_expansion.ball_temperature", "missing", cause=cause)]
+
+
+def stiffness(scene: Scene, solution: Solution) -> NDArray:
+    """`solution.stiffness`, after a check that the solution belongs to this scene.
+
+    Raises:
+        ValueError: the solution belongs to another scene.
+    """
+    if not (scene is solution.scene or _is_equal(scene, solution.scene)):
+        raise ValueError(
+            "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"
+        )
+    return solution.stiffness
+
+
+def _is_equal(one: Any, other: Any) -> bool:
+    """Whether two scenes, or parts of scenes, are given the same; their numbers may be arrays."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_is_equal, one, other))
+    if is_dataclass(one) and type(one) is type(other):
+        given = [field.name for field in fields(one) if field.init]
+        return all(_is_equal(getattr(one, name), getattr(other, name)) for name in given)
+    return np.array_equal(one, other)

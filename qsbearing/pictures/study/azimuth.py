@@ -7,21 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import label_ends, stem, value_label, with_unit, words
+from qsbearing.pictures.study.labels import key_words, label_ends, stem, title_panel, value_label, with_unit, words
 from qsbearing.pictures.study.selection import SAMPLE, PictureError, Selection
-from qsbearing.pictures.style import STYLE, figure_of_size, legend, plain
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-from typing import TYPE_CHECKING
-
-from qsbearing.pictures.study.labels import key_words
-from qsbearing.pictures.style import label_circles, line_style
+from qsbearing.pictures.style import STYLE, figure_of_size, label_circles, legend, line_style, plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_CURVES = 8
+PANEL = 4.6
+"""Width of a panel [inches]."""
 
 
 def draw_by_azimuth(chosen: Selection) -> Figure:
@@ -32,12 +27,13 @@ def draw_by_azimuth(chosen: Selection) -> Figure:
     """
     results = chosen.results.isel({SAMPLE: 0}) if SAMPLE in chosen.results.dims else chosen.results
     results = results.isel({chosen.other: 0}) if chosen.other else results
-    names = [names for names in chosen.panels if "ball" in results[names[0]].dims]
-    if not names:
-        raise PictureError("by azimuth only results of each ball can be shown, such as inner_load")
+    names = chosen.panels
+    if others := [name for panel in names for name in panel if "ball" not in results[name].dims]:
+        said = ", ".join(others)
+        raise PictureError(f"by azimuth only results of each ball can be shown, such as inner_load; not {said}")
     count = results.sizes.get(chosen.x, 1)
     numbers = np.unique(np.linspace(0, count - 1, min(MOST_CURVES, count)).round().astype(int))
-    figure = figure_of_size(4.6 * len(names) + 0.4, 4.2)
+    figure = figure_of_size(PANEL * len(names) + 0.4, 4.2)
     panels = figure.subplots(1, len(names), squeeze=False).ravel()
     for axes, panel in zip(panels, names, strict=True):
         labels: list[Any] = []
@@ -58,7 +54,7 @@ def draw_by_azimuth(chosen: Selection) -> Figure:
         axes.set_xticks(range(0, 361, 60))
         axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
         heading = with_unit(words(stem(panel[0])[0]), str(results[panel[0]].attrs.get("units", "")))
-        axes.set_title(heading, fontsize=9.5, loc="left")
+        title_panel(axes, heading, PANEL)
         plain(axes)
         label_ends(axes, labels)
     legend(figure, panels[0])

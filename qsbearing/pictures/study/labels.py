@@ -27,6 +27,9 @@ _NAMES = {
     "life_basic_rating_life": "basic rating life",
     "life_inner_life": "life of the inner raceway",
     "life_outer_life": "life of the outer raceway",
+    "raceway_life": "life of the raceway",
+    "life_basic_duration": "basic reference rating life",
+    "life_duration": "reference life with its factors",
     "film_film_parameter": "film parameter",
     "balls_off_inner": "balls off the inner raceway",
     "least_loaded_azimuth": "azimuth of the least loaded ball",
@@ -47,6 +50,8 @@ def stem(name: str) -> tuple[str, str]:
     if row := re.fullmatch(r"row_(\d+)_(\w+)", name):
         return row[2], f"row {row[1]}"
     for side in ("inner", "outer"):
+        if name == f"life_{side}_life":
+            return "raceway_life", side
         if name.startswith(f"{side}_") and "ring" not in name and name != "inner_raceway_controls":
             return name.removeprefix(f"{side}_"), side
     for channel in _CHANNELS:
@@ -101,9 +106,15 @@ LETTERS_PER_INCH = 13.0
 """Of a title's size, counted generously."""
 
 
+def title_panel(axes: Axes, text: str, width: float) -> None:
+    """Write what a panel shows above it, in as many lines as its width [inches] asks for."""
+    axes.set_title(textwrap.fill(text, int(LETTERS_PER_INCH * width)), fontsize=9, loc="left")
+
+
 def head(figure: Figure, text: str) -> None:
     """Write what a picture shows above it, in as many lines as its width asks for."""
-    lines = textwrap.wrap(text, int(LETTERS_PER_INCH * figure.get_size_inches()[0]))
+    letters = int(LETTERS_PER_INCH * figure.get_size_inches()[0])
+    lines = (textwrap.fill(line, letters) for line in text.splitlines())
     figure.suptitle("\n".join(lines), fontsize=10, parse_math=False, x=0.01, ha="left")
 
 

@@ -17,18 +17,21 @@ from qsbearing.pictures.study.labels import (
     key_words,
     label_curves,
     stem,
+    title_panel,
     value_label,
     with_unit,
     words,
 )
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
-from qsbearing.pictures.style import CHANNEL_LINES, GREY, ROW_LINES, STYLE, figure_of_size, plain
+from qsbearing.pictures.style import CHANNEL_LINES, GREY, ROW_LINES, STYLE, figure_of_size, logarithmic, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from xarray import DataArray, Dataset
 
+PANEL = 3.7
+"""Width of a panel [inches]."""
 BAND = (0.05, 0.95)
 """Quantiles of the samples between which a band is drawn."""
 _ALL_BALLS = "all balls (line: the most loaded one)"
@@ -40,6 +43,8 @@ _MARKS = {
 }
 MOST_MARKS = 30
 """On a curve; more would hide it."""
+DECADE = 10.0
+"""Times the least life, from which on the axis of lives is logarithmic."""
 ROUNDING = 1e-6
 """Of the printed unit: a result that is nowhere larger is zero but for rounding, and drawn as such."""
 
@@ -49,7 +54,7 @@ def draw_lines(chosen: Selection) -> Figure:
     count = len(chosen.panels)
     columns = count if count <= 4 else 3
     rows = -(-count // columns)
-    figure = figure_of_size(max(4.6, 3.7 * columns), 3.3 * rows + 0.4)
+    figure = figure_of_size(max(4.6, PANEL * columns), 3.3 * rows + 0.4)
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     handles: dict[str, Any] = {}
     for axes, names in zip(grid, chosen.panels, strict=False):
@@ -96,16 +101,16 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
                 handles.setdefault(said, drawn)
     axes.set_xlim(float(x.min()), float(x.max()))
     if np.all(x > 0.0) and np.allclose(np.diff(np.log(x)), np.diff(np.log(x))[0]) and x.size > 2 and x[-1] > 20 * x[0]:
-        axes.set_xscale("log")
+        logarithmic(axes.xaxis)
     else:
         axes.xaxis.set_major_locator(MaxNLocator(5, integer=bool(np.all(x == np.rint(x)))))
-    _limits(axes)
+    _limits(axes, is_life=any(name.startswith("life_") for name in names))
     axes.set_xlabel(key_heading(results[chosen.x]), fontsize=9)
     said = words(stem(names[0])[0])
     if len(names) == 1 and stem(names[0])[1]:
         said += f" ({stem(names[0])[1].replace('_', ' ')})"
     heading = with_unit(said, str(results[names[0]].attrs.get("units", "")))
-    axes.set_title(heading, fontsize=9.5, loc="left")
+    title_panel(axes, heading, PANEL)
     plain(axes)
     _say_unsolved(axes, chosen)
     label_curves(axes, labels)
@@ -135,8 +140,15 @@ def _style(which: str) -> dict[str, Any]:
     return STYLE[which] if which in STYLE else {"marker": "D", **CHANNEL_LINES.get(which, CHANNEL_LINES[""])}
 
 
-def _limits(axes: Axes) -> None:
+def _limits(axes: Axes, is_life: bool) -> None:
+    """Of lives, which change by powers of ten, and of all others; neither has a power above the axis."""
     low, high = axes.get_ylim()
+    drawn = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.lines])
+    known = drawn[np.isfinite(drawn)]
+    if is_life and known.size and known.min() > 0.0 and known.max() > DECADE * known.min():
+        logarithmic(axes.yaxis)
+        return
+    axes.ticklabel_format(axis="y", useOffset=False, scilimits=(-5, 7))
     if max(-low, high) < ROUNDING:
         axes.set_ylim(-1.0, 1.0)
     elif 0.0 < low < 0.4 * high:

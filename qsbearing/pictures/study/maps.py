@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import key_heading, stem, with_unit, words
+from qsbearing.pictures.study.labels import key_heading, stem, title_panel, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import GREY, SLIP, figure_of_size
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from xarray import DataArray
 
 LEVELS = 9
+PANEL = 4.2
+"""Width of a map [inches]."""
 
 
 def draw_maps(chosen: Selection) -> Figure:
@@ -26,7 +28,7 @@ def draw_maps(chosen: Selection) -> Figure:
     count = len(chosen.panels)
     columns = count if count <= 3 else (2 if count == 4 else 3)
     rows = -(-count // columns)
-    figure = figure_of_size(max(4.8, 4.2 * columns), 3.5 * rows + 0.3)
+    figure = figure_of_size(max(4.8, PANEL * columns), 3.5 * rows + 0.3)
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, (name,) in zip(grid, chosen.panels, strict=False):
         _map(axes, chosen, name)
@@ -61,7 +63,7 @@ def _map(axes: Axes, chosen: Selection, name: str) -> None:
 def _frame(axes: Axes, chosen: Selection, heading: str) -> None:
     from matplotlib.ticker import MaxNLocator
 
-    axes.set_title(heading, fontsize=9, loc="left")
+    title_panel(axes, heading, PANEL)
     axes.set_xlabel(key_heading(chosen.results[chosen.x]), fontsize=9)
     axes.set_ylabel(key_heading(chosen.results[chosen.other]), fontsize=9)
     axes.tick_params(labelsize=8)

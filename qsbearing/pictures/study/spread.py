@@ -55,7 +55,7 @@ def draw_distributions(chosen: Selection) -> Figure:
         axes.spines["left"].set_visible(False)
     for axes in grid[count:]:
         axes.remove()
-    figure.text(0.995, 0.995, "lines: 5 %, median, 95 %", ha="right", va="top", fontsize=8)
+    figure.supxlabel("lines: 5 %, median, 95 %", fontsize=8)
     return figure
 
 

@@ -29,7 +29,8 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import solver
 from qsbearing.model.solution.comparison import largest
 from qsbearing.model.solution.judgement import judge
-from qsbearing.model.solution.solution import Choice, LeftOut, Solution
+from qsbearing.model.solution.of_cases import Choice, LeftOut
+from qsbearing.model.solution.solution import Solution
 
 DEFAULT_TOLERANCE = 0.01
 FINEST, COARSEST = 1e-12, 1.0

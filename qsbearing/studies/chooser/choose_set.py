@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 
 from qsbearing.model.effects import EFFECTS
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.comparison import largest
-from qsbearing.model.solution.solution import Choice, LeftOut
+from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.studies.chooser import choose
 from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST
 from qsbearing.systems.sets import solve as systems
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -62,6 +64,11 @@ def solve_set(
     if not FINEST <= asked <= COARSEST:
         raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
     return _chosen(replace(of, tolerance=None), asked, {"threads": threads, "tolerance": tolerance})
+
+
+def solve_any(of: Scene | BearingSet) -> Any:
+    """The solution of a scene or a set, with the effects that it names or leaves to be chosen."""
+    return choose.solve(of) if isinstance(of, Scene) else solve_set(of)
 
 
 def _chosen(of: BearingSet, asked: float, how: dict[str, Any]) -> SetSolution:

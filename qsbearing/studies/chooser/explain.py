@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing.files.file_keys import IN_FILE, line
 from qsbearing.model.compiler.compiled import is_compiled
-from qsbearing.model.effects import EFFECTS, Entry
+from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import Change, changes
@@ -54,6 +54,13 @@ class Row:
     assumed: list[dict[str, Any]]
     """What solving with usual parameters finds where its own are not known: `actual` under each assumption, with words
     for it; empty else."""
+
+    @property
+    def largest(self) -> str:
+        """The one of `QUANTITIES` that it changes most; empty where nothing was solved."""
+        solved = [each for each in (self.actual, *(each["actual"] for each in self.assumed)) if each]
+        sizes = {name: max((each[name] or 0.0 for each in solved), default=0.0) for name in QUANTITIES}
+        return max(sizes, key=lambda name: sizes[name]) if solved else ""
 
     def change(self, quantity: str) -> str:
         """What leaving it out changes of one of `QUANTITIES`, in per cent; after ≈ where its parameters are assumed,

@@ -125,7 +125,7 @@ class Prepared(NamedTuple):
 
 
 def prepared(
-    source: str | os.PathLike[str] | dict[str, Any] | Scene | BearingSet,
+    source: str | os.PathLike[str] | dict[str, Any] | Read | Scene | BearingSet,
     vary: Mapping[str, Any],
     goals: Iterable[str] = (),
     limits: Iterable[str] = (),

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import blocks, every_remark, remarks_record
-from qsbearing.studies.chooser.choose import solve
-from qsbearing.studies.chooser.choose_set import solve_set
+from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
 
@@ -42,7 +40,7 @@ def heading(found: Found) -> str:
 
 def found_remarks(found: Found) -> list[Remark]:
     """On the scene or set with the values found, those of its readings among them: as `run` gives them."""
-    return every_remark(solve(found.scene) if isinstance(found.scene, Scene) else solve_set(found.scene))
+    return every_remark(solve_any(found.scene))
 
 
 def tables(found: Found) -> list[Block]:

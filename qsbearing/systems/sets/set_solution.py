@@ -4,22 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.above import Plotted, above
+from qsbearing.model.above import above
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
-from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
+from qsbearing.model.kernel.admissibility import NO_EQUILIBRIUM
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.solution import preload_state
-from qsbearing.model.solution.case_index import Index, place_of
+from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.solution.ring_stiffness import inverse
-from qsbearing.model.solution.solution import Choice, Solution
-from qsbearing.model.solution.status import STATUS_OF_CODE, Reason
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
@@ -29,9 +28,6 @@ from qsbearing.systems.sets.elastic_shaft import Structure
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
-if TYPE_CHECKING:
-    from qsbearing.systems.heat.state import ThermalState
-
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
 
@@ -39,7 +35,7 @@ LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
 
 
-class SetSolution(Plotted):
+class SetSolution(SolutionOfCases):
     """Solved cases of a set. Arrays lead with the case axes: none for a single case.
 
     Displacements and loads are the shaft's at the set's reference position, in the order x, y, z, tilt y, tilt z; SI
@@ -69,11 +65,11 @@ class SetSolution(Plotted):
         self._unloaded = unloaded
         self.solve_alike = solve
         self.seconds = seconds
-        """Wall time of the solve [s]."""
-        self.thermal: ThermalState | None = None
-        """As `Solution.thermal`."""
-        self.choice: Choice | None = None
-        """As `Solution.choice`."""
+
+    @property
+    def codes(self) -> NDArray:
+        """How each of the flattened cases ended, by the kernel's codes."""
+        return self.outcome.status
 
     def __getstate__(self) -> dict[str, Any]:
         """Plain data: rows as they are known, and not what the solver works with."""
@@ -81,7 +77,7 @@ class SetSolution(Plotted):
 
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """As `Solution.mark_unsolved`."""
-        self.outcome.status[np.reshape(cases, -1)] = code
+        self.codes[np.reshape(cases, -1)] = code
         for row in self.rows:
             row.mark_unsolved(cases, code)
 
@@ -91,25 +87,13 @@ class SetSolution(Plotted):
         carries, tilts likewise; azimuths and speeds are the shaft's."""
         return tuple(map(self._row_solution, range(len(self.set.rows))))
 
-    def _shaped(self, array: NDArray, *tail: int) -> Any:
-        shaped = array.reshape(self.shape + tail)
-        return shaped[()] if not shaped.shape else shaped
-
-    def flat_index(self, index: Index) -> int:
-        """The number of a case, counted along the flattened case axes."""
-        place = place_of(index, self.shape)
-        return int(np.ravel_multi_index(place, self.shape)) if place else 0
-
     def __repr__(self) -> str:
         name = f"SetSolution of {self.set.name or 'a set'}, {self.set.arrangement}"
         if self.shape:
             return f"{name}: {self.message()}"
-        lines = [f"{name}: {self.status}, {self.iterations} iterations, residual {self.residual:.1e}"]
         if not self.converged:
-            return f"{lines[0]}\n  {self.message()}"
-        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
-            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
-            lines.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+            return f"{name}: {self._summary()}\n  {self.message()}"
+        lines = [f"{name}: {self._summary()}", *self._channels()]
         for number, (row, load) in enumerate(zip(self.set.rows, self.axial_loads, strict=True)):
             largest = self.rows[number].inner.load.max()
             name = row_name(row, number)
@@ -135,19 +119,6 @@ class SetSolution(Plotted):
         """
         found: list[Warned] = above("warnings")(self, index)
         return found
-
-    @property
-    def converged(self) -> Any:
-        """Whether each case is solved; shape (*cases)."""
-        return self._shaped(self.outcome.status == CONVERGED)
-
-    @property
-    def status(self) -> Any:
-        """`Status` of a single case, or an array of their names; shape (*cases)."""
-        if not self.shape:
-            return STATUS_OF_CODE[int(self.outcome.status[0])]
-        names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
-        return self._shaped(names[self.outcome.status])
 
     @property
     def reason(self) -> Any:
@@ -180,10 +151,6 @@ class SetSolution(Plotted):
     def row_that_gives_way(self) -> Any:
         """Number of the row, from 0, whose own equilibrium ends before the set's; -1: none; shape (*cases)."""
         return self._shaped(self.outcome.fault)
-
-    def _known(self, array: NDArray) -> NDArray:
-        solved = self.outcome.status == CONVERGED
-        return np.where(solved.reshape(-1, *[1] * (array.ndim - 1)), array, np.nan)
 
     @cached_property
     def displacement(self) -> NDArray:
@@ -314,11 +281,6 @@ class SetSolution(Plotted):
         """Unknowns that go where their equations take them: the slide and what is elastic."""
         return [*([] if self.slide is None else [SLIDE]), *range(UNKNOWNS, self._structure.given)]
 
-    @property
-    def locked_stiffness(self) -> NDArray:
-        """Of each channel while all others are kept from moving, the diagonal of `stiffness`; shape (*cases, 5)."""
-        return np.diagonal(self.stiffness, axis1=-2, axis2=-1)
-
     @cached_property
     def unmounted(self) -> SetSolution | None:
         """The set at rest and cold under its preload alone, before its rings are fitted, straight and centred; None
@@ -380,20 +342,6 @@ class SetSolution(Plotted):
             return None
         return PreloadLoads(self.preload_given, self.preload_in_operation, self.axial_loads)
 
-    @property
-    def preload_state(self) -> NDArray | None:
-        """maintained, lost or excessive, of each row; shape (*cases, row); empty where not solved; None likewise.
-
-        Lost: in operation, external loads included, below 1 % of what is given. Excessive: without external loads above
-        three times that.
-        """
-        return None if self.preload_loads is None else preload_state.states(self.preload_loads)
-
-    @property
-    def preload_share(self) -> NDArray | None:
-        """What each row carries, external loads included, over what is given; NaN where nothing is; else likewise."""
-        return None if self.preload_loads is None else preload_state.share(self.preload_loads)
-
     @cached_property
     def free_channels(self) -> NDArray:
         """Numbers of the channels whose load is prescribed."""
@@ -416,12 +364,6 @@ class SetSolution(Plotted):
         sizes = scale[free, None] * scale[free]
         out[..., free[:, None], free] = inverse(self.stiffness[..., free[:, None], free] * sizes) * sizes
         return out
-
-    @property
-    def effective_stiffness(self) -> NDArray:
-        """Of each free channel while the other free ones keep their loads; shape (*cases, 5), SI; NaN where
-        `compliance` is."""
-        return 1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1)
 
     def to_ross(self, n: int, index: Any = None, **arguments: Any) -> Any:
         """One bearing element of ROSS for the whole set, at the node of its reference position; needs the `ross` extra.

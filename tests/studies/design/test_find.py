@@ -192,7 +192,9 @@ def test_grey_begins_where_the_limit_is_met() -> None:
     x = np.linspace(0.0, 40.0, 41)
     middle = Shown("a", "N", np.abs(x - 20.25), [("<=", 5.1)])
     beyond = Shown("b", "N", np.where(x > 35.0, np.nan, x), [(">=", 3.3)])
-    found = spans(draw_region(Along("speed_rpm", "rpm", x, 20.0), None, [middle, beyond], "", "", "best"))
+    drawn = draw_region(Along("speed_rpm", "rpm", x, 20.0), None, [middle, beyond], "", "", "best")
+    assert [bool(each.get_xlabel()) for each in drawn.axes] == [False, True]
+    found = spans(drawn)
     assert found == [pytest.approx((0.0, 15.15)), pytest.approx((25.35, 40.0))]
     few = Along("ball_count", "", np.arange(12.0, 17.0), 14.0)
     listed = spans(draw_region(few, None, [Shown("a", "N", few.values, [("<=", 14.0)])], "", "", "best"))

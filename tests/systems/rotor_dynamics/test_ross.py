@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing.files.stiffness_files import ross_module, seats_of
 from qsbearing.systems.rotor_dynamics import in_rotor_axes
 from tests.systems.rotor_dynamics.rigid_rotor import MIRROR, cylinder, eigenvalues
 from tests.systems.rotor_dynamics.rotor_program import load
@@ -93,6 +94,16 @@ def test_a_set_is_its_rows_at_their_places() -> None:
     front, rear = solution.rows
     two = rotor(front.to_ross(3, tag="front"), rear.to_ross(5, tag="rear", mirrored=True))
     assert_found(np.linalg.eigvals(two.A(SPEEDS[3]))[lowest(two, SPEEDS[3])], one, SPEEDS[3])
+
+
+def test_the_module_of_a_file_makes_the_same_elements() -> None:
+    """Of a pair, each row about its balls' centres."""
+    solution = pair(SPEEDS[3], 800.0)
+    seats = seats_of(solution, "N-m-kg")
+    names: dict[str, Any] = {}
+    exec(compile(ross_module(seats), "bearings.py", "exec"), names)
+    made = rotor(*names["bearings"](FRONT, REAR))
+    assert_found(expected(SPEEDS[3], *(each.stiffness for each in seats)), made, SPEEDS[3])
 
 
 def lowest(rotor: Any, speed: float) -> NDArray:

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,16 @@ from scipy.io import loadmat
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.files.stiffness_files import FIRST_NODE, Seat, calculix_deck, json_text, nastran_deck, seats_of
+from qsbearing.files.stiffness_files import (
+    FIRST_NODE,
+    Seat,
+    abaqus_deck,
+    ansys_deck,
+    calculix_deck,
+    json_text,
+    nastran_deck,
+    seats_of,
+)
 from qsbearing.systems.rotor_dynamics.springs import asymmetry, combined_springs, from_shaft
 
 
@@ -79,6 +89,52 @@ def test_the_command(tmp_path: Path) -> None:
     assert rows["stiffness"].tolist() == shown["rows"][0]["stiffness"]
     for wrong in (["--format", "mat"], ["--format", "json", "--vary", "speed_rpm=0,1"], ["--units", "N-m-kg"]):
         assert CliRunner().invoke(cli, ["stiffness", "b218", *wrong]).exit_code == 2
+
+
+def test_decks_that_were_not_run_say_so_and_hold_the_symmetric_part(fast: qs.Solution) -> None:
+    """Abaqus: the sum of its springs, on the combinations of its equations; ANSYS: the matrix, row by row."""
+    (seat,) = seats_of(fast, "N-mm-t")
+    wanted = np.insert(np.insert(0.5 * (seat.stiffness + seat.stiffness.T), 3, 0.0, axis=0), 3, 0.0, axis=1)
+    node = FIRST_NODE + 101
+    found = np.zeros((6, 6))
+    parts = abaqus_deck([seat], "N-mm-t").split("*SPRING, ELSET=")[1:]
+    for part in parts:
+        own, equation = part.split("*EQUATION\n")
+        count, *lines = equation.split("*")[0].splitlines()
+        terms = np.array(",".join(lines).split(","), float).reshape(int(count), 3)
+        assert terms[0, 1:].tolist() == [1.0, 1.0]
+        assert set(terms[1:, 0]) == {node}
+        combination = np.zeros(6)
+        combination[terms[1:, 1].astype(int) - 1] = -terms[1:, 2]
+        found += float(own.split()[2]) * np.outer(combination, combination)
+    scale = np.array([1.0, 1.0, 1.0, *[seat.lever] * 3])
+    assert np.abs((found - wanted) / np.outer(scale, scale)).max() < 1e-11 * np.abs(wanted).max()
+    deck = ansys_deck([seat], "N-mm-t")
+    constants = [each for line in deck.splitlines() if line.startswith(("R,", "RMORE")) for each in line.split(",")]
+    numbers = np.array([each for each in constants if "e" in each], float)
+    assert (numbers[0], numbers[6], numbers[57]) == (pytest.approx(wanted[0, 0]), 0.0, 0.0), "C1, C7, C58 of the manual"
+    whole = np.zeros((12, 12))
+    whole[np.triu_indices(12)] = numbers
+    assert whole[:6, :6] == pytest.approx(np.triu(wanted), rel=1e-12)
+    assert not whole[:, 6:].any()
+    for text in (deck, abaqus_deck([seat], "N-mm-t")):
+        assert "Not run here" in text
+    assert f"*BOUNDARY\n{node}, 4, 4\n" in abaqus_deck([seat], "N-mm-t")
+    assert f"D,{node},ROTX,0" in deck
+
+
+def test_the_module_for_ross_holds_the_whole_matrices(tmp_path: Path) -> None:
+    """Those of JSON, to the last digit."""
+    shown = json.loads(CliRunner().invoke(cli, ["stiffness", "b218", "--format", "json", "--units", "N-m-kg"]).stdout)
+    text = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "ross"]).stdout
+    names: dict[str, Any] = {}
+    exec(compile(text, "bearings.py", "exec"), names)
+    [(speed, matrix)] = names["ROWS"]
+    whole = np.array(shown["rows"][0]["stiffness"])
+    assert np.array_equal(matrix, np.delete(np.delete(whole, 3, axis=0), 3, axis=1))
+    assert speed == pytest.approx(shown["rows"][0]["speed"] * qs.rpm, rel=1e-15)
+    wrong = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "ross", "--units", "N-mm-t"])
+    assert wrong.exit_code == 2
 
 
 @pytest.mark.heavy

@@ -78,6 +78,11 @@ def test_statics_in_three_dimensions(arrangement: str) -> None:
     np.testing.assert_allclose(found.row_loads.sum(axis=0) / size, load / size, atol=1e-9)
 
 
+def test_an_arrangement_of_two_rows_has_a_name_and_of_more_its_directions() -> None:
+    told = {name: qs.BearingSet(rows(name), qs.Operation()).arrangement for name in ("DB", "TBT")}
+    assert told == {"DB": "DB (back to back)", "TBT": "+x +x -x"}
+
+
 def test_one_row_is_the_bearing_alone() -> None:
     """About the plane of its inner groove centres, which is the origin of a bearing's own channels."""
     operation = qs.Operation(10_000 * qs.rpm, axial_load=8000.0, radial_load_y=4000.0, moment_z=20.0)

@@ -4,7 +4,7 @@ the record.
 Random operating points, which name no effect but the expansion of some, are solved to a tolerance and beside it with
 all effects. Counted are
 those whose every answer lies within the tolerance of the full one, those that leave something out, and the worst. With
-a number, so many scenes are tried and nothing is kept.
+a number, so many scenes are tried and nothing is kept; with a file, the record is kept there.
 """
 
 from __future__ import annotations
@@ -131,11 +131,11 @@ def summary(found: list[Outcome], tolerance: float = TOLERANCE) -> dict[str, Any
 
 def main() -> None:
     """Try and print; keep the record of a whole trial."""
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else SCENES
-    text = json.dumps(summary(outcomes(count)), indent=1) + "\n"
+    asked = sys.argv[1] if sys.argv[1:] else str(RECORD)
+    text = json.dumps(summary(outcomes(int(asked) if asked.isdecimal() else SCENES)), indent=1) + "\n"
     print(text, end="")
-    if count == SCENES:
-        RECORD.write_text(text, encoding="utf-8")
+    if not asked.isdecimal():
+        Path(asked).write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
-"""What accuracy costs, made anew: `python -m tests.verification.benchmarks.cost`, on a quiet machine about two minutes.
-
-The record of one scene, its pictures and its table in the guide; with `--from-record` only pictures and table.
-"""
+"""What accuracy costs, made anew: `python -m tests.verification.benchmarks.cost [FILE]`, on a quiet machine about two
+minutes, measures one scene and keeps the record. Its pictures and its table follow with those of the guide."""
 
 from __future__ import annotations
 
@@ -11,18 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import qsbearing as qs
+from qsbearing.results import provenance
 from qsbearing.studies.cost import figures, record
 from qsbearing.studies.cost.tables import levels_of, select, worst
-from tests.verification.benchmarks import auto_accuracy, marked
+from tests.verification.benchmarks import auto_accuracy
 
-PAGE = Path(qs.__file__).parent / "guide" / "accuracy.md"
-"""Shows the table."""
 SCENE = Path(__file__).with_name("b218_combined.toml")
 RECORDS = Path(qs.__file__).parent / "studies" / "cost" / "records"
 RECORD = RECORDS / f"{SCENE.stem}.json"
 PICTURES = RECORDS / "pictures"
-
-MARK = "cost"
 
 
 def load() -> dict[str, Any]:
@@ -30,16 +25,17 @@ def load() -> dict[str, Any]:
     return dict(json.loads(RECORD.read_text(encoding="utf-8")))
 
 
-def measure() -> None:
+def measure(target: Path) -> None:
     """Measure and keep the record."""
     found = record.measure(qs.load_scene(SCENE), record.FULL, lambda text: print(text, file=sys.stderr, flush=True))
+    found["provenance"] = provenance.of_run("python -m tests.verification.benchmarks.cost")
     rows = {key: found.pop(key) for key in ("measured", "errors")}
     # One row a line: the differences of two records can be read.
     parts = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in found.items()]
     for key, listed in rows.items():
         lines = ",\n  ".join(map(json.dumps, listed))
         parts.append(f" {json.dumps(key)}: [\n  {lines}\n ]")
-    RECORD.write_text("{\n" + ",\n".join(parts) + "\n}\n", encoding="utf-8")
+    target.write_text("{\n" + ",\n".join(parts) + "\n}\n", encoding="utf-8")
 
 
 def draw() -> None:
@@ -99,19 +95,9 @@ def _power(value: float) -> str:
     return f"{value:.2g}".replace("e+0", "e")
 
 
-def filled(page: str, found: dict[str, Any]) -> str:
-    """The page with its table made anew."""
-    return marked.filled(page, MARK, "cost", table(found))
-
-
 def main() -> None:
-    """Make everything, or with `--from-record` what follows from the record."""
-    if sys.argv[1:] not in ([], ["--from-record"]):
-        raise SystemExit(__doc__)
-    if not sys.argv[1:]:
-        measure()
-    draw()
-    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), load()), encoding="utf-8")
+    """Measure, keep."""
+    measure(Path(sys.argv[1]) if sys.argv[1:] else RECORD)
 
 
 if __name__ == "__main__":

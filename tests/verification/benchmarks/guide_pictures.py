@@ -20,7 +20,6 @@ from numpy.typing import ArrayLike
 import qsbearing as qs
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import record as cost_record
-from fem_check.report.figures.sector import bearing_sector
 from fem_check.running import records_store
 from qsbearing.files.set_file import set_of
 from qsbearing.pictures import deformed_shaft, overview
@@ -30,6 +29,7 @@ from qsbearing.studies.cost import figures
 from tests.guide.pages import blocks, run_page
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks.coordinate_drawing import coordinate_drawing
+from tests.verification.benchmarks.sector_drawing import bearing_sector
 
 GUIDE = Path(qs.__file__).parent / "guide"
 

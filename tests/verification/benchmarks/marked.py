@@ -1,18 +1,20 @@
-"""A page of the guide with a marked table made anew."""
+"""A page with a marked table, or part of a line, made anew."""
 
 from __future__ import annotations
 
 import re
 
 
-def filled(page: str, mark: str, script: str, table: str) -> str:
-    """The page with this table between its marks, which name the script that makes it.
+def filled(page: str, mark: str, table: str) -> str:
+    """The page with this between its marks, which say what makes it; a table has lines of its own.
 
     Raises:
         ValueError: the page has not one such place.
     """
-    pattern = rf"(<!-- {mark}: made by tests/verification/benchmarks/{script}.py -->\n).*?(<!-- end of {mark} -->)"
-    page, count = re.subn(pattern, lambda match: f"{match[1]}{table}\n{match[2]}", page, flags=re.DOTALL)
+    pattern = rf"(<!-- {mark}: made by [^>]*-->)(\n?).*?(<!-- end of {mark} -->)"
+    page, count = re.subn(
+        pattern, lambda match: f"{match[1]}{match[2]}{table}{match[2]}{match[3]}", page, flags=re.DOTALL
+    )
     if count != 1:
-        raise ValueError(f"the page has {count} tables marked {mark!r}, not one")
+        raise ValueError(f"the page has {count} places marked {mark!r}, not one")
     return page

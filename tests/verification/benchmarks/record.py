@@ -1,4 +1,4 @@
-"""Measures what the README states and keeps it: `python -m tests.verification.benchmarks.record`.
+"""Measures what the README states and keeps it: `python -m tests.verification.benchmarks.record [FILE]`.
 
 Competing figures are taken in turn within one run, since a shared machine's speed drifts; each is the median of
 repeats, with the smallest and the largest beside it.
@@ -208,7 +208,8 @@ def main() -> None:
     for part in (start_up, single_calls, batch, starting_values, against_scipy, million):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         record[part.__name__] = part()
-    RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    target = Path(sys.argv[1]) if sys.argv[1:] else RECORD
+    target.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
     print(json.dumps(record, indent=1))
 
 

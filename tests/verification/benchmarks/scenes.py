@@ -49,6 +49,24 @@ def random_general_points(count: int, seed: int = 0) -> qs.Scene:
     )
 
 
+def levels() -> dict[str, qs.Scene]:
+    """B218 under a combined load, with more and more effects; ring expansion with a fit and a warm inner ring."""
+    steel = dataclasses.replace(B218.ring_material, thermal_expansion=12e-6)
+    bearing = dataclasses.replace(B218, ring_material=steel, ball_material=steel)
+    loads = qs.Operation(axial_load=17_800.0, radial_load_y=3_000.0, moment_z=0.0)
+    turning = dataclasses.replace(loads, speed=10_000 * qs.rpm)
+    rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=15 * qs.um, inner_ring_temperature=340.0)
+    grown = qs.Scene(bearing, turning, BOTH, qs.RacewayControl.OUTER, ring_effects=(rings,))
+    finest = {"ring_effects": (rings, qs.BallExpansion(340.0)), "hertz_angle": "actual", "orbit_radius": "displaced"}
+    return {
+        "at rest": qs.Scene(bearing, loads),
+        "+ centrifugal force": qs.Scene(bearing, turning, BOTH[:1], qs.RacewayControl.OUTER),
+        "+ gyroscopic moment": qs.Scene(bearing, turning, BOTH, qs.RacewayControl.OUTER),
+        "+ ring expansion": grown,
+        "all": dataclasses.replace(grown, **finest),
+    }
+
+
 def plain_start(scene: qs.Scene) -> qs.Solution:
     """What one starts from without thinking: pure thrust at rest, every ball at its static contact angle."""
     operation = qs.Operation(axial_load=scene.operation.axial_load)

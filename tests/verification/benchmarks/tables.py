@@ -1,5 +1,5 @@
-"""The tables of the guide, built from the records: `python -m tests.verification.benchmarks.tables` writes them into
-its pages."""
+"""Tables of the guide and the README, built from the records: `python -m tests.verification.benchmarks.tables` writes
+them into the pages, and all else that follows from records."""
 
 from __future__ import annotations
 
@@ -12,16 +12,21 @@ from typing import Any
 import qsbearing as qs
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
+from fem_check.release.steps import RECOMPUTED, SCENES
+from fem_check.report import evidence, questions
 from fem_check.report.figures import sector as sector_figures
+from fem_check.rows.agreement import Level
 from fem_check.running import records_store
+from tests.guide import interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
-from tests.verification.benchmarks import marked
+from tests.verification.benchmarks import before, cost, marked
 from tests.verification.benchmarks.record import RECORD
+from tests.verification.hard_cases import table as hard_cases_table
 
 GUIDE = Path(qs.__file__).parent / "guide"
-CAMPAIGNS = Path(__file__).parents[1] / "campaign" / "records"
-HARD_CASES = Path(__file__).parents[1] / "hard_cases" / "table.json"
+ROOT = Path(__file__).parents[3]
+CAMPAIGNS = records_store.FOLDER / "gate" / "release" / "campaign"
 
 QUANTITIES = {
     "approach": "approach",
@@ -180,10 +185,24 @@ def gyroscopic_moment() -> str:
     return markdown(["", r"$\alpha_i$, deg", r"$\alpha_o$, deg"], rows)
 
 
+def campaigns_of(names: dict[Level, dict[str, int]]) -> list[Any]:
+    """Those of these that are on record."""
+    paths = (CAMPAIGNS / name / "summary.json" for name in sorted(names[Level.RELEASE]))
+    return [read(path) for path in paths if path.is_file()]
+
+
+def random_scenes() -> str:
+    """What the README says of all campaigns, as page 1 of the validation report counts them."""
+    every = questions.total(evidence.read().random_scenes)
+    wrong = "none is" if every.wrong == 0 else f"{every.wrong} are"
+    said = f"Of {every.count:,} random scenes {every.lost} did not converge, and {wrong} wrong"
+    return f"{said}\n([hard cases](qsbearing/guide/hard_cases.md))."
+
+
 def campaigns() -> str:
     """Every recorded campaign of random scenes."""
     rows = []
-    for record in map(read, sorted(CAMPAIGNS.glob("*.json"))):
+    for record in campaigns_of(SCENES):
         classes, refused = record["classes"], record["no_equilibrium"]
         wrong = record["bar"]["failures"] if "bar" in record else record["failures_total"]
         iterations = record["iterations_of_converged"]
@@ -209,7 +228,7 @@ SHOWN = {"error of the gives": "error of the ring deflections", "give over thick
 def recomputed() -> str:
     """Every recorded campaign of cases recomputed from what their solutions say."""
     rows = []
-    for record in map(read, sorted((CAMPAIGNS / "recomputed").glob("*.json"))):
+    for record in campaigns_of(RECOMPUTED):
         ended = record["ended"]
         refused = sum(number for how, number in ended.items() if how.startswith("no_equilibrium"))
         counts = record["count"], ended["converged"], refused, ended.get("not_converged", 0), len(record["wrong"])
@@ -221,7 +240,7 @@ def recomputed() -> str:
 
 def hard_cases() -> str:
     """How the named hard cases ended."""
-    cases = read(HARD_CASES)["cases"]
+    cases = read(hard_cases_table.DATA)["cases"]
     within = sum(case["verdict"] == "within 1e-9" for case in cases)
     expected = sum(case["verdict"] == "as expected" for case in cases)
     return markdown(
@@ -253,7 +272,12 @@ def tilts() -> str:
 
 PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},
-    "timing.md": {"timing": timing, "alternatives": alternatives},
+    "accuracy.md": {"cost": lambda: cost.table(cost.load())},
+    "timing.md": {
+        "timing": timing,
+        "before": lambda: before.table(before.load()),
+        "alternatives": alternatives,
+    },
     "finite_elements.md": {
         "contacts": contacts,
         "true geometry": true_geometry,
@@ -262,23 +286,38 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
     "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},
+    "interface.md": {
+        "files": lambda: interface.table("files", "table"),
+        "python": lambda: interface.table("python", "in"),
+        "commands": lambda: interface.table("commands", "command"),
+        "json": lambda: interface.table("json", "in"),
+    },
+    "README.md": {"random scenes": random_scenes},
 }
-"""Pages of the guide, and the tables of each."""
+"""Pages, and the tables of each."""
+
+
+def path_of(page: str) -> Path:
+    """The README's, or that of a page of the guide."""
+    return ROOT / page if page == "README.md" else GUIDE / page
 
 
 def filled(page: str) -> str:
-    """A page of the guide with its tables made anew."""
-    text = (GUIDE / page).read_text(encoding="utf-8")
+    """A page with its tables made anew."""
+    text = path_of(page).read_text(encoding="utf-8")
     for name, make in PAGES[page].items():
-        text = marked.filled(text, name, "tables", make())
+        text = marked.filled(text, name, make())
     return text
 
 
 def main() -> None:
-    """Rewrite the tables of every page, and the numbers of the design report's evidence."""
+    """Rewrite the tables of every page, the list of hard cases, the pictures of what accuracy costs, and the numbers of
+    the design report's evidence."""
     evidence_numbers.main()
+    cost.draw()
+    hard_cases_table.TABLE.write_text(hard_cases_table.markdown(read(hard_cases_table.DATA)["cases"]), encoding="utf-8")
     for page in PAGES:
-        (GUIDE / page).write_text(filled(page), encoding="utf-8")
+        path_of(page).write_text(filled(page), encoding="utf-8")
 
 
 if __name__ == "__main__":

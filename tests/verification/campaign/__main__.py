@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import tempfile
 from pathlib import Path
@@ -15,8 +14,6 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from tests.verification.campaign.campaign import run_campaign
 from tests.verification.campaign.envelope import CHUNK, ENVELOPES, scene_file
 
-RECORDS = Path(__file__).with_name("records")
-
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.option("--envelope", type=click.Choice(list(ENVELOPES)), default="wild", show_default=True, help="Of scenes.")
@@ -25,11 +22,8 @@ RECORDS = Path(__file__).with_name("records")
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for journal, summary and scene files of failures.")
 @click.option("--threads", type=click.IntRange(1), default=2, show_default=True, help="Worker processes.")
 @click.option("--resume", is_flag=True, help="Go on with the campaign that the folder holds.")
-@click.option("--record", is_flag=True, help="Keep the summary under tests/verification/campaign/records.")
 @click.option("--scene", "named", metavar="CHUNK/INDEX", help="Only print this scene of the seed as a scene file.")
-def main(
-    envelope: str, count: int, seed: int, out: Path | None, threads: int, resume: bool, record: bool, named: str | None
-) -> None:
+def main(envelope: str, count: int, seed: int, out: Path | None, threads: int, resume: bool, named: str | None) -> None:
     """Solve COUNT random scenes, classify and check every one. Exit codes: 0 bar met, 1 not met, 2 bad input."""
     if named is not None:
         print(scene_file(envelope, seed, scene_number(named)), end="")
@@ -55,11 +49,6 @@ def main(
             click.echo(f"campaign: {error}", err=True)
             sys.exit(2)
     print(in_words(summary, folder))
-    if record:
-        RECORDS.mkdir(exist_ok=True)
-        path = RECORDS / f"{envelope}_seed_{seed}_count_{count}.json"
-        path.write_text(json.dumps(summary, indent=1) + "\n", encoding="utf-8")
-        print(f"kept in {path}")
     sys.exit(0 if summary["bar"]["met"] else 1)
 
 

@@ -1,4 +1,4 @@
-"""Random cases in batches, each of a generator of its own, counted and kept: campaigns of rings and of spindles."""
+"""Random cases in batches, each of a generator of its own, counted and kept: campaigns of rings, sets and spindles."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+import qsbearing as qs
 from qsbearing.results import provenance
-
-RECORDS = Path(__file__).with_name("records") / "recomputed"
 
 
 @dataclass
@@ -32,13 +32,24 @@ class Batch:
     """The largest of each error, over converged cases."""
 
 
+def of_sets(solution: qs.SetSolution, wrong: dict[str, NDArray]) -> Batch:
+    """What became of sets of rows, with the cases that break each promise."""
+    ended = zip(solution.status, solution.reason, strict=True)
+    found = Batch(Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in ended))
+    for name, bad in wrong.items():
+        found.wrong |= {int(k): name for k in np.flatnonzero(bad)}
+    found.not_converged = [int(k) for k in np.flatnonzero(solution.status == "not_converged")]
+    found.largest["residual"] = float(np.max(solution.residual, where=solution.converged, initial=0.0))
+    return found
+
+
 def run(name: str, draw: Callable[[np.random.Generator], Batch], size: int, description: str | None) -> None:
     """The command of a campaign: COUNT cases of a SEED, batch by batch; exit code 1 if some are wrong."""
     parser = argparse.ArgumentParser(prog=f"python -m tests.verification.campaign.{name}", description=description)
     parser.add_argument("count", type=int)
     parser.add_argument("seed", type=int, nargs="?", default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first batch")
-    parser.add_argument("--record", action="store_true", help="keep the summary under records/recomputed")
+    parser.add_argument("--out", type=Path, help="file for the summary")
     parser.add_argument("--minutes", type=float, default=float("inf"), help="end after so long, whatever the count")
     asked = parser.parse_args()
     began, cpu = time.perf_counter(), time.process_time()
@@ -73,6 +84,6 @@ def run(name: str, draw: Callable[[np.random.Generator], Batch], size: int, desc
     }
     text = json.dumps(summary, indent=1) + "\n"
     print(text, end="")
-    if asked.record:
-        (RECORDS / f"{name}_seed_{asked.seed}_count_{summary['count']}.json").write_text(text, encoding="utf-8")
+    if asked.out:
+        asked.out.write_text(text, encoding="utf-8")
     sys.exit(1 if listed["wrong"] else 0)

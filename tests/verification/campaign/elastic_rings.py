@@ -1,6 +1,6 @@
 """Random bearings between elastic rings, down to 1 mm thin: solved or refused with a reason, none wrong.
 
-    python -m tests.verification.campaign.elastic_rings COUNT [SEED] [--record]
+    python -m tests.verification.campaign.elastic_rings COUNT [SEED] [--out FILE]
 
 What is solved is recomputed from its outputs by code of its own: the ring's equilibrium, each ball's, loop closure, and
 the gives of both rings under the balls' loads, with compliances from Navier's equations in place of Airy's function and

@@ -1,5 +1,7 @@
 """Sets of rows: drawn at random, and recomputed from what their solution says.
 
+    python -m tests.verification.campaign.sets COUNT [SEED] [--out FILE]
+
 Every row is a bearing of its own with all channels held, so that its balls and its sums are checked as those of any
 scene. What is left is the shaft: rigid, it moves every row by statics in space alone, and carries the rows' loads.
 
@@ -21,10 +23,12 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.verification.campaign import realistic
+from tests.verification.campaign.batches import Batch, of_sets, run
 from tests.verification.campaign.checks import MOST_IMBALANCE, findings, heat_strain, moved_by_heat
 from tests.verification.campaign.group import GROUP, one_of
 from tests.verification.campaign.mounted import of_one_ball_count, with_expansion
 
+BATCH = 100
 ARRANGEMENTS = (("+x", "-x"), ("-x", "+x"), ("+x", "+x"), ("+x", "+x", "-x"), ("+x", "+x", "-x", "-x"))
 
 STATICS = 1e-9
@@ -122,3 +126,13 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
     failed["shaft in equilibrium"] = converged & ~(left <= STATICS * largest)
     failed["shaft rigid"] = converged & ~(displaced <= MOST_IMBALANCE)
     return failed
+
+
+def batch(rng: np.random.Generator) -> Batch:
+    """How one call's sets ended."""
+    solution = qs.solve_set(draw_sets(rng, BATCH))
+    return of_sets(solution, wrong_of(solution))
+
+
+if __name__ == "__main__":
+    run("sets", batch, BATCH, __doc__)

@@ -1,6 +1,6 @@
 """Spindles: the random sets of `sets` on elastic shafts in elastic housings, recomputed from what the solution says.
 
-    python -m tests.verification.campaign.spindles COUNT [SEED] [--record]
+    python -m tests.verification.campaign.spindles COUNT [SEED] [--out FILE]
 
 The shaft's line is put into finite elements of the tests' own: what they say holds it there must be what rows, loads
 and supports do. Every row must stand where line and housing have it; a sleeve that floats carries its spring's force.
@@ -17,7 +17,6 @@ and supports do. Every row must stand where line and housing have it; a sleeve t
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
 from typing import Any
 
@@ -26,7 +25,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.systems.sets import timoshenko
-from tests.verification.campaign.batches import Batch, run
+from tests.verification.campaign.batches import Batch, of_sets, run
 from tests.verification.campaign.checks import standing_balls
 from tests.verification.campaign.group import GROUP
 from tests.verification.campaign.sets import draw_sets
@@ -186,13 +185,7 @@ def _misplaced(solution: qs.SetSolution, k: int) -> bool:
 def batch(rng: np.random.Generator) -> Batch:
     """How one call's spindles ended."""
     solution = qs.solve_set(draw_spindles(rng, BATCH))
-    ended = zip(solution.status, solution.reason, strict=True)
-    found = Batch(Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in ended))
-    for name, bad in wrong_of(solution).items():
-        found.wrong |= {int(k): name for k in np.flatnonzero(bad)}
-    found.not_converged = [int(k) for k in np.flatnonzero(solution.status == "not_converged")]
-    found.largest["residual"] = float(np.max(solution.residual, where=solution.converged, initial=0.0))
-    return found
+    return of_sets(solution, wrong_of(solution))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""How near each hard case comes to fifty digits: `python -m tests.verification.hard_cases.table [FOLDER]` writes
-table.json and TABLE.md, here or in another folder.
+"""How near each hard case comes to fifty digits: `python -m tests.verification.hard_cases.table [FILE]` writes
+table.json, here or elsewhere; the guide's tables are written with TABLE.md, which shows it.
 
 Errors are relative: a contact's load over that load, angles over the case's largest, displacements (tilts as motions at
 the pitch radius) over its largest. A case is within 1e-9, or what it loses is explained by the condition number of its
@@ -133,9 +133,8 @@ def main() -> None:
     """Solve, compare, write."""
     table = rows()
     record = {"provenance": provenance.of_run("python -m tests.verification.hard_cases.table"), "cases": table}
-    folder = Path(sys.argv[1]) if sys.argv[1:] else HERE
-    (folder / DATA.name).write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
-    (folder / TABLE.name).write_text(markdown(table), encoding="utf-8")
+    target = Path(sys.argv[1]) if sys.argv[1:] else DATA
+    target.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
     print(markdown(table))
 
 

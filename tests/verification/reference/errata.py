@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.optimize import root
 
 import qsbearing as qs
+from fem_check.rows.row_text import scientific
 from qsbearing.results import provenance
 
 DATA = Path(__file__).with_name("errata.json")
@@ -106,8 +107,8 @@ def solve(e: Equations, start: NDArray) -> dict[str, float]:
         "axial displacement, µm": float(found.x[0]),
         "radial displacement, µm": float(found.x[1]),
         "tilt, mrad": float(found.x[2] * 1e-6 / DM * 1e3),
-        "αi, deg": float(np.degrees(np.arctan2(si, ci)[0])),
-        "αo, deg": float(np.degrees(np.arctan2(so, co)[0])),
+        "αi,°": float(np.degrees(np.arctan2(si, ci)[0])),
+        "αo,°": float(np.degrees(np.arctan2(so, co)[0])),
         "Qi, N": float(qi[0]),
     }
 
@@ -134,7 +135,7 @@ def difference(right: dict[str, float], wrong: dict[str, float]) -> str:
     changes = {name: abs(wrong[name] - right[name]) / abs(right[name]) for name in right}
     most = [name for name in sorted(changes, key=lambda each: -changes[each])[:3] if changes[name] > 1e-6]
     return "; ".join(
-        f"{name.partition(',')[0]} {right[name]:.4g} → {wrong[name]:.4g} {name.partition(', ')[2]}" for name in most
+        f"{name.partition(',')[0]} {right[name]:.4g} → {wrong[name]:.4g}{name.partition(',')[2]}" for name in most
     )
 
 
@@ -146,7 +147,7 @@ def effects() -> dict[str, str]:
     printed = (2 * F - 0.5) * D
     pressed = printed - outer.distance_of_centres
     in_series = (KI ** (-2 / 3) + KO ** (-2 / 3)) ** -1.5
-    loaded = math.radians(right["αo, deg"])
+    loaded = math.radians(right["αo,°"])
     clearance = [2e3 * outer.distance_of_centres * (1 - math.cos(angle)) for angle in (FREE_ANGLE, loaded)]
     slow, fast = (package(speed) for speed in (100 * math.pi / 30, SPEED))
     turned = [
@@ -154,7 +155,7 @@ def effects() -> dict[str, str]:
     ]
     return {
         "(19.7)": f"BD {1e3 * printed:.2f} mm in place of {1e3 * outer.distance_of_centres:.3f} mm: undisplaced, every "
-        f"ball would be pressed by {1e3 * pressed:.1f} mm, with {in_series * pressed**1.5:.1e} N",
+        f"ball would be pressed by {1e3 * pressed:.1f} mm, with {scientific(in_series * pressed**1.5, 2)} N",
         "(19.14)": "inner control: "
         + difference(right_inner, solve(replace(inner, friction_in_radial_sum=-1.0), start_inner)),
         "(19.15)": "inner control: "

@@ -306,7 +306,7 @@ SCENES: list[Case] = [
     ),
     at_rest(
         "b218_one_large_ball_at_rest",
-        "thrust alone, and yet no two balls alike: the ring tilts away from the one that is 6 um too large",
+        "thrust alone, and yet no two balls alike: the ring tilts away from the one that is 6 µm too large",
         B218, load("2000"),
     ) | {"ball_diameter_deviations": ["6e-6"] + 15 * ["0"]},
     turning(

@@ -1,8 +1,8 @@
 """The ball between its rings, cut open: the stress in the steel, and the pressure on the ball beside Hertz's ellipse.
 
-`python -m fem_check.report.cutaway OUT.png` makes the picture of the guide from the record of `bearing_sector` and its
-meshes; it needs PyVista (extra `render`), which draws without a screen. Beside it stand the three bodies as VTU files,
-which ParaView opens, and from which it is drawn.
+`python -m tests.verification.benchmarks.cutaway OUT.png` makes the picture of the guide from the record of
+`bearing_sector` and its meshes; it needs PyVista (extra `render`), which draws without a screen. Beside it stand the
+three bodies as VTU files, which ParaView opens, and from which it is drawn.
 """
 
 from __future__ import annotations

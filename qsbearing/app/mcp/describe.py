@@ -1,0 +1,75 @@
+"""What there is to know of scenes, bearings, results and remarks, out of the places that the program itself uses."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from qsbearing.documents.guide import meant_by, skill_text, topics
+from qsbearing.files import catalogue
+from qsbearing.files.file_errors import refused
+from qsbearing.files.file_keys import IN_FILE
+from qsbearing.model.solution import quantities
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.validation import near
+from qsbearing.model.version import __version__
+from qsbearing.remarks.kinds import KINDS
+from qsbearing.results.guide_lists import LISTS
+from qsbearing.studies.results import of_readings
+from qsbearing.studies.schema import file_schema
+
+RESULTS, SKILL = "results", "skill"
+
+
+def described(topic: str) -> dict[str, Any]:
+    """What a topic is; without one, which topics there are.
+
+    Raises:
+        SceneFileError: there is no such topic.
+    """
+    schema = file_schema()
+    tables, pages = schema["definitions"] | schema["properties"], topics(lists=LISTS)
+    page, _, section = topic.partition("#")
+    if not topic:
+        return {
+            "version": __version__,
+            "bearings": [entry.name for entry in catalogue.entries()],
+            "tables_of_a_scene": list(schema["properties"]),
+            "results": f"names and units: describe('{RESULTS}')",
+            "remarks": list(KINDS),
+            "how_to_work_with_it": f"describe('{SKILL}')",
+            "guide": {each.topic: each.title for each in pages.values()},
+        }
+    if topic == SKILL:
+        return {"text": skill_text()}
+    if topic == RESULTS:
+        every = {name: each.attributes for name, each in quantities.ALL.items()}
+        every |= {name: found for name, (_, found) in of_readings().items()}
+        return {name: f"{each['long_name']} [{printed_unit(each['units'])}]" for name, each in every.items()}
+    if topic in tables:
+        return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
+    if topic in KINDS:
+        kind = KINDS[topic]
+        found = {"code": topic, "severity": kind.severity.name.lower(), "values": list(kind.values)}
+        return found | {"sentence": kind.outline(IN_FILE), "guide": kind.see}
+    if page in pages and (text := pages[page].plain(section)):
+        return {"guide": topic, "text": text}
+    entry = catalogue.find(topic)
+    if entry is not None:
+        return {**vars(entry), "scene": {"bearing": {"name": entry.name}, **entry.example}}
+    meant = near(topic, [*tables, *KINDS, *pages], 0.7)
+    cause = f"Did you mean {meant}?" if meant else meant_by(page, pages) or catalogue.nearest(topic)
+    raise refused(topic, "is no table, result list, remark, page of the guide or bearing", cause)
+
+
+def _named_in(schema: Any, definitions: dict[str, Any]) -> dict[str, Any]:
+    """The definitions that a schema refers to, and those that these do."""
+    found: dict[str, Any] = {}
+    seen = [schema]
+    while seen:
+        text = json.dumps(seen.pop())
+        for name in definitions.keys() - found.keys():
+            if f'"#/definitions/{name}"' in text:
+                found[name] = definitions[name]
+                seen.append(definitions[name])
+    return found

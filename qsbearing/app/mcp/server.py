@@ -1,0 +1,96 @@
+"""The tools over the Model Context Protocol, by its official SDK: on standard input and output, files below a folder.
+
+Answers are bounded: in time, as those of the page are; in length; in points and tables, before anything is solved.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from mcp.server.mcpserver import MCPServer
+from mcp.server.mcpserver.tools import Tool
+from mcp.types import CallToolResult, TextContent, ToolAnnotations
+
+from qsbearing.app.mcp.folder import Folder
+from qsbearing.app.mcp.tools import Tools
+from qsbearing.app.work import StoppedError, answered
+from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
+from qsbearing.model.compiler.background_compiler import begin
+from qsbearing.model.compiler.compiled import COMPILED, compile_in_background
+from qsbearing.model.kernel import solve_case
+from qsbearing.model.validation import SceneError
+from qsbearing.model.version import __version__
+
+LONGEST_ANSWER = 200_000
+"""Characters; a bearing with all its balls takes 20,000."""
+WARM = "import qsbearing as qs; qs.solve(qs.load_scene('b218'))"
+WRITES = ("sweep", "report")
+INSTRUCTIONS = """\
+qsbearing computes ball bearings by the quasi-static (Jones-Harris) model. Units stand at the end of keys (speed_rpm,
+axial_load_N). Say with every number what its remarks say: severity wrong_model means that the numbers do not hold,
+incomplete_model that an effect that is left out would change them, check_data that the input is unusual. A status other
+than converged is a result: there is no equilibrium, or none was found; give no numbers of it. Errors tell the key, its
+value, unit and allowed range, and the likely cause: correct the scene and ask again. Begin with describe; its topic
+"skill" tells how to work with all of it. The first find or sweep after an installation may wait a minute.
+"""
+
+
+def server(folder: Path) -> MCPServer:
+    """The server, before it runs.
+
+    Raises:
+        OSError: there is no such folder.
+    """
+    of = Tools(Folder(folder))
+    tools = [_tool(each) for each in (of.describe, of.solve, of.explain, of.find, of.sweep, of.report)]
+    return MCPServer("qsbearing", instructions=INSTRUCTIONS, version=__version__, log_level="ERROR", tools=tools)
+
+
+def serve(folder: Path) -> None:
+    """Serve until standard input ends; plain Python answers first, while another process compiles.
+
+    Raises:
+        OSError: there is no such folder.
+    """
+    made = server(folder)
+    compile_in_background()
+    if COMPILED:
+        begin(f"{solve_case.__name__}.{solve_case.solve_cases.__name__}", WARM)
+    made.run("stdio")
+
+
+def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
+    """A question as a tool: its answer, or every error with its fields. Arguments that it does not have are refused."""
+
+    @functools.wraps(question)
+    async def answer(**given: Any) -> CallToolResult:
+        try:
+            found = await answered(question, given)
+        except SceneError as error:
+            details = [each if isinstance(each, FileErrorDetail) else translate(each) for each in error.errors]
+            found = {"errors": [each.record() for each in details[:MOST_SHOWN]], "count": len(details)}
+            return _result({"file": getattr(error, "file", "")} | found, True)
+        except (StoppedError, OSError) as error:
+            return _result({"errors": [{"problem": str(error)}], "count": 1}, True)
+        return _result(found)
+
+    hints = ToolAnnotations(read_only_hint=question.__name__ not in WRITES, destructive_hint=False)
+    tool = Tool.from_function(answer, annotations=hints, structured_output=False)
+    arguments = tool.fn_metadata.arg_model
+    arguments.model_config["extra"] = "forbid"
+    arguments.model_rebuild(force=True)
+    return tool.model_copy(update={"parameters": tool.parameters | {"additionalProperties": False}})
+
+
+def _result(found: dict[str, Any], is_error: bool = False) -> CallToolResult:
+    text = json.dumps(found, ensure_ascii=False, allow_nan=False)
+    if len(text) > LONGEST_ANSWER:
+        problem = f"has {len(text):,} characters; at most {LONGEST_ANSWER:,} are sent: ask for less, or for a file"
+        return _result({"errors": [{"key": "answer", "problem": problem}], "count": 1}, True)
+    return CallToolResult(
+        content=[TextContent(type="text", text=text)], structured_content=json.loads(text), is_error=is_error
+    )

@@ -1,0 +1,28 @@
+"""The design report of whatever was solved."""
+
+from __future__ import annotations
+
+from qsbearing.documents.model import Document
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.reports import document, set_document, spectrum
+from qsbearing.studies.chooser.choose_set import solve_any
+from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def document_of_any(solution: Solution | SetSolution, asked: Scene | BearingSet, source: str, command: str) -> Document:
+    """The report of a bearing, of a set, or of either over a spectrum.
+
+    Args:
+        solution: converged.
+        asked: the scene or set as it was given.
+        source: the text of its file; empty for an example of the catalogue.
+        command: that makes this report.
+    """
+    if "spectrum" in asked.readings:
+        return spectrum.document(solution, asked, solve_any, source, command)
+    if isinstance(solution, Solution):
+        assert isinstance(asked, Scene)
+        return document.document(solution, asked, source, command)
+    return set_document.document(solution, source, command)

@@ -1,0 +1,152 @@
+"""What files and programs of users may rely on, from the tables of the code: `python -m tests.guide.interface` adds new
+names to those that stay (interface.json), of which none is dropped or renamed; the guide's page lists them.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from inspect import isfunction
+from pathlib import Path
+from typing import Any
+
+import click
+from click.testing import CliRunner
+
+import qsbearing as qs
+from fem_check.checks import ALL, OPTIONAL
+from fem_check.cli import cli as fem_check
+from qsbearing.cli import cli as qsbearing
+from qsbearing.studies.schema import file_schema
+
+KEPT = Path(__file__).with_name("interface.json")
+PAIR = '{start}\n[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
+LOADED = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 1000\naxial_load_N = 100\n'
+
+Names = dict[str, list[str]]
+
+
+def found() -> dict[str, Names]:
+    """Names by kind and group, each group in order."""
+    return {"files": files(), "python": python(), "commands": commands(), "json": output()}
+
+
+def files() -> Names:
+    """Keys of scene, set and study files by table."""
+    schema = file_schema()
+    tables: dict[str, set[str]] = {}
+    _walk(schema, schema, "", tables, 0)
+    return {name or "(outside tables)": sorted(keys) for name, keys in sorted(tables.items())}
+
+
+def _walk(node: Any, schema: dict[str, Any], path: str, tables: dict[str, set[str]], depth: int) -> None:
+    if "$ref" in node:
+        node = schema["definitions"][node["$ref"].rpartition("/")[2]]
+    for each in (*node.get("anyOf", []), *node.get("oneOf", []), *([node["items"]] if "items" in node else [])):
+        _walk(each, schema, path, tables, depth)
+    for key, value in node.get("properties", {}).items() if depth < DEEPEST else ():
+        before: set[str] = set()
+        inner: dict[str, set[str]] = {}
+        _walk(value, schema, f"{path}.{key}".strip("."), inner, depth + 1)
+        tables.setdefault(path, before).add(key)
+        for name, keys in inner.items():
+            tables.setdefault(name, set()).update(keys)
+
+
+DEEPEST = 4
+"""Tables within tables."""
+
+
+def python() -> Names:
+    """Names of `qs`, and of what it solves."""
+    values = {name: getattr(qs, name) for name in qs.__all__}
+    of = {"qs": sorted(values)}
+    of |= {f"qs.{name}": _public(values[name]) for name in ("Solution", "RacewayContacts", "SetSolution")}
+    of |= {f"qs.{name}": [str(each.value) for each in values[name]] for name in ("Status", "Reason")}
+    readings = {name: getattr(qs.readings, name) for name in dir(qs.readings) if name.islower() and name[0] != "_"}
+    return of | {"qs.readings": sorted(name for name, value in readings.items() if isfunction(value))}
+
+
+def _public(of: type) -> list[str]:
+    named = {*dir(of), *getattr(of, "__dataclass_fields__", {})}
+    return sorted(name for name in named if not name.startswith("_"))
+
+
+def commands() -> Names:
+    """Options of each command, with the names of checks."""
+    groups = (("qsbearing", qsbearing), ("fem-check", fem_check))
+    options = {f"{name} {each}": _options(one) for name, group in groups for each, one in group.commands.items()}
+    return dict(sorted(options.items())) | {"fem-check run CHECK": sorted({*ALL, *OPTIONAL})}
+
+
+def _options(command: click.Command) -> list[str]:
+    return sorted(option for each in command.params for option in each.opts if option.startswith("--"))
+
+
+def output() -> Names:
+    """Keys of `run --json` for a bearing and for a pair, and within its tables."""
+    keys: dict[str, set[str]] = {}
+    runner = CliRunner()
+    for text in (LOADED, PAIR.format(start=LOADED)):
+        done = runner.invoke(qsbearing, ["run", "-", "--json"], input=text)
+        _keys(json.loads(done.stdout), "", keys)
+    return {name or "run --json": sorted(each) for name, each in sorted(keys.items())}
+
+
+def _keys(value: Any, path: str, keys: dict[str, set[str]]) -> None:
+    if isinstance(value, list):
+        for each in value:
+            _keys(each, path, keys)
+    elif isinstance(value, dict) and not path.startswith(("input", "rows.", "provenance", "remarks.")):
+        keys.setdefault(path, set()).update(value)
+        for key, each in value.items():
+            _keys(each, f"{path}.{key}".strip("."), keys)
+
+
+def kept() -> dict[str, Names]:
+    """The names that stay."""
+    return dict(json.loads(KEPT.read_text(encoding="utf-8"))) if KEPT.is_file() else {}
+
+
+def dropped(before: dict[str, Names], now: dict[str, Names]) -> list[str]:
+    """Names that stay and are not there any more."""
+    return [
+        f"{kind}: {group}: {name}"
+        for kind, groups in before.items()
+        for group, names in groups.items()
+        for name in sorted({*names} - {*now.get(kind, {}).get(group, [])})
+    ]
+
+
+def with_new(before: dict[str, Names], now: dict[str, Names]) -> dict[str, Names]:
+    """Both, each name once."""
+    kinds = {kind: {**before.get(kind, {}), **groups} for kind, groups in now.items()}
+    return {
+        kind: {group: sorted({*before.get(kind, {}).get(group, []), *names}) for group, names in sorted(groups.items())}
+        for kind, groups in kinds.items()
+    }
+
+
+def table(kind: str, heading: str) -> str:
+    """A group a row; of a row of a set and of materials what is as elsewhere is left out."""
+    names = kept()[kind]
+    lines, told = [f"| {heading} | names |", "|---|---|"], set[tuple[str, ...]]()
+    for group, each in names.items():
+        again = ("material" if group.endswith("material") else group.rpartition(".")[2], *each)
+        if each and again not in told and group != "vary":
+            lines.append(f"| `{group}` | {_listed(each)} |")
+        told.add(again)
+    return "\n".join(lines)
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def main() -> None:
+    """Keep what is new."""
+    KEPT.write_text(json.dumps(with_new(kept(), found()), indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
