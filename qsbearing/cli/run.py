@@ -118,10 +118,11 @@ def run(
             sys.exit(UNSOLVED)
         from qsbearing.files.csv_table import csv_bytes
 
+        spectrum = "spectrum" in loaded.readings
         make = {
             "--csv": lambda: csv_bytes(found.columns()),
             "--plot": lambda: _drawn(found.solution, plot_target or ""),
-            "--into": lambda: model.put(found.solution, found.readings),
+            "--into": lambda: model.put_life(found.readings) if spectrum else model.put(found.solution, found.readings),
         }
         write_files(writers, make)
         if model is not None:
@@ -139,8 +140,9 @@ def _model_of(scene: str, into: str, loaded: Scene | BearingSet) -> Any:
     from qsbearing.files.scene_file import STANDARD_INPUT, document_of
     from qsbearing.model.validation import SceneError
 
-    if "spectrum" in loaded.readings or scene in STANDARD_INPUT:
-        refuse("--into: takes a scene file of one operating point; `qsbearing import` writes one for each load case")
+    is_of_set = hasattr(loaded, "rows") and "spectrum" in loaded.readings
+    if is_of_set or scene in STANDARD_INPUT:
+        refuse("--into: takes a scene file, of one point or of a bearing's load spectrum, or a set of one point")
     try:
         return WriteBack(Path(into), document_of(scene)[0])
     except SceneError as error:

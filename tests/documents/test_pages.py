@@ -10,7 +10,7 @@ import pytest
 from qsbearing.documents.data import BrokenLinkError
 from qsbearing.documents.model import Document, Md, Paragraph, Section, Table
 from qsbearing.documents.pages import SEARCH, pages
-from tests.documents.browser import Browser, installed, layout_faults
+from tests.documents.browser import Browser, barriers, installed, layout_faults
 
 
 def folder(link: str = "b.html#b-part") -> dict[str, Document]:
@@ -63,4 +63,6 @@ def test_a_browser_searches_without_network(tmp_path: Path) -> None:
             assert browser.value(asked.replace("{}", "")) == []
             assert browser.value("document.getElementById('found').hidden")
         assert browser.complaints == []
-        assert layout_faults(browser, tmp_path / "b.html") == []
+        assert layout_faults(browser, tmp_path / "b.html") == [] == barriers(browser)
+        browser.open(tmp_path / "a.html")
+        assert barriers(browser) == []

@@ -7,6 +7,7 @@ import shutil
 from copy import deepcopy
 from dataclasses import fields, replace
 from functools import cache, partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -151,6 +152,18 @@ def test_it_needs_every_check_and_all_the_rest():
         campaigns = (*ENVELOPES, *steps.RECOMPUTED[level])
         assert {"hard cases", *(f"campaign {name}" for name in campaigns), "benchmarks", "reports"} < names
         assert "validation book" in names
+
+
+def test_the_programs_and_records_of_every_step_exist():
+    """At the release level all of its records are in the repository, but those of a campaign that is new."""
+    missing = {f"{CAMPAIGNS}/sets/summary.json", f"{RECORDS}/release/formula.json"}  # the latter: of these tests alone
+    for step in every_step(Level.RELEASE):
+        words = step.command.split()
+        if words[:2] == ["python", "-m"]:
+            assert find_spec(words[2]), step.name
+        for name in step.records:
+            kept = kept_files.place_of(name, ROOT, ROOT / RECORDS).relative_to(ROOT).as_posix()
+            assert kept in missing or any(ROOT.glob(kept)), step.name
 
 
 def test_the_records_of_a_pass_become_those_of_the_repository(place):

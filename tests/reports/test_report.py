@@ -16,7 +16,7 @@ from qsbearing.cli.report import _refuse_another
 from qsbearing.documents.installation import pip_install
 from qsbearing.readings.asked import take_asked
 from qsbearing.studies.chooser.explain import explain
-from tests.documents.browser import Browser, installed, layout_faults
+from tests.documents.browser import Browser, barriers, installed, layout_faults
 from tests.documents.page import Page
 from tests.drawing import drawing
 
@@ -406,7 +406,7 @@ def test_the_report_of_another_file_is_not_replaced(tmp_path: Path) -> None:
 @pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
     with Browser() as browser:
-        assert layout_faults(browser, spindle / "out" / "spindle_report.html") == []
+        assert layout_faults(browser, spindle / "out" / "spindle_report.html") == [] == barriers(browser)
         browser.open(spindle / "out" / "spindle_report.html", width=390)
         parts = "[...document.querySelectorAll('table.stack')].map(table => table.closest('.table'))"
         cut = f"Math.max(...{parts}.map(part => part.scrollWidth - part.clientWidth))"

@@ -70,6 +70,11 @@ def relation(number: int, kind: str, parts: list[tuple[str, int, str]], indent: 
     return json.dumps({"id": number, "type": kind, "refs": refs})
 
 
+def accumulation(components: list[str], indent: str) -> str:
+    """What all load cases do together, as text."""
+    return f'"accumulation": {{"components": [{",".join(f"{indent}  {each}" for each in components)}{indent}]}}'
+
+
 def insertion(text: str, place: Place, items: list[str], indent: str) -> tuple[Span, str]:
     """The edit that adds items to a list. Commas begin the new lines, so that the line before stays as it is."""
     if place.last is not None:

@@ -78,7 +78,9 @@ class Model:
     relations: list[Relation]
     load_cases: list[LoadCase]
     places: dict[str, Place]
-    """Of the lists `components` and `relations`."""
+    """Of the lists `components` and `relations`; `accumulation`: where one may be put after the load cases."""
+    accumulation: LoadCase | None = None
+    """What all load cases do together; number 0."""
 
     @property
     def version(self) -> tuple[int, ...]:
@@ -180,7 +182,13 @@ def model_of(root: dict[str, Any], spans: dict[int, Span]) -> tuple[Model, Error
     for number, each in numbered(listed_cases, "load_case"):
         cases.append(LoadCase(number, components(each, f"load_case {number}"), place(each, "components")))
     places = {name: at for name in ("components", "relations") if (at := place(root, name)) is not None}
-    model = Model(_text(root.get("version")), components(root, "model"), relations, cases, places)
+    whole = next((each for each in spectra if isinstance(each, dict)), {}) if isinstance(spectra, list) else spectra
+    together = whole.get("accumulation") if isinstance(whole, dict) else None
+    if isinstance(together, dict):
+        together = LoadCase(0, components(together, "accumulation"), place(together, "components"))
+    elif (after := place(whole, "load_cases") if isinstance(whole, dict) else None) is not None:
+        places["accumulation"] = after
+    model = Model(_text(root.get("version")), components(root, "model"), relations, cases, places, together)
     return model, errors + _reference_errors(model)
 
 
@@ -192,6 +200,7 @@ def _reference_errors(model: Model) -> Errors:
         (f"relation {each.number} ({each.kind}): {role}", at) for each in model.relations for role, at in each.parts
     ]
     used += [(f"load_case {case.number}: component", at) for case in model.load_cases for at in case.components]
+    used += [("accumulation: component", at) for at in (model.accumulation.components if model.accumulation else ())]
     for path, number in used:
         if number not in model.components:
             errors.append(FileErrorDetail(path, "refers to a component that there is not", number))

@@ -111,6 +111,18 @@ class WriteBack:
             self._values(self.shaft, shaft_values(self.reader, self.shaft, solution))
         return self._edited()
 
+    def put_life(self, readings: Any) -> bytes:
+        """The file with the life under all load cases together, as what they accumulate to.
+
+        Args:
+            readings: of a scene over a spectrum.
+        """
+        self.case = self.model.accumulation or LoadCase(0, {})
+        kind = "nominal" if readings["life"].modified_reference_rating_life is None else "modified"
+        life = {f"{kind}_reference_rating_life_time_iso_16281_2008": float(readings["spectrum"].duration)}
+        self._values(self.bearings[0], life)  # type: ignore[arg-type]
+        return self._edited()
+
     def _contacts(self, part: Component, turn: Any, row: RowResult) -> None:
         if not elements_of(self.reader, part) or self.model.version < SINCE_CONTACTS:
             self.notes.append(f"{part}: has no rolling elements that contacts could be put to")
@@ -184,7 +196,15 @@ class WriteBack:
     def _insert(self, place: Place, items: list[str]) -> None:
         self._edits.append(self.source.form.insertion(self._text, place, items, self._indent_of(place)))
 
+    @property
+    def _after_cases(self) -> Place:
+        """Where the accumulation goes: in XML after the last load case, in JSON after the list of them."""
+        place = self.model.places["accumulation"]
+        return Place(place.span, place.span) if self.source.is_json else place
+
     def _indent(self, name: str) -> str:
+        if name == "case" and self.case is not None and self.case.place is None:
+            return self._indent_of(self._after_cases) + "  "
         place = self.case.place if name == "case" and self.case else self.model.places.get(name)
         return self._indent_of(place) if place is not None else "\n"
 
@@ -207,6 +227,9 @@ class WriteBack:
                 self._insert(self.model.places[name], items)
         if self._of_case and self.case is not None and self.case.place is not None:
             self._insert(self.case.place, self._of_case)
+        elif self._of_case:
+            place = self._after_cases
+            self._insert(place, [self.source.form.accumulation(self._of_case, self._indent_of(place))])
         if self.errors:
             raise SceneFileError(str(self.source.path), self.errors)
         return self.source.edited(self._edits)

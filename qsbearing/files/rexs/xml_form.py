@@ -73,9 +73,13 @@ def read(data: bytes, path: Path) -> tuple[dict[str, Any], dict[int, Span]]:
         if outer:
             items = [kept(each, make(each)) for each in outer[0].all(name)]
             found[f"{name}s"] = kept(outer[0], items)
-    found["load_spectrum"] = [
-        {"load_cases": [load_case(each) for each in outer.all("load_case")]} for outer in root.all("load_spectrum")
-    ]
+
+    def spectrum(node: _Node) -> dict[str, Any]:
+        cases = kept(node, [kept(each, load_case(each)) for each in node.all("load_case")])
+        together = node.all("accumulation")
+        return {"load_cases": cases} | ({"accumulation": load_case(together[0])} if together else {})
+
+    found["load_spectrum"] = [spectrum(outer) for outer in root.all("load_spectrum")]
     return found, spans
 
 
@@ -144,6 +148,11 @@ def relation(number: int, kind: str, parts: list[tuple[str, int, str]], indent: 
     """A relation as text, of components in roles, with their types."""
     refs = "".join(f'{indent}  <ref hint={quoteattr(hint)} id="{at}" role="{role}"/>' for role, at, hint in parts)
     return f'<relation id="{number}" type="{kind}">{refs}{indent}</relation>'
+
+
+def accumulation(components: list[str], indent: str) -> str:
+    """What all load cases do together, as text."""
+    return f"<accumulation>{''.join(f'{indent}  {each}' for each in components)}{indent}</accumulation>"
 
 
 def insertion(data: bytes, place: Place, items: list[str], indent: str) -> tuple[Span, bytes]:

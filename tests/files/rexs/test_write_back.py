@@ -170,6 +170,43 @@ def test_what_is_there_is_replaced_in_its_own_unit_and_load_cases_take_their_own
         assert {len(found.load_cases[1].components[each.number].attributes) for each in contacts} == {5}
 
 
+@pytest.mark.parametrize("form", FORMS)
+def test_the_life_of_a_spectrum_is_what_the_load_cases_accumulate_to(tmp_path: Path, form: str) -> None:
+    """In an element of its own, which is added or changed; no other line is."""
+    model, file = b218(), tmp_path / "model.rexs"
+    model["load_cases"] = [
+        {1: {"operating_time_fraction": ("%", share)}, 5: {"force_u_direction": ("kN", load)}}
+        for share, load in ((20, 8.0), (80, 3.0))
+    ]
+    file.write_bytes(FORMS[form](model))
+    (text,) = (each.text for each in import_model(file).files if each.name == "bearing_6_spectrum.toml")
+    (tmp_path / "spectrum.toml").write_text(text, encoding="utf-8")
+    before = lines_of(file)
+    call = ["run", str(tmp_path / "spectrum.toml"), "--into", str(file)]
+    done = CliRunner().invoke(cli, call, catch_exceptions=False)
+    assert done.exit_code == 0
+    hours = qs.solve(qs.load_scene(tmp_path / "spectrum.toml"))
+    reading = taken(hours)
+    name = "nominal" if reading["life"].modified_reference_rating_life is None else "modified"
+    found = model_in(opened(file)).accumulation
+    assert found is not None
+    [life] = found.components[6].attributes.values()
+    assert life.name.startswith(f"{name}_reference_rating_life_time_")
+    assert (float(life.value), life.unit) == (pytest.approx(reading["spectrum"].duration / 3600.0, rel=1e-14), "h")
+    once = file.read_bytes()
+    if "one line" not in form:
+        after = iter(lines_of(file))
+        assert all(line in after for line in before), "every old line, in its order"
+    assert CliRunner().invoke(cli, call, catch_exceptions=False).exit_code == 0
+    assert file.read_bytes() == once
+    assert [len(each.components) for each in model_in(opened(file)).load_cases] == [2, 2]
+
+
+def lines_of(file: Path) -> list[bytes]:
+    source = opened(file)
+    return (source.text.encode() if isinstance(source.text, str) else source.text).splitlines()
+
+
 def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Path) -> None:
     file = tmp_path / "model.rexs"
     file.write_bytes(xml(spindle()))

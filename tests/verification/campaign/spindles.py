@@ -127,12 +127,13 @@ def _forces(solution: qs.SetSolution, k: int) -> tuple[Any, list[tuple[float, ND
     reference = float(np.broadcast_to(of.reference, solution.shape)[k])
 
     def at(position: Any) -> Any:
-        """Beyond a spacer, the side of the reference left aside, sleeves part places by what the inner is longer."""
+        """Beyond a spacer, seen from the row that stays, sleeves part places by what the inner is longer."""
         found = (np.asarray(position) - reference) * s
+        stays = np.broadcast_to(of.rows[of.axial_datum].position, solution.shape)[k]
         for spacer in of.spacers:
             ends = [np.broadcast_to(of.rows[number - 1].position, solution.shape)[k] for number in spacer.rows]
             longer = np.broadcast_to(np.subtract(spacer.inner_length, spacer.outer_length), solution.shape)[k]
-            beyond = (np.asarray(position) >= 0.5 * sum(ends)).astype(float) - (reference >= 0.5 * sum(ends))
+            beyond = (np.asarray(position) >= 0.5 * sum(ends)).astype(float) - (stays >= 0.5 * sum(ends))
             found = found + beyond * longer
         return found
 
@@ -147,7 +148,8 @@ def _forces(solution: qs.SetSolution, k: int) -> tuple[Any, list[tuple[float, ND
         found.append((each.position, np.array(values)))
     for support, load in zip(shaft.supports, solution.support_loads[k], strict=True):
         found.append((support.position, -load))
-    found.append((reference, solution.load[k]))
+    # Which stays where it is drawn, whatever a spacer moves there.
+    found.append((float(reference - at(reference) / s), solution.load[k]))
     return at, found
 
 
