@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import log10
 from typing import Any
 
@@ -219,6 +220,7 @@ def viscosity_at_100(cold: ArrayLike, index: ArrayLike) -> Any:
     return found[which].reshape(np.broadcast_shapes(np.shape(cold), np.shape(index)))[()]
 
 
+@lru_cache(maxsize=256)
 def _viscosity_at_100(cold: float, index: float) -> float:
     """Of one oil."""
     from scipy.optimize import brentq
