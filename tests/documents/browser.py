@@ -169,10 +169,9 @@ class Browser:
 
 
 def barriers(browser: Browser) -> list[str]:
-    """What bars people from the page that is open, by all rules of axe-core; nothing where that is not installed."""
+    """What bars people from the page that is open, by all rules of axe-core."""
     package = importlib.util.find_spec("axe_core_python")
-    if package is None or package.submodule_search_locations is None:
-        return []
+    assert package is not None and package.submodule_search_locations, "axe-core-python, of the extra dev, is missing"
     browser.value((Path(package.submodule_search_locations[0]) / "axe.min.js").read_text(encoding="utf-8") + "; true")
     found: list[str] = browser.value(
         "axe.run().then(r => r.violations.flatMap(v => v.nodes.slice(0, 3).map(n => `${v.impact} ${v.id}: ${n.html}`)))"
