@@ -110,8 +110,9 @@ def _scope(evidence: Evidence) -> str:
         found.append(f"{len(evidence.reference.data['cases'])} scenes with every effect against fifty digits")
     covered = f"Covered: {'; '.join(found)}. " if found else ""
     return (
-        f"{covered}Not covered: radial load and moments between elastic bodies in three dimensions; lubricant films "
-        "and cage forces on the balls; measured temperatures. Not covered means untested, not wrong."
+        f"{covered}Not covered: radial load and moments between elastic bodies in three dimensions; measured "
+        "temperatures. Not covered means untested, not wrong. Not in the model: vibration, cage forces, oil drag, "
+        "plastic deformation; lubricant films and groove edges in the equilibrium."
     )
 
 

@@ -114,8 +114,8 @@ def _size(row: Row) -> float:
 HEADINGS = ("quantity", "worst of", "deviation ± 95 %", "limit", "where", "verdict")
 
 
-def table(rows: Sequence[tuple[int, Row]], caption: str = "") -> Table:
-    """Rows, each the worst of so many."""
+def table(rows: Sequence[tuple[int, Row]], caption: str = "", is_whole: bool = False) -> Table:
+    """Rows, each the worst of so many; all rows, if it is whole."""
     lines: list[list[Cell]] = []
     for count, row in rows:
         name, unit = quantity(as_read(row["quantity"])), row_text.in_unit(row)[1]
@@ -127,7 +127,10 @@ def table(rows: Sequence[tuple[int, Row]], caption: str = "") -> Table:
         place = row.get("worst_at") or ""
         where = place if row["case"] in place else ", ".join(filter(None, (row["case"], place)))
         lines.append([name, str(count), what, told.tolerance, quantity(as_read(where)), badge(row["verdict"])])
-    return Table(HEADINGS, lines, "llllll", caption, stack=True)
+    if is_whole:
+        lines = [[line[0], *line[2:]] for line in lines]
+    headings = [HEADINGS[0], *HEADINGS[2:]] if is_whole else HEADINGS
+    return Table(headings, lines, "l" * len(headings), caption, stack=True)
 
 
 def reasons(rows: Iterable[Row]) -> list[list[Cell]]:

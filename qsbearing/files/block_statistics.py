@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -36,6 +37,14 @@ def blocks(values: DataArray) -> Iterator[NDArray]:
     step = MOST // each
     for start in range(0, length, step):
         yield values.isel({dim: slice(start, start + step)}).values
+
+
+def blocks_of(values: DataArray) -> Blocks:
+    """Its blocks; where there is but one, it is read once."""
+    if values.size > MOST:
+        return partial(blocks, values)
+    kept = values.values
+    return lambda: (kept,)
 
 
 def varies_from_zero(numbers: Blocks) -> bool:

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -137,7 +137,7 @@ def _oil(readings: Mapping[str, Arguments], is_found: bool = False) -> tuple[Oil
     return oil, [replace(each, field=f"readings.{LUBRICANT}.{each.field}") for each in errors]
 
 
-def by_short_name(name: str, known: Iterable[str]) -> str | None:
+def by_short_name(name: str, known: Collection[str]) -> str | None:
     """The result of a reading whose name leaves out the reading: `basic_reference_rating_life` is that of `life`.
 
     Args:
@@ -146,13 +146,9 @@ def by_short_name(name: str, known: Iterable[str]) -> str | None:
     Returns:
         None where there is none, or more than one.
     """
-    found = {
-        each
-        for each in known
-        for reading in READINGS
-        for side in ("", "inner_", "outer_")
-        if each == f"{side}{reading}_{name.removeprefix(side)}" and name.startswith(side)
-    }
+    sides = [side for side in ("", "inner_", "outer_") if name.startswith(side)]
+    full = (f"{side}{reading}_{name.removeprefix(side)}" for reading in READINGS for side in sides)
+    found = {each for each in full if each in known}
     return found.pop() if len(found) == 1 else None
 
 

@@ -39,6 +39,8 @@ from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
+CLEARANCES = (1e-6, 0.1)
+"""Of a pocket [m]."""
 POINTS = 360
 """Around the turn, between which extremes are not looked for: of a wave once round, an excursion lacks 4e-5 at most."""
 ROUNDING = 1e-12
@@ -75,7 +77,7 @@ class PocketClearance:
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Of a clearance that there cannot be."""
         given = self.pocket_clearance
-        return [] if given is None else within("pocket_clearance", given, LENGTH, 1e-6, 0.1)
+        return [] if given is None else within("pocket_clearance", given, LENGTH, *CLEARANCES)
 
 
 @with_arguments(PocketClearance)
@@ -151,7 +153,7 @@ ENTRY = Reading(
     take=simply(ball_advance),
     record=PocketClearance,
     table=Table(
-        keys=(Key("pocket_clearance_mm", "pocket_clearance", "mm", mm, LENGTH),),
+        keys=(Key("pocket_clearance_mm", "pocket_clearance", "mm", mm, LENGTH, range=CLEARANCES),),
         example="pocket_clearance_mm = 0.3  # of the cage, along the pitch circle; left out: not compared\n",
     ),
     needs=(("load", "sine", "cosine"), AXIS),

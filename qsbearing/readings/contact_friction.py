@@ -45,6 +45,10 @@ from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 
 
+PARTS = (0.0, 1.0)
+"""Of a load, or of what is stored."""
+
+
 @dataclass(frozen=True)
 class RacewayFriction:
     """Friction in the contacts of one raceway; arrays of shape (*cases, ball); zero without load."""
@@ -91,9 +95,9 @@ class FrictionArguments:
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Everything out of range, and what drag needs besides."""
-        errors = within("friction_coefficient", self.friction_coefficient, RATIO, 0.0, 1.0)
+        errors = within("friction_coefficient", self.friction_coefficient, RATIO, *PARTS)
         if self.hysteresis_loss is not None:
-            errors += within("hysteresis_loss", self.hysteresis_loss, RATIO, 0.0, 1.0)
+            errors += within("hysteresis_loss", self.hysteresis_loss, RATIO, *PARTS)
         return errors + both_or_neither(
             {
                 "drag_coefficient": (self.drag_coefficient, RATIO, 0.0, 10.0),
@@ -204,8 +208,8 @@ ENTRY = Reading(
     record=FrictionArguments,
     table=Table(
         keys=(
-            Key("friction_coefficient", "friction_coefficient"),
-            Key("hysteresis_loss", "hysteresis_loss"),
+            Key("friction_coefficient", "friction_coefficient", range=PARTS),
+            Key("hysteresis_loss", "hysteresis_loss", range=PARTS),
             Key("drag_coefficient", "drag_coefficient"),
             Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
         ),

@@ -104,7 +104,7 @@ class Table:
     """Beside its heading there."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Reading:
     """A reading that a scene asks for by name."""
 
@@ -129,7 +129,7 @@ class Reading:
     scope: str = ""
     """A sentence below its tables, where its name does not state what it covers."""
 
-    @property
+    @functools.cached_property
     def parameters(self) -> Mapping[str, inspect.Parameter]:
         """Of its record."""
         return inspect.signature(self.record).parameters

@@ -69,6 +69,8 @@ _DEEP_GROOVE = {
 _R1, _R2, _R3, _S1, _S2, _S3 = 5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12
 """Single-row angular-contact bearings."""
 
+RANGES = {"static_load_rating": (1.0, 1e9), "lubrication_factor": (0.1, 20.0), "speed_rating": (1e-3, 1e6)}
+"""What the arguments may be, in SI."""
 HYBRID = 0.41
 """R3 and S3, of the balls' centrifugal force, with ceramic balls."""
 
@@ -134,13 +136,13 @@ class EstimateArguments:
         if is_deep_groove or self.series is not None:
             errors += choose("series", self.series, Series)[1]
         if is_deep_groove or self.static_load_rating is not None:
-            errors += within("static_load_rating", self.static_load_rating, FORCE, 1.0, 1e9)
+            errors += within("static_load_rating", self.static_load_rating, FORCE, *RANGES["static_load_rating"])
         if self.lubrication_factor is not None:
-            errors += within("lubrication_factor", self.lubrication_factor, RATIO, 0.1, 20.0)
+            errors += within("lubrication_factor", self.lubrication_factor, RATIO, *RANGES["lubrication_factor"])
             if self.static_load_rating is None:
                 errors.append(ErrorDetail("static_load_rating", "missing", detail="Palmgren's estimate needs it"))
         if self.speed_rating is not None:
-            errors += within("speed_rating", self.speed_rating, SPEED, 1e-3, 1e6)
+            errors += within("speed_rating", self.speed_rating, SPEED, *RANGES["speed_rating"])
         return errors
 
 
@@ -307,9 +309,9 @@ ENTRY = Reading(
     table=Table(
         keys=(
             *DIAMETERS,
-            Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),
-            Key("lubrication_factor", "lubrication_factor"),
-            Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED),
+            Key("static_load_rating_N", "static_load_rating", "N", N, FORCE, range=RANGES["static_load_rating"]),
+            Key("lubrication_factor", "lubrication_factor", range=RANGES["lubrication_factor"]),
+            Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED, range=RANGES["speed_rating"]),
         ),
         choices=("series",),
         example="""\

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import log10
 from typing import Any
 
@@ -31,6 +32,11 @@ from qsbearing.model.validation import (
 from qsbearing.readings.entry import Table
 
 FREEZING = 273.15
+RANGES = {
+    "grade": (7.0, 3200.0), "viscosity_index": (0.0, 400.0), "density": (500.0, 2500.0),
+    "pressure_viscosity": (1e-9, 1e-7),
+}  # fmt: skip
+"""What an oil may have: its grade [mm^2/s], else SI."""
 DENSITY_SLOPE = 0.7
 """Mineral oil loses so much density with temperature [kg/(m^3 K)]; usual value."""
 
@@ -103,9 +109,11 @@ class Lubricant:
         for i in (0, 1):
             errors += within(f"temperatures[{i}]", self.temperatures[i], KELVIN, 200.0, 600.0)
             errors += within(f"viscosities[{i}]", self.viscosities[i], VISCOSITY, 0.5e-6, 1.0)
-        errors += within("density", self.density, Quantity("kg/m^3"), 500.0, 2500.0)
+        errors += within("density", self.density, Quantity("kg/m^3"), *RANGES["density"])
         if self.pressure_viscosity is not None:
-            errors += within("pressure_viscosity", self.pressure_viscosity, Quantity("1/Pa"), 1e-9, 1e-7)
+            errors += within(
+                "pressure_viscosity", self.pressure_viscosity, Quantity("1/Pa"), *RANGES["pressure_viscosity"]
+            )
         falls = np.asarray(self.viscosities[0], float) > np.asarray(self.viscosities[1], float)
         falls = falls & (self.temperatures[0] < self.temperatures[1])
         if not errors and not falls.all():
@@ -123,8 +131,8 @@ class Lubricant:
         Raises:
             SceneError: a grade or index out of range.
         """
-        errors = within("grade", grade, Quantity("mm^2/s at 40 C"), 7.0, 3200.0)
-        errors += within("viscosity_index", viscosity_index, RATIO, 0.0, 400.0)
+        errors = within("grade", grade, Quantity("mm^2/s at 40 C"), *RANGES["grade"])
+        errors += within("viscosity_index", viscosity_index, RATIO, *RANGES["viscosity_index"])
         raise_if_any(errors)
         hot = viscosity_at_100(grade, viscosity_index)
         points = (FREEZING + 40.0, FREEZING + 100.0), (np.asarray(grade, float)[()] * mm**2, hot * mm**2)
@@ -212,6 +220,7 @@ def viscosity_at_100(cold: ArrayLike, index: ArrayLike) -> Any:
     return found[which].reshape(np.broadcast_shapes(np.shape(cold), np.shape(index)))[()]
 
 
+@lru_cache(maxsize=256)
 def _viscosity_at_100(cold: float, index: float) -> float:
     """Of one oil."""
     from scipy.optimize import brentq
@@ -233,13 +242,13 @@ def _reference_oils(hot: float) -> tuple[float, float]:
 
 TABLE = Table(
     keys=(
-        Key("iso_viscosity_grade", "iso_viscosity_grade"),
-        Key("viscosity_index", "viscosity_index"),
+        Key("iso_viscosity_grade", "iso_viscosity_grade", range=RANGES["grade"]),
+        Key("viscosity_index", "viscosity_index", range=RANGES["viscosity_index"]),
         Key("viscosity_at_40C_mm2_s", "viscosity_at_40", "mm2/s", mm**2),
         Key("viscosity_at_100C_mm2_s", "viscosity_at_100", "mm2/s", mm**2),
         celsius("oil_temperature"),
-        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY),
-        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa),
+        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY, range=RANGES["density"]),
+        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa, range=RANGES["pressure_viscosity"]),
     ),
     example="""\
 iso_viscosity_grade = 68           # or viscosity_at_40C_mm2_s and viscosity_at_100C_mm2_s

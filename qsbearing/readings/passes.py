@@ -1,7 +1,8 @@
 """What the compiled passes over all contacts take and fill: plain arrays over flattened cases.
 
 A reading has some twenty numbers of each contact. Array expressions would write and read again several temporary
-arrays for each of them, which takes as long as the solve; a pass works a contact out in one go.
+arrays for each of them, which takes as long as the solve; a pass works a contact out in one go. It is compiled for one
+kind of arrays, whatever they come from: those in C order that may be written to.
 """
 
 from __future__ import annotations
@@ -23,13 +24,12 @@ rests on b/a alone is worked out anew only where it differs by more."""
 
 def of_cases(solution: Solution, *values: ArrayLike) -> list[NDArray]:
     """Numbers that broadcast to the case axes, one for each flattened case."""
-    spread = (np.broadcast_to(np.asarray(value, float), solution.shape) for value in values)
-    return [np.ascontiguousarray(each).reshape(-1) for each in spread]
+    return [np.array(np.broadcast_to(value, solution.shape), float, order="C").reshape(-1) for value in values]
 
 
 def of_balls(*arrays: NDArray) -> list[NDArray]:
     """Arrays over cases and balls, cases flattened."""
-    return [array.reshape(-1, array.shape[-1]) for array in arrays]
+    return [np.require(array.reshape(-1, array.shape[-1]), requirements=["C", "W"]) for array in arrays]
 
 
 def filled(solution: Solution, tables: int, entry: Callable[..., None], *given: Any, of_cases: bool = False) -> NDArray:

@@ -118,8 +118,16 @@ class Life(Remarked):
             return turns * 2.0 * pi / np.abs(self.speed)
 
 
+RANGES = {
+    "reliability": (0.9, 0.9995),
+    "rating_factor": (0.5, 2.0),
+    **dict.fromkeys(("dynamic_load_rating", "fatigue_load_limit"), (1e-3, 1e9)),
+}
+"""What the arguments of a life may be, in SI."""
+
+
 def _reliability_errors(reliability: ArrayLike) -> list[ErrorDetail]:
-    errors = within("reliability", reliability, RATIO, 0.9, 0.9995, "is outside the standard's table")
+    errors = within("reliability", reliability, RATIO, *RANGES["reliability"], "is outside the standard's table")
     for error in errors:
         if isinstance(error.value, float | int) and 90.0 <= error.value <= 99.95:
             cause = f"Given in per cent? {error.value:g} % is {error.value / 100.0:g}"
@@ -151,11 +159,11 @@ class LifeArguments:
             errors.append(ErrorDetail("cleanliness", "is given together with contamination_factor", cause=cause))
         for name, choices in (("rating", Rating), ("capacity", Capacity), ("fatigue_limit_by", FatigueLimit)):
             errors += choose(name, getattr(self, name), choices)[1]
-        errors += within("rating_factor", self.rating_factor, RATIO, 0.5, 2.0)
+        errors += within("rating_factor", self.rating_factor, RATIO, *RANGES["rating_factor"])
         errors += _reliability_errors(self.reliability)
         for name in ("dynamic_load_rating", "fatigue_load_limit"):
             if getattr(self, name) is not None:
-                errors += within(name, getattr(self, name), FORCE, 1e-3, 1e9)
+                errors += within(name, getattr(self, name), FORCE, *RANGES[name])
         ratio, contamination = self.viscosity_ratio, self.contamination_factor  # 1: stands for what then follows
         if self.is_modified:
             contamination = 1.0 if contamination is None else contamination
@@ -340,12 +348,12 @@ ENTRY = Reading(
     record=LifeArguments,
     table=Table(
         keys=(
-            Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE),
-            Key("rating_factor", "rating_factor"),
-            Key("reliability", "reliability"),
+            Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE, range=RANGES["dynamic_load_rating"]),
+            Key("rating_factor", "rating_factor", range=RANGES["rating_factor"]),
+            Key("reliability", "reliability", range=RANGES["reliability"]),
             Key("viscosity_ratio", "viscosity_ratio"),
             Key("contamination_factor", "contamination_factor"),
-            Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE),
+            Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE, range=RANGES["fatigue_load_limit"]),
         ),
         choices=("rating", "capacity", "cleanliness", "fatigue_limit_by"),
         example="""\

@@ -31,6 +31,8 @@ from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 FATIGUE_PRESSURE = 1500e6
 """Pressure below which bearing steel does not tire under ideal conditions [Pa] (ISO 281, annex B)."""
 
+RATINGS = (1e-3, 1e9)
+"""Which a data sheet may print [N]."""
 RADIAL_SHARE = 5.0
 """The heaviest ball of a radial load carries 5 Fr/(Z cos alpha) (ISO 76; no clearance would make it 4.37)."""
 
@@ -167,7 +169,7 @@ class StaticSafetyArguments:
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """A rating out of range."""
         given = self.static_load_rating
-        return [] if given is None else within("static_load_rating", given, FORCE, 1e-3, 1e9)
+        return [] if given is None else within("static_load_rating", given, FORCE, *RATINGS)
 
 
 @with_arguments(StaticSafetyArguments)
@@ -224,7 +226,7 @@ ENTRY = Reading(
     by="ISO 76",
     take=simply(static_safety),
     record=StaticSafetyArguments,
-    table=Table(keys=(Key("static_load_rating_N", "static_load_rating", "N", N, FORCE),)),
+    table=Table(keys=(Key("static_load_rating_N", "static_load_rating", "N", N, FORCE, range=RATINGS),)),
     needs=(("max_pressure",), ()),
     of_case=(
         Shown("static_load_rating_N", "static_load_rating"),

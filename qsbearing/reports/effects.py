@@ -47,6 +47,7 @@ UNBOUNDED = (
     "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
     "table of inertia and motion."
 )
+NEVER = "Never in the model: vibration, cage forces, oil drag on the balls, plastic deformation."
 BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
 
 
@@ -126,6 +127,7 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
             lines.append([row.what, Badge("no", "fail" if row.verdict == NEEDED else "finding"), change, give])
     limit = f"changes a result by more than {100 * tolerance:g} %"
     said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."
+    said = f"{said} {NEVER}"
     if not lines:
         return [Paragraph(Md(f"**{title}** Nothing that it lacks {limit}. {said}"))]
     headings = ("effect or choice", "in the model", "would change", "what to do")

@@ -155,8 +155,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
             raise SceneFileError(study.file, errors)
     else:
         is_small = points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet)
-        names = known if is_small else MAIN
-        kept = [find(name, known) for name in names]
+        kept = [*known.values()] if is_small else [find(name, known) for name in MAIN]
     return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
 
 

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.files.block_statistics import blocks, quantiles
+from qsbearing.files.block_statistics import blocks, blocks_of, quantiles
 from qsbearing.model.solution.result_keys import printed_unit
 
 if TYPE_CHECKING:
@@ -76,7 +75,7 @@ def spread(results: Dataset) -> Iterator[tuple[str, list[float], str]]:
     for name, values in results.data_vars.items():
         if name in ITSELF:
             continue
-        row = quantiles(partial(blocks, values), QUANTILES)
+        row = quantiles(blocks_of(values), QUANTILES)
         if row and (row[0] != row[-1] or row[0] != 0.0):
             yield str(name), list(map(float, row)), printed_unit(str(values.attrs.get("units", "")))
 

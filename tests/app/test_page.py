@@ -93,6 +93,7 @@ def write(browser: Browser, field: str, text: str) -> None:
     browser.value(f"(e => {{ e.closest('details')?.setAttribute('open', ''); e.focus(); e.select(); }})({field})")
     browser.type(text)
     browser.value(f"{field}.blur()")
+    wait(browser, "JSON.stringify(now) === settled")  # the fields are new ones around it, and undo knows it
 
 
 def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, address: str, tmp_path: Path) -> None:

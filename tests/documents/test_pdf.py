@@ -51,7 +51,7 @@ def test_no_row_of_a_table_is_alone_on_a_page() -> None:
     """At whatever height of a page its tables begin."""
     long = "a cell of more than one line " * 5
     tables = []
-    for n in range(200):
+    for n in range(70):
         rows = [[f"row{n}.{k}.", long] for k in range(8)]
         tables.append(Table(("", "text"), [*rows[:4], Group("across"), *rows[4:]]))
     fillers = [Paragraph("filler " * (n % 37)) for n, _ in enumerate(tables)]
@@ -127,7 +127,7 @@ def test_columns_of_words_are_as_wide_as_their_texts_need() -> None:
 
 def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:
     """However little room is left on the page where its own chapter ends."""
-    lines = [[Paragraph("filler") for _ in range(1 + n % 4)] for n in range(25)]
+    lines = [[Paragraph("filler") for _ in range(1 + n % 4)] for n in range(13)]
     chapters = [
         Section(f"chapter{n}.", [dataclasses.replace(curve(), caption=f"drawn{n}", width=1.0), *each])
         for n, each in enumerate(lines)
@@ -138,7 +138,7 @@ def test_no_picture_of_a_numbered_document_is_in_a_later_chapter() -> None:
     def page_of(text: str) -> int:
         return next(number for number, page in enumerate(pages[1:]) if text in page)
 
-    assert all(page_of(f"drawn{n}.") <= page_of(f"chapter{n + 1}.") for n in range(24))
+    assert all(page_of(f"drawn{n}.") <= page_of(f"chapter{n + 1}.") for n in range(12))
 
 
 def test_the_same_document_is_the_same_file() -> None:

@@ -276,7 +276,7 @@ def test_every_case_has_an_error_planted() -> None:
 
 @pytest.mark.parametrize(
     ("name", "plant"),
-    [pytest.param(*each, marks=[pytest.mark.heavy] if each[0] == "code_aster_spheres" else []) for each in PLANTED],
+    [pytest.param(*each, marks=[pytest.mark.heavy] if each[0] in LONG else []) for each in PLANTED],
     ids=lambda value: getattr(value, "__name__", value),
 )
 def test_a_planted_error_is_seen(

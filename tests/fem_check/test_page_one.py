@@ -77,6 +77,7 @@ def test_page_one_names_the_document_and_the_commit(shipped: Evidence) -> None:
     text = text_of(shipped)
     assert f"QSB-VR-{traceability.listed(kept.version for kept in shipped.all())}" in text
     assert (provenance.commit() or "an installed package")[:12] in text
+    assert "Not in the model: vibration, cage forces" in text
     for word in ("Prepared by", "Reviewed by", "Released by", "Scope.", "± means:", "Changes since the last release."):
         assert word in text
 

@@ -13,8 +13,8 @@ USUAL = 5500
 """Lines of a folder."""
 BUDGETS = {
     # Wanted: 12,400. Each effect, and plain Python in place of a kernel that is not compiled yet, took its lines here;
-    # 15 are a process that compiles before anything is asked.
-    "model": 13515,
+    # 15 are a process that compiles before anything is asked, 10 the ranges of ring expansion, for its keys too.
+    "model": 13525,
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     "systems": 5700,
     # Wanted: 5,500. Of these, 2,050 are REXS: XML, JSON and ZIP of strangers read and edited, nine versions of names,

@@ -290,6 +290,7 @@ def test_a_report_says_for_whom_it_is(unequal: Path, tmp_path: Path) -> None:
     page = page_of(unequal, "unequal")
     assert page.headings[0][1] == "Feed screw, fixed end"
     assert "B218: angular contact, 16 balls of 22.225 mm" in page.text
+    assert "Never in the model: vibration, cage forces" in page.text
     assert re.search(r"Customer\s*Works & Co\s*Document\s*R-17", page.text)
     assert "Author" not in page.text
     (tmp_path / "wrong.toml").write_text(PLAIN + '[report]\ncustomer = 17\ntitel = "a"\n')

@@ -261,7 +261,7 @@ def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeyp
     text = PAIR.replace("rigid_N = 720", "rigid_N = 200").replace("axial_load_N = 200", "axial_load_N = 900")
     page = report_of(tmp_path, text.replace("radial_load_y_N = 500\nmoment_z_Nm = 0\n", ""))
     assert "Row 2 (7210C, carries -x) has lost its preload already at rest, under these loads." in page.text
-    (loads,) = (each for each in drawn if "loads" in str(each[3]))
+    (loads,) = (each for each in drawn if "load factor" in str(each[3]))
     ((factor, words),) = loads[4]  # type: ignore[misc]
     assert words == "row 2: preload lost"
     assert f"loses its preload at {factor:.3g} times the loads" in page.text

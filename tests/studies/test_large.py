@@ -65,9 +65,9 @@ def test_tables_are_the_same(results: dict, name: str, monkeypatch: pytest.Monke
     whole = text_of(summary.table(results[name].load()))
     monkeypatch.setattr(block_statistics, "MOST", 40)
     assert text_of(summary.table(results[name])) == whole
-    frames = [frame_of(part) for part in parts_of(results[name], 64)]
+    frames = [frame_of(part) for part in parts_of(results[name], 256)]
     assert len(frames) > 1
-    assert max(map(len, frames)) <= 64
+    assert max(map(len, frames)) <= 256
     pandas.testing.assert_frame_equal(
         pandas.concat(frames, ignore_index=True), frame_of(results[name]).reset_index(drop=True)
     )

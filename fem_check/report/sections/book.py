@@ -101,7 +101,7 @@ def _page(kept: Kept) -> Section:
     if entry["inputs"]:
         inputs = [[str(cell) for cell in each] for each in entry["inputs"]]
         blocks.append(Table(("input", "value", "from"), inputs, "lll", "Inputs", stack=True))
-    blocks += [*_lists(entry), *_picture(entry, 1.0), table([(1, row) for row in entry["rows"]], "Agreement")]
+    blocks += [*_lists(entry), *_picture(entry, 1.0), table([(1, row) for row in entry["rows"]], "Agreement", True)]
     blocks.append(Table(("quantity", "limit", "reason"), reasons(entry["rows"]), "lll", "Limits", stack=True))
     points = entry.get("points")
     if points and len(points["rows"]) <= LONGEST:

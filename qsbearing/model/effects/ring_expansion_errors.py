@@ -47,6 +47,14 @@ class Fit(NamedTuple):
         return 0.5 * (self.least + self.most)
 
 
+RANGES = {
+    **dict.fromkeys(("bore_diameter", "outside_diameter", "housing_outside_diameter"), (1e-4, 20.0)),
+    "shaft_bore_diameter": (0.0, 20.0),
+    "yield_strength": (1e7, 5e9),
+}
+"""Of lengths [m] and of the yield strength [Pa]."""
+
+
 def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
     """Errors of a temperature [K]."""
     errors = within(field, temperature, TEMPERATURE, 0.0, HOTTEST)
@@ -63,8 +71,9 @@ def temperature_errors(field: str, temperature: Any) -> list[ErrorDetail]:
 def expansion_errors(effect: Any) -> list[ErrorDetail]:
     """Every error of the parameters of a `RingExpansion` by themselves."""
     path = effect.name
-    errors = within(f"{path}.bore_diameter", effect.bore_diameter, LENGTH, 1e-4, 20.0)
-    errors += within(f"{path}.outside_diameter", effect.outside_diameter, LENGTH, 1e-4, 20.0)
+    errors = []
+    for name in ("bore_diameter", "outside_diameter"):
+        errors += within(f"{path}.{name}", getattr(effect, name), LENGTH, *RANGES[name])
     for seat, diameter, others in (("shaft", "bore_diameter", SHAFT), ("housing", "outside_diameter", HOUSING)):
         interference = getattr(effect, f"{seat}_interference")
         if interference is None:
@@ -76,11 +85,10 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
         fit = getattr(effect, f"{seat}_fit")
         if fit is not None and not isinstance(fit, Fit):
             errors.append(ErrorDetail(f"{path}.{seat}_fit", "is not a fit", fit, cause="Write a Fit(...), or None"))
-    if effect.shaft_bore_diameter is not None:
-        errors += within(f"{path}.shaft_bore_diameter", effect.shaft_bore_diameter, LENGTH, 0.0, 20.0)
-    if effect.housing_outside_diameter is not None:
-        errors += within(f"{path}.housing_outside_diameter", effect.housing_outside_diameter, LENGTH, 1e-4, 20.0)
-    elif effect.housing_interference is not None:
+    for name in ("shaft_bore_diameter", "housing_outside_diameter"):
+        if getattr(effect, name) is not None:
+            errors += within(f"{path}.{name}", getattr(effect, name), LENGTH, *RANGES[name])
+    if effect.housing_outside_diameter is None and effect.housing_interference is not None:
         cause, detail = "It determines how stiffly the housing holds the ring", "a housing is given"
         errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing", cause=cause, detail=detail))
     given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
@@ -91,7 +99,7 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
         problem = "is given, but no other temperature is"
         cause = Sentence("Give {temperatures}", temperatures=tuple(map(Field, TEMPERATURES)))
         errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
-    return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, 1e7, 5e9)
+    return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, *RANGES["yield_strength"])
 
 
 def _unused(field: str, seat: str) -> ErrorDetail:

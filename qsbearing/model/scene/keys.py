@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE, FREE_ANGLES, LENGTH_RANGES
+from qsbearing.model.effects.ring_expansion_errors import RANGES as OF_RINGS
 from qsbearing.model.material import RANGES
 from qsbearing.model.operation import AZIMUTHS, DISPLACEMENTS, LOADS, SPEEDS, TILTS
 from qsbearing.model.scene.preload import PRELOADS
@@ -133,14 +134,21 @@ def celsius(field: str) -> Key:
 
 
 RING_EXPANSION = (
-    *DIAMETERS,
+    *(replace(key, range=OF_RINGS[key.field]) for key in DIAMETERS),
     Key("shaft_interference_um", "shaft_interference", "um", um, LENGTH),
-    Key("shaft_bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH),
+    Key("shaft_bore_diameter_mm", "shaft_bore_diameter", "mm", mm, LENGTH, range=OF_RINGS["shaft_bore_diameter"]),
     Key("housing_interference_um", "housing_interference", "um", um, LENGTH),
-    Key("housing_outside_diameter_mm", "housing_outside_diameter", "mm", mm, LENGTH),
+    Key(
+        "housing_outside_diameter_mm",
+        "housing_outside_diameter",
+        "mm",
+        mm,
+        LENGTH,
+        range=OF_RINGS["housing_outside_diameter"],
+    ),
     *map(celsius, ("shaft_temperature", "inner_ring_temperature", "outer_ring_temperature", "housing_temperature")),
     celsius("reference_temperature"),
-    Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE),
+    Key("yield_strength_MPa", "yield_strength", "MPa", MPa, PRESSURE, range=OF_RINGS["yield_strength"]),
 )
 ELASTIC_RINGS = (
     Key("outer.outside_diameter_mm", "outside_diameter", "mm", mm, LENGTH),

@@ -10,6 +10,7 @@ bearing that is brought there heats up without end.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from math import pi
 
 import numpy as np
@@ -53,13 +54,20 @@ class _Curve:
         """The point of the curve in the plane through this guess; None where none is found."""
         from scipy.optimize import root
 
+        @cache  # `root` asks for the first point's equations and slopes twice
+        def residual(*y: float) -> NDArray:
+            return self.residual(np.array(y))
+
+        @cache
+        def differences(*y: float) -> NDArray:
+            points = np.array(y)[:, None] + STEP * np.eye(len(y))
+            return (self.residual(points) - residual(*y)[:, None]) / STEP
+
         def equations(y: NDArray) -> NDArray:
-            return np.nan_to_num(np.append(self.residual(y), normal @ (y - guess)), nan=1.0)
+            return np.nan_to_num(np.append(residual(*y), normal @ (y - guess)), nan=1.0)
 
         def slopes(y: NDArray) -> NDArray:
-            step = STEP * np.eye(y.size)
-            rows = (self.residual(y[:, None] + step) - self.residual(y)[:, None]) / STEP
-            return np.nan_to_num(np.vstack([rows, normal]))
+            return np.nan_to_num(np.vstack([differences(*y), normal]))
 
         found = root(equations, guess, jac=slopes, options={"xtol": 1e-12, "maxfev": 40})
         on_curve = float(np.abs(found.fun).max()) < 1e-9

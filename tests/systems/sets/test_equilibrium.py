@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing.model.compiler import threads
 from tests.qsbearing.scenes import (
     B218,
     BOTH,
@@ -201,7 +202,8 @@ def test_a_prescribed_shaft_gives_its_reactions() -> None:
     np.testing.assert_allclose(held.load, [100.0, 200.0, 0.0, 0.0, 0.0], atol=1e-8 * 500.0)
 
 
-def test_cases_are_solved_as_if_alone() -> None:
+def test_cases_are_solved_as_if_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(threads, "CHUNK", 4)  # several stretches of them
     loads, speeds = np.array([0.0, 150.0, -300.0]), np.array([[0.0], [5_000.0], [12_000.0]]) * qs.rpm
     many = solved(pair("DB", 400.0, speed=speeds, axial_load=loads, radial_load_y=250.0, moment_z=0.0))
     assert many.displacement.shape == (3, 3, 5)
