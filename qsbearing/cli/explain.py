@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import sys
 from typing import TYPE_CHECKING
@@ -52,6 +53,8 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
     loaded = load_one(scene)
+    # Its readings need it, and one of before 2024 loads scipy.linalg, which `solving` puts out of reach.
+    importlib.import_module("scipy.special")
     with solving():
         found = explained(loaded, tolerance)
     if as_json:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files import paths
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
 from qsbearing.reports.spectrum import point_of
@@ -287,3 +288,11 @@ def test_a_result_has_one_name_everywhere() -> None:
             qs.find(tables, {"preload.rigid_N": "100:200"}, goals=[f"{name}=1"])
         with pytest.raises(qs.SceneError, match=said):
             sweep(Study.of(tables, {"preload.rigid_N": [100, 200]}, quantities=[name]))
+
+
+def test_rings_that_expand_are_looked_for_in_their_tables() -> None:
+    """Not in words: a title is no table."""
+    position = ("rows", "2", "position_mm")
+    assert paths.spans_cases(position, {"report": {"title": "ring_expansion"}, "rows": [{"carries": "+x"}]})
+    assert not paths.spans_cases(position, {"effects": {"ring_expansion": {}}, "rows": [{}]})
+    assert not paths.spans_cases(position, {"effects": "auto", "rows": [{}, {"ring_expansion": {}}]})
