@@ -7,7 +7,7 @@ from itertools import chain
 
 from fem_check.checks import ALL
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.questions import Question, refusals, scenes, total
+from fem_check.report.questions import Question, refusals, scenes, span, total
 from fem_check.report.rows import as_read
 from fem_check.report.sections import previous, traceability
 from fem_check.running.known import NOT_CONVERGED
@@ -101,11 +101,11 @@ def _scope(evidence: Evidence) -> str:
     """What was covered, from the records; what was not, in words."""
     found = []
     if kept := evidence.checks.get("conformity"):
-        found.append(f"groove radii of {_span(kept.data['pictures']['conformity']['curves'])} ball diameters")
+        found.append(f"groove radii of {span(kept.data['pictures']['conformity']['curves'])} ball diameters")
     if kept := evidence.checks.get("bearing_sector"):
         scene, curves = kept.data["scene"].upper(), kept.data["pictures"]["bearing_sector"].values()
         loads = chain.from_iterable(curve["load_N"] for states in curves for curve in states.values())
-        found.append(f"{scene} under thrust of {_span(loads)} N between elastic rings")
+        found.append(f"{scene} under thrust of {span(loads)} N between elastic rings")
     if evidence.reference:
         found.append(f"{len(evidence.reference.data['cases'])} scenes with every effect against fifty digits")
     covered = f"Covered: {'; '.join(found)}. " if found else ""
@@ -114,11 +114,6 @@ def _scope(evidence: Evidence) -> str:
         "temperatures. Not covered means untested, not wrong. Not in the model: vibration, cage forces, oil drag, "
         "plastic deformation; lubricant films and groove edges in the equilibrium."
     )
-
-
-def _span(values: object) -> str:
-    numbers = sorted(map(float, values))  # type: ignore[call-overload]
-    return f"{numbers[0]:,g} to {numbers[-1]:,g}"
 
 
 def _coverage(evidence: Evidence) -> str:

@@ -134,6 +134,12 @@ MOST_ASKED = SECTOR[:3]
 WITH_RINGS = "free, elastic rings in the model"
 
 
+def span(values: Iterable[float | str]) -> str:
+    """From the smallest to the largest; one number where all are the same."""
+    numbers = sorted(map(float, values))
+    return " to ".join(dict.fromkeys(f"{each:,g}" for each in (numbers[0], numbers[-1])))
+
+
 def _rigid_seat(evidence: Evidence) -> Question:
     records = [k for k in evidence.checks.values() if k.data["kind"] == "model comparison"]
     asked = Question("Rigid seat: how far from elastic bodies?", "check-bearing-sector", records)
@@ -144,7 +150,7 @@ def _rigid_seat(evidence: Evidence) -> Question:
     loads = [load for curve in curves for load in curve["load_N"]]
     missed = _failing(records)
     return asked._replace(
-        answer=f"axial load {min(loads):,.0f} to {max(loads):,.0f} N, at rest and at speed",
+        answer=f"axial load {span(loads)} N, at rest and at speed",
         worst=worst, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
         may="contact loads, contact angles and displacements in rigid seats",
     )  # fmt: skip

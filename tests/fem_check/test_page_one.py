@@ -239,3 +239,8 @@ def test_page_one_names_what_makes_it_no_release(whole: Evidence, spoilt: str, s
     assert said in text
     assert "not a release" in text
     assert verdict(found).status == "warning"
+
+
+def test_a_span_of_one_number_is_that_number() -> None:
+    assert questions.span([17800.0, 17800]) == "17,800"
+    assert questions.span([0.56, 0.51]) == "0.51 to 0.56"
