@@ -32,9 +32,9 @@ from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
 from qsbearing.reports.key_results import KeyResult, results_of, results_of_row, results_of_shaft
 from qsbearing.results import report, set_report
-from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark, message
+from qsbearing.results.whole import all_taken
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set
@@ -83,7 +83,7 @@ def solved(document: Tables, label: str) -> Answer:
     """How the case ended, key results of the bearing or of the shaft and each row, remarks, of a bearing the section,
     the names of the pictures to ask for, and the effects with whether they can be switched."""
     solution = _solution(document, label)
-    found, is_solved = _taken(solution), bool(solution.converged)
+    found, is_solved = all_taken(solution), bool(solution.converged)
     key: list[KeyResult] = []
     rows: list[Answer] = []
     picture, pictures = "", drawn.names(solution) if is_solved else []
@@ -146,7 +146,7 @@ def pictured(document: Tables, label: str, name: str, row: int = 0) -> Answer:
 def detailed(document: Tables, label: str) -> Answer:
     """All tables of the solution."""
     solution = _solution(document, label)
-    found = _taken(solution)
+    found = all_taken(solution)
     if not solution.converged:
         return {"tables": ""}
     if isinstance(solution, SetSolution):
@@ -204,11 +204,6 @@ def _solution(document: Tables, label: str) -> Solution | SetSolution:
 @lru_cache(maxsize=KEPT)
 def _solution_of(text: str, label: str) -> Solution | SetSolution:
     return solve_any(_read(json.loads(text), label))
-
-
-def _taken(solution: Solution | SetSolution) -> Any:
-    """What is asked to be read off; of a set by row."""
-    return taken(solution) if isinstance(solution, Solution) else [taken(row) for row in solution.rows]
 
 
 def _read(document: Tables, label: str) -> Scene | BearingSet:
