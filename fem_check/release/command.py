@@ -41,10 +41,17 @@ REASONS = 5
     metavar="DIR|TAG",
     help="Records to compare with: a folder or a tag; by default those in the repository.",
 )
+@click.option(
+    "--workers",
+    type=click.IntRange(min=1),
+    default=2,
+    show_default=True,
+    help="Processes that share the steps which need one core.",
+)
 @click.option("--resume", is_flag=True, help="Continue an interrupted run of the same commit and level.")
 @click.option("--keep", is_flag=True, help="If all hold, put the new records into the repository.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON, and nothing else.")
-def release(level: str, out: Path, previous: str | None, resume: bool, keep: bool, as_json: bool) -> None:
+def release(level: str, out: Path, previous: str | None, workers: int, resume: bool, keep: bool, as_json: bool) -> None:
     """Run everything that must hold before a release.
 
     Needs a checkout without uncommitted changes.
@@ -71,7 +78,7 @@ def release(level: str, out: Path, previous: str | None, resume: bool, keep: boo
                 journal = gate.resumed(place, listed) if resume else {}
                 if not journal:
                     shutil.rmtree(place.gate, ignore_errors=True)
-                gate.run(listed, place, journal, lambda said: click.echo(said, err=True))
+                gate.run(listed, place, journal, lambda said: click.echo(said, err=True), workers)
                 found = gate.all_judged(listed, place, journal, before)
         passes = all(each.passes for each in found)
         _show(found, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")

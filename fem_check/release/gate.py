@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
-from fem_check.release.steps import Place, Step, write_tables
+from fem_check.release.steps import LONGEST, Place, Step, write_tables
 from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
 
-Journal = dict[str, dict[str, Any]]
-"""Of each step that was run: its seconds, and the error with which it ended, or None."""
+Entry = dict[str, Any]
+"""Of a step that was run: its seconds, and the error with which it ended, or None."""
+Journal = dict[str, Entry]
 
 
 @dataclass(frozen=True)
@@ -54,21 +58,61 @@ def resumed(place: Place, steps: list[Step]) -> Journal:
         return {}
 
 
-def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str], None]) -> None:
-    """Run what the journal lacks, and enter it there; `ended` is told how each step ended."""
-    for step in steps:
-        if step.name in journal:
-            continue
+def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str], None], workers: int = 1) -> None:
+    """Run what the journal lacks, and enter it there; `ended` is told how each step ended.
+
+    Args:
+        workers: how many processes share the steps that need one core; the others follow, one after another.
+    """
+    waiting = [step for step in steps if step.name not in journal]
+    for step in waiting:
         for name in step.made(place.out):  # no earlier record shall pass for this one
             (place.out / name).unlink()
-        began, error = time.perf_counter(), None
-        try:
-            step.run(place)
-        except Exception as problem:  # whatever it is: the step has failed, and the others are still to be run
-            error = f"{type(problem).__name__}: {problem}"
-        journal[step.name] = {"seconds": round(time.perf_counter() - began, 1), "error": error}
-        _enter(place, journal)
-        ended(f"{step.name}: {error or 'done'}")
+    shared = [step for step in waiting if workers > 1 and not step.is_alone]
+    for step, entry in _side_by_side(shared, place, workers):
+        _end(step, entry, place, journal, ended)
+    for step in waiting:
+        if step not in shared:
+            _end(step, _run(step, place), place, journal, ended)
+
+
+def _end(step: Step, entry: Entry, place: Place, journal: Journal, ended: Callable[[str], None]) -> None:
+    journal[step.name] = entry
+    _enter(place, journal)
+    ended(f"{step.name}: {entry['error'] or 'done'}")
+
+
+def _run(step: Step, place: Place) -> Entry:
+    began, error = time.perf_counter(), None
+    try:
+        step.run(place)
+    except Exception as problem:  # whatever it is: the step has failed, and the others are still to be run
+        error = f"{type(problem).__name__}: {problem}"
+    return {"seconds": round(time.perf_counter() - began, 1), "error": error}
+
+
+_shared: list[Step] = []
+"""Of `_side_by_side`: processes that are forked find it, since a step cannot be sent to them."""
+
+
+def _run_shared(number: int, place: Place) -> Entry:
+    return _run(_shared[number], place)
+
+
+def _side_by_side(steps: list[Step], place: Place, workers: int) -> Iterator[tuple[Step, Entry]]:
+    """Run steps in processes, the longest first, and hand out each as it ends."""
+    _shared[:] = sorted(steps, key=lambda step: step.name not in LONGEST)
+    pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork"))
+    try:
+        asked = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}
+        for each in as_completed(asked):
+            try:
+                entry = each.result()
+            except BrokenProcessPool as problem:  # a process was killed, for want of memory as a rule
+                entry = {"seconds": 0.0, "error": f"{type(problem).__name__}: {problem}"}
+            yield asked[each], entry
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _enter(place: Place, journal: Journal, found: Iterable[Verdict] = ()) -> None:

@@ -29,6 +29,8 @@ RECOMPUTED = {
     Level.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "spindles": 20_000},
 }
 """Cases of the campaigns that compute what is solved a second time."""
+LONGEST = ("check bearing_sector", "campaign spindles")
+"""Begun first of the steps that run side by side: else one core waits for them at the end."""
 SEED = 1
 HARD_CASE_VERDICTS = ("within 1e-9", "explained by its condition", "as expected")
 BOOK_DIGITS = 10
@@ -70,6 +72,8 @@ class Step:
     """What is wrong in one of them."""
     moved: Callable[[Record, Record], list[str]] = lambda new, old: []
     """What moved too far from the previous release's."""
+    is_alone: bool = True
+    """Whether it needs the machine for itself: it measures times, or takes all cores."""
 
     def made(self, out: Path) -> list[str]:
         """The records that are there."""
@@ -81,7 +85,9 @@ def all_steps(level: Level) -> list[Step]:
     ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
     rest = _of_release() if level is Level.RELEASE else []
     return [
-        _elsewhere("hard cases", "verification.hard_cases.table", _wrong_hard_cases, moved=drift.of_hard_cases),
+        _elsewhere(
+            "hard cases", "verification.hard_cases.table", _wrong_hard_cases, moved=drift.of_hard_cases, is_alone=False
+        ),
         *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
         *(_recomputed(level, name, count) for name, count in RECOMPUTED[level].items()),
         *(_check(level, name) for name in ALL),
@@ -104,16 +110,17 @@ def _check(level: Level, name: str) -> Step:
         list(runner.run(runner.selected((name,)), place.level, place.out, lambda check: lambda stage, part: None))
 
     command = f"fem-check run {name} --level {level}"
-    return Step(f"check {name}", command, run, (f"{level}/{name}.json",), integrity.of_rows, drift.of_check)
+    made = (f"{level}/{name}.json",)
+    return Step(f"check {name}", command, run, made, integrity.of_rows, drift.of_check, is_alone=False)
 
 
 def _of_release() -> list[Step]:
     """What the release level makes besides: records that stand elsewhere in the repository, and times."""
     elements = "fem-check cost --level release"
     return [
-        _elsewhere("fifty digits", "verification.reference.table", _failed("cases", "case")),
-        _elsewhere("relations", "relations", _failed("files", "file")),
-        _elsewhere("errata", "verification.reference.errata"),
+        _elsewhere("fifty digits", "verification.reference.table", _failed("cases", "case"), is_alone=False),
+        _elsewhere("relations", "relations", _failed("files", "file"), is_alone=False),
+        _elsewhere("errata", "verification.reference.errata", is_alone=False),
         _elsewhere("automatic effects", "verification.benchmarks.auto_accuracy"),
         _elsewhere("times", "verification.benchmarks.record"),
         _elsewhere("times against the release before", "verification.benchmarks.before"),
@@ -137,6 +144,7 @@ def _elsewhere(
     wrong: Callable[[Record], list[str]] = lambda record: [],
     made: str = "",
     moved: Callable[[Record, Record], list[str]] = lambda new, old: [],
+    is_alone: bool = True,
 ) -> Step:
     """A record that a module of the tests writes to the path that it is given, and that is kept beside the module.
 
@@ -150,7 +158,7 @@ def _elsewhere(
         target.parent.mkdir(parents=True, exist_ok=True)
         _python(place, name.replace(" ", "_"), f"tests.{module}", str(target))
 
-    return Step(name, f"python -m tests.{module}", run, (f"{OF_REPOSITORY}/{path}",), wrong, moved)
+    return Step(name, f"python -m tests.{module}", run, (f"{OF_REPOSITORY}/{path}",), wrong, moved, is_alone)
 
 
 def _failed(rows: str, name: str) -> Callable[[Record], list[str]]:
@@ -200,7 +208,7 @@ def _recomputed(level: Level, name: str, count: int) -> Step:
         return [*record["wrong"], *few]
 
     command = f"python -m {module} {count} {SEED}"
-    return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed)
+    return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed, is_alone=False)
 
 
 def _benchmarks(place: Place) -> None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import signal
+import time
 from copy import deepcopy
 from dataclasses import fields, replace
 from functools import cache, partial
@@ -79,7 +82,7 @@ def at(monkeypatch, folder: Path) -> None:
 def release(out: Path, *options: str) -> Result:
     """Run the command at the quick level."""
     provenance._source.cache_clear()
-    return CliRunner().invoke(cli, ["release", "--level", "quick", "--out", str(out), *options])
+    return CliRunner().invoke(cli, ["release", "--level", "quick", "--workers", "1", "--out", str(out), *options])
 
 
 def verdicts(result: Result) -> dict[str, list[str]]:
@@ -326,6 +329,43 @@ def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypat
     found = verdicts(result)
     assert found["check patch_test"] == ["ZeroDivisionError: planted"]
     assert found["check formula"] == []
+
+
+def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeypatch):
+    ran = place / "processes"
+    ran.mkdir()
+
+    def noted(step: Step) -> Step:
+        def run(where: Place) -> None:
+            time.sleep(0.5)  # so that one process cannot take both
+            (ran / step.name).write_text(f"{os.getpid()} {time.monotonic()}")
+            step.run(where)
+
+        return replace(step, run=run, is_alone=step.name == "reports")
+
+    monkeypatch.setattr(steps, "all_steps", lambda level: [*map(noted, reports_and_checks(level))])
+
+    def reports_and_checks(level: Level) -> list[Step]:
+        alone = Step("reports", "nothing", lambda where: None)
+        return [alone, *(step for step in every_step(level) if step.name in CHECKS)]
+
+    result = release(place / "new", "--workers", "2")
+    assert result.exit_code == 0, result.output
+    processes = {path.name: path.read_text().split() for path in ran.iterdir()}
+    assert len({processes[name][0] for name in CHECKS} | {str(os.getpid())}) == 3
+    assert processes["reports"][0] == str(os.getpid())
+    assert all(float(processes["reports"][1]) > float(processes[name][1]) for name in CHECKS)
+
+
+def test_a_step_whose_process_is_killed_has_failed(place, monkeypatch):
+    def killed(where: Place) -> None:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    listed = [Step("check formula", "nothing", killed, is_alone=False)]
+    monkeypatch.setattr(steps, "all_steps", lambda level: listed)
+    journal: dict[str, Any] = {}
+    gate.run(listed, Place(place / "repository", Level.QUICK, place / "new", ""), journal, lambda said: None, 2)
+    assert journal["check formula"]["error"].startswith("BrokenProcessPool")
 
 
 def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
