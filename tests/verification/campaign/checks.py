@@ -166,6 +166,7 @@ def findings(
     reactions: bool = True,
     friction_limit: float | None = None,
     passing: bool = False,
+    force: NDArray | float = 0.0,
 ) -> Findings:
     """Check every case of a scene of one case axis; those that did not converge yield whatever comes out of NaN.
 
@@ -176,6 +177,7 @@ def findings(
             or whatever is asked.
         passing: whether to look at states on the way, where also a pressed inner line more than a right angle from the
             outer one counts as 180 degrees less that angle apart. No equilibrium may: its motion would be no rolling.
+        force: the largest of each set of which the cases are rows: what a set promises is measured by it.
     """
     own = None if scene.gyroscopic_moment is None else scene.gyroscopic_moment.friction_coefficient
     friction_limit = own if friction_limit is None else friction_limit
@@ -207,7 +209,7 @@ def findings(
             most + 2.0 * centrifugal * sensitivity * turn for most, turn in zip(by_rounding, turned, strict=True)
         ]
         imbalance, expressible = _imbalance(
-            scene, solution, inner, outer, centrifugal, moment, psi, reactions, turned, inertial
+            scene, solution, inner, outer, centrifugal, moment, psi, reactions, turned, inertial, force
         )
         hertz = np.maximum(_hertz(scene, inner, diameter), _hertz(scene, outer, diameter))
         closure = _closure(scene, solution, inner, outer, psi)
@@ -467,6 +469,7 @@ def _imbalance(
     reactions: bool,
     turned: list[NDArray],
     inertial: list[NDArray],
+    force: NDArray | float,
 ) -> tuple[NDArray, NDArray]:
     i, o = inner, outer
     axial = i.load * i.sine - o.load * o.sine - i.friction * i.cosine + o.friction * o.cosine
@@ -488,7 +491,7 @@ def _imbalance(
             wanted = np.asarray(0.0 if given is None else given, float)
             carried = np.where(np.abs(carried - wanted) <= 4 * EPS * np.abs(wanted), wanted, np.nan)
         worst = np.maximum(worst, np.abs(sums[c].sum(axis=-1) - carried) / arm)
-    scale = _force_scale(scene, inner, outer, centrifugal, moment)
+    scale = np.maximum(_force_scale(scene, inner, outer, centrifugal, moment), force)
     rounding = np.zeros(scale.shape)
     for side, turn_by_rounding, of_inertia in zip((i, o), turned, inertial, strict=True):
         rounding += (side.load * (4 * EPS + turn_by_rounding) + of_inertia).sum(axis=-1)

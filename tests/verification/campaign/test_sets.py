@@ -56,6 +56,17 @@ def test_random_spindles_are_what_their_parts_say() -> None:
 
 
 @compiled_only
+def test_balls_of_a_set_are_balanced_by_the_forces_of_the_set() -> None:
+    """Case 17 has a row with 0.2 % of the load: 6e-12 N are left, 1e-9 of its balls' loads, 1e-12 of the set's. A row
+    that alone carries the set has no such excuse."""
+    with np.errstate(all="ignore"):
+        solution = qs.solve_set(draw_sets(np.random.default_rng([1, 177]), 100))
+        assert solution.converged[17] and not any(bad[17] for bad in wrong_of(solution).values())
+        solution.rows[0].outer.load[17, 3] += 1e-9 * solution.rows[0].load[17, 0]
+        assert wrong_of(solution)["imbalance"][17]
+
+
+@compiled_only
 def test_hot_tandem_sets_without_load_are_solved() -> None:
     """Rows that touch here and there: what rounding of positions presses, 1e-31 N, is no load that could be unequal."""
     of = draw_sets(np.random.default_rng([7, 2]))
