@@ -3,7 +3,8 @@
 Nothing of the kernel is used. From angles, approaches and loads as the user reads them follow
 
 * the motion and the inertia loads of every ball, by the kinematics of Jones and Harris in vectors (cos beta, sin beta);
-* that every ball is carried round, and that one which the inner raceway does not press lies on the outer one;
+* that every ball is carried round, and that one which the inner raceway does not press lies on the outer one, at its
+  bottom unless its gyroscopic moment holds it up;
 * every ball's two equations (19.9), (19.10) and the ring's five channels (19.13)-(19.15), held ones included;
 * that the two contacts' lengths close between the groove centres where the ring's displacement puts them;
 * Hertz: each ellipse satisfies the ellipticity equation in Carlson's integrals, and each load is K delta^1.5.
@@ -81,6 +82,10 @@ class Findings:
     unpressed: NDArray
     """Whether a ball that the inner raceway does not press does not lie at the outer one's bottom with its centrifugal
     force, or is said to be controlled by the inner one, which has no friction on it."""
+    held_up: NDArray
+    """Whether such a ball lies away from the bottom all the same, for the gyroscopic moment lifts it, beyond the gap in
+    which its orbit goes over: where the rings turn against each other, its orbit is slow and its rotation is not. The
+    balances show that this is an equilibrium: counted, not a failure."""
     friction_without_load: NDArray
     """Whether a contact without load is asked for friction, and for more than rounding makes."""
     open_side: NDArray
@@ -102,7 +107,7 @@ class Findings:
     misreported: NDArray
     """Whether the residual that the solution itself reports is above what it may be, or not a number."""
 
-    NOTED = ("friction_above_load", "control", "lines_apart")
+    NOTED = ("friction_above_load", "control", "lines_apart", "held_up")
 
     def failed(self) -> dict[str, NDArray]:
         """By the name of each promise: which cases break it."""
@@ -215,7 +220,7 @@ def findings(
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
-        unpressed = _unpressed(solution, inner, outer, centrifugal, signed, small)
+        unpressed, held_up = _unpressed(scene, solution, inner, outer, centrifugal, signed, small)
         no_friction = [np.maximum(small, most) for most in by_rounding]
     return Findings(
         imbalance=imbalance,
@@ -226,6 +231,7 @@ def findings(
         tension=_tension(solution),
         no_orbit=_any([no_orbit], there),
         unpressed=_any([unpressed], there),
+        held_up=_any([held_up], there),
         friction_without_load=_any(
             (
                 ~side.loaded & (side.asked > least) & there & (own is None)
@@ -320,24 +326,35 @@ def standing_balls(scene: qs.Scene, solution: qs.Solution) -> dict[str, NDArray]
     with np.errstate(all="ignore"):
         centrifugal, moment, _, _, no_orbit = inertia_loads(scene, solution, inner, outer, False)
         small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
-        unpressed = _unpressed(solution, inner, outer, centrifugal, moment, small)
+        unpressed, _ = _unpressed(scene, solution, inner, outer, centrifugal, moment, small)
     return {"no_orbit": _any([no_orbit], there), "unpressed": _any([unpressed], there)}
 
 
 def _unpressed(
-    solution: qs.Solution, inner: Contacts, outer: Contacts, centrifugal: NDArray, moment: NDArray, small: NDArray
-) -> NDArray:
-    """Balls (case, ball) that the inner raceway does not press and that are not where they then must be.
+    scene: qs.Scene,
+    solution: qs.Solution,
+    inner: Contacts,
+    outer: Contacts,
+    centrifugal: NDArray,
+    moment: NDArray,
+    small: NDArray,
+) -> tuple[NDArray, NDArray]:
+    """Balls (case, ball) that the inner raceway does not press: those that are not where they then must be, and those
+    that are held up where their orbit has gone over.
 
     Qo (sin ao, cos ao) = (0, Fc), to what an equilibrium resolves. Where the outer ring turns the faster, Mg has the
-    sign that lifts a ball, and a slow one may be held up by it: within the gap in which its orbit still goes over.
+    sign that lifts a ball, and a slow one may be held up by it: within the gap in which its orbit still goes over, and
+    beyond it where the rings turn against each other.
     """
     away = np.maximum(np.abs(outer.load * outer.sine), np.abs(outer.load * outer.cosine - centrifugal)) > small
-    lifted = (moment * outer.sine > 0.0) & (inner.approach > -LOSING * inner.length)
-    misplaced = (centrifugal > small) & away & ~lifted
+    is_lifted = moment * outer.sine > 0.0
+    goes_over = inner.approach > -LOSING * inner.length
+    of_inner, of_outer = speeds(scene)
+    misplaced = (centrifugal > small) & away & ~(is_lifted & (goes_over | (of_inner * of_outer < 0.0)))
+    held_up = ~inner.loaded & away & is_lifted & ~goes_over
     if solution.gyroscopic_moment is not None:
         misplaced |= solution.raceway_control == "inner"
-    return ~inner.loaded & misplaced
+    return ~inner.loaded & misplaced, held_up
 
 
 def inertia_loads(
@@ -398,8 +415,11 @@ def inertia_loads(
     sensitivity = np.nan_to_num(sensitivity, nan=0.0, posinf=0.0)
     # Without centrifugal force a ball that touches neither raceway lies anywhere.
     rolls = turns & (inner.loaded | outer.loaded | (scene.centrifugal_force is not None))
+    # Under outer control u does not vanish, and v does where the ball goes round with the inner ring: it does go round.
+    rolled_by_outer = (by_inner == 0.0) & (scene.raceway_control is not qs.RacewayControl.MINIMUM_DISSIPATION)
+    most = np.where(rolled_by_outer, 0.0, LEAST_WEIGHT)
     least = np.where(wo == 0.0, LEAST_ORBIT, LEAST_WEIGHT)
-    no_orbit = rolls & ~((u > least * (u + v)) & (v > LEAST_WEIGHT * (u + v)))
+    no_orbit = rolls & ~((u > least * (u + v)) & (v > most * (u + v)))
     return np.where(turns, centrifugal, 0.0), np.where(turns, moment, 0.0), sensitivity, p, no_orbit
 
 

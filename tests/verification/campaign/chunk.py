@@ -74,6 +74,7 @@ class Tally:
         by_rounding = converged & (found.imbalance > MOST_IMBALANCE) & ~failed["imbalance"]
         self.noted["friction above load"] += int((found.friction_above_load & converged).sum())
         self.noted["inconsistent control"] += int((found.control & converged).sum())
+        self.noted["held up by the gyroscopic moment"] += int((found.held_up & converged).sum())
         self.noted["above 1e-10 by rounding alone"] += int(by_rounding.sum())
         fine = converged & ~by_rounding & ~np.any(list(failed.values()), axis=0)
         for name in self.largest:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import qsbearing as qs
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, INNER, OUTER, PER_BALL, resting, solved, turning
 from tests.verification.campaign.checks import MOST_IMBALANCE, Findings, findings
 from tests.verification.campaign.chunk import groups_of
+from tests.verification.campaign.envelope import scene_file
 
 
 def failing(solution: qs.Solution) -> set[str]:
@@ -83,6 +85,24 @@ def test_each_check_turns_red(name: str) -> None:
         assert side.angle.size
     spoil(solution)
     assert red <= failing(solution)
+
+
+@pytest.mark.parametrize(("envelope", "number", "is_held_up"), [("wild", 90_025, True), ("wild", 17_703, False)])
+def test_rings_against_each_other_and_lines_at_right_angles(
+    envelope: str, number: int, is_held_up: bool, tmp_path: Path
+) -> None:
+    """A ball that the gyroscopic moment holds up beyond the gap is noted; on the same side with the rings turning one
+    way it would be wrong. One that goes round with the inner ring, its lines a right angle apart, goes round."""
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_file(envelope, 1, number))
+    scene = qs.load_scene(path)
+    operation = replace(scene.operation, speed=np.atleast_1d(scene.operation.speed))
+    solution = qs.solve(replace(scene, operation=operation))
+    assert failing(solution) == set()
+    assert findings(solution.scene, solution).held_up == [is_held_up]
+    if is_held_up:
+        turned = replace(scene, operation=replace(operation, outer_speed=-np.asarray(operation.outer_speed)))
+        assert findings(turned, solution).unpressed == [True]
 
 
 def test_every_check_is_seen_to_turn_red() -> None:
