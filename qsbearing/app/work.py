@@ -13,6 +13,8 @@ LONGEST = 120.0
 """Seconds of one answer; the longest of the guide's scenes takes ten, and to compile a reading a minute."""
 AT_ONCE = 8
 """Answers that are worked out beside each other; further questions wait."""
+AGAIN = 0.5
+"""Seconds after which work that goes on is told again to end."""
 _places: dict[asyncio.AbstractEventLoop, asyncio.Semaphore] = {}
 
 
@@ -44,14 +46,13 @@ async def answered(
                 put(found)
 
         def work() -> None:
-            try:
-                put, found = done.set_result, question(**given)
-            except Exception as error:
-                put, found = done.set_exception, error
-            except _EndError:
-                return
-            with suppress(RuntimeError):  # the server has ended
-                loop.call_soon_threadsafe(settle, put, found)
+            with suppress(_EndError):
+                try:
+                    put, found = done.set_result, question(**given)
+                except Exception as error:
+                    put, found = done.set_exception, error
+                with suppress(RuntimeError):  # the server has ended
+                    loop.call_soon_threadsafe(settle, put, found)
 
         thread = Thread(target=work, daemon=True)
         thread.start()
@@ -63,12 +64,17 @@ async def answered(
             raise StoppedError(f"the answer took longer than {LONGEST:g} s and was stopped: ask for less at once")
         finally:
             if not done.done():
-                _end(thread)
+                _end(thread, loop)
             for each in waits:
                 each.cancel()
 
 
-def _end(thread: Thread) -> None:
-    """End what a thread of Python is at; compiled code first ends what it is at."""
-    if thread.ident is not None:
+def _end(thread: Thread, loop: asyncio.AbstractEventLoop) -> None:
+    """End what a thread of Python is at; compiled code first ends what it is at.
+
+    Python drops an exception within a callback, as of a weak reference or its garbage collector: it is raised again
+    until the thread has ended.
+    """
+    if thread.ident is not None and thread.is_alive():
         ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(_EndError))
+        loop.call_later(AGAIN, _end, thread, loop)

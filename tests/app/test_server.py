@@ -134,6 +134,34 @@ def test_work_ends_after_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
         assert slow.stopped.wait(10.0)
 
 
+class Dropping(Slow):
+    """A question that is at a callback when it is to end, in which Python drops what is raised."""
+
+    class Busy:
+        """Is deleted within a second."""
+
+        def __del__(self) -> None:
+            until = time.monotonic() + 1.0
+            while time.monotonic() < until:
+                pass
+
+    def __call__(self, document: dict[str, Any], label: str) -> dict[str, Any]:
+        busy = self.Busy()
+        del busy
+        return super().__call__(document, label)
+
+
+def test_work_ends_where_python_drops_the_exception_that_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(work, "LONGEST", 0.1)
+    dropped: list[Any] = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda what: dropped.append(what.exc_type))
+    dropping = Dropping()
+    with running(guarded(dropping)) as address:
+        assert asked(address, "solve", QUESTION)[0] == 503
+        assert dropping.stopped.wait(10.0)
+    assert set(dropped) == {work._EndError}
+
+
 @pytest.mark.parametrize("host", ["127.0.0.1", "no.such.host.invalid", "203.0.113.1", "a" * 300])
 def test_where_it_cannot_serve_it_says_so_and_opens_nothing(host: str, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
