@@ -180,7 +180,8 @@ def _gate(kept: Kept | None) -> list[Block]:
     seconds = sum(done["seconds"] for done in steps.values())
     words = (
         f"**Last release run**, {kept.data['level']} level, commit {kept.data['commit'][:12]}: "
-        f"{len(steps) - len(errors)} of {len(steps)} steps made their records, in {seconds / 60.0:.0f} min."
+        f"{len(steps) - len(errors)} of {len(steps)} steps made their records. "
+        f"Their times, of which some ran side by side, add up to {seconds / 60.0:.0f} min."
     )
     lines: list[list[Cell]] = [
         [name, f"{steps[name]['seconds']:.0f}" if name in steps else "", Badge("fail", "fail") if why else PASSED]

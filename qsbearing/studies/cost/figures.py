@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # Okabe & Ito's colours, told apart by every kind of colour vision; markers differ as well.
-COLOURS = ("#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#000000")
-MARKERS = ("v", "s", "^", "D", "o", "*")
+COLOURS = ("#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#000000", "#cc79a7")
+MARKERS = ("v", "s", "^", "D", "o", "*", "P")
 
 
 def speeds(record: dict[str, Any]) -> Figure:
