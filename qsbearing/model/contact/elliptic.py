@@ -23,7 +23,7 @@ _MEANS_AGREE = 1e-8
 
 @kernel
 def both_parts(kc: float) -> tuple[float, float]:
-    """(B, D) for complementary modulus 0 < kc <= 1: Bulirsch's cel with p = 1, of (a, b) = (1, 0) and (0, 1) at once."""
+    """(B, D) for complementary modulus 0 < kc <= 1: Bulirsch's cel with p = 1, of (1, 0) and (0, 1) at once."""
     geometric, arithmetic, product, weight = kc, 1.0, kc, 1.0
     a, b, c, d = 1.0, 0.0, 0.0, 1.0
     while True:

@@ -63,7 +63,7 @@ def exact_axis_ratio(curvature_ratio: float) -> float:
     if curvature_ratio >= 1.0:
         return 1.0
     target = log(curvature_ratio)
-    # The start: exponents from 2/3 at the circle, fitted here to the exact ones; within 1e-4 to k = 37, 7 % to k = 8000.
+    # The start: exponents from 2/3 at the circle, fitted here; within 1e-4 to k = 37, 7 % to k = 8000.
     above, below = target * (0.01641191 * target - 0.06459561), target * (0.03017285 * target - 0.09627403)
     x = target * (2.0 / 3.0 + above) / (1.0 + below)
     for _ in range(12):
