@@ -90,7 +90,15 @@ def hot_row(
     heated = dict(readings)
     if thermal.oil_node in own and LUBRICANT in readings:
         heated[LUBRICANT] = {**readings[LUBRICANT], "oil_temperature": own[thermal.oil_node]}
-    return tuple(_heated(effect, own) for effect in effects), heated
+    return _with_balls(tuple(_heated(effect, own) for effect in effects), own), heated
+
+
+def _with_balls(effects: tuple[RingEffect, ...], own: Temperatures) -> tuple[RingEffect, ...]:
+    """A node of the balls is that of the balls between expanding rings too, though nothing names their expansion."""
+    rings = next((each for each in effects if isinstance(each, RingExpansion)), None)
+    if rings is None or "balls" not in own or any(isinstance(each, BallExpansion) for each in effects):
+        return effects
+    return (*effects, BallExpansion(own["balls"], rings.reference_temperature))
 
 
 def _heated(effect: RingEffect, own: Temperatures) -> RingEffect:
