@@ -37,7 +37,7 @@ def far_from_room_temperature(
     def far(i: int) -> Remark:
         parts = [name for name, by in beyond.items() if by[i] > 0.0]
         farthest = max(parts, key=lambda name: beyond[name][i])
-        limits = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
+        limits: dict[str, Any] = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
         return remark("expansion_far", parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
 
     yield np.max([*beyond.values()], axis=0) > 0.0, far
