@@ -250,6 +250,11 @@ _ALL = (
     Kind("ring_bends_far", WRONG, RINGS,
          "The bending of {raceways:the} ring is {deflection_over_thickness:.2g} times its thickness, too much for "
          "small-deflection theory."),
+    Kind("expansion_far", CHECK, HEAT,
+         "Far from room temperature ({parts}: {temperature_C:.4g} °C), this program's coefficients of expansion do not "
+         "hold. From {least_C:.4g} to {most_C:.4g} °C they are within 10 % of the mean between 20 °C and there; below "
+         "they are too large (of steel 1.4 times at -196 °C, 1.7 times at -253 °C), above too small. Give the material "
+         "as a table, with thermal_expansion_per_K = its mean from the reference temperature to there."),
     # Preload
     Kind("preload_lost", CHECK, PRELOAD,
          "Preload lost: {who} carries {carried_N:.4g} N in operation; its preload is {given_N:.4g} N {state}."),

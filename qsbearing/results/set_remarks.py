@@ -10,16 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks import bearing
+from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
+from qsbearing.systems.sets.axial_growth import SIDES
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
@@ -114,6 +118,20 @@ def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
             yield where, partial(_of_preload, solution, number, make)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part)
+    yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
+
+
+def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
+    """What grows beside the rows themselves: shaft, housing and spacers with temperatures of their own."""
+    if of.shaft is not None and of.shaft.temperature is not None:
+        yield from (("shaft", of.shaft.temperature, each.material) for each in of.shaft.sections)
+    if of.housing is not None and of.housing.temperature is not None:
+        yield "housing", of.housing.temperature, of.housing.material
+    for number, spacer in enumerate(of.spacers, 1):
+        for side in SIDES:
+            warm = getattr(spacer, f"{side}_temperature")
+            if warm is not None:
+                yield f"{side} sleeve of spacer {number}", warm, getattr(spacer, f"{side}_material")
 
 
 def _of_preload(solution: SetSolution, number: int, make: Any, i: int) -> Remark:

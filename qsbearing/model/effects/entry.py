@@ -162,7 +162,7 @@ def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, 
     """The scene, or every row of a set, with a ring effect, where it lacks one of this type.
 
     Args:
-        made: the effect, from the bearing and its other ring effects.
+        made: the effect, from the bearing and its other ring effects; None where these leave it out.
     """
     known: dict[tuple[int, ...], tuple[Any, ...]] = {}  # rows alike keep the very same, so that they are solved once
 
@@ -170,7 +170,8 @@ def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, 
         key = (id(bearing), *map(id, there))
         if key not in known:
             has_it = any(isinstance(one, effect_type) for one in there)
-            known[key] = there if has_it else (*there, made(bearing, there))
+            more = None if has_it else made(bearing, there)
+            known[key] = there if more is None else (*there, more)
         return known[key]
 
     found = [effects(*each) for each in bearings_of(of)]
