@@ -110,7 +110,8 @@ def line(setting: Setting) -> str:
         name = value.name  # type: ignore[attr-defined]
         return f"[effects.{name}]" if name in EFFECT_TABLES else numbers()[name][0].name
     names = [effect.name for effect in value] if isinstance(value, tuple) else value
-    return f"{_OF_EFFECTS.get(field, field)} = {_toml(names)}"
+    keys = _OF_EFFECTS | {own: key for key, own in SEATS.items()}
+    return f"{keys.get(field, field)} = {_toml(names)}"
 
 
 def _toml(value: Any) -> str:
