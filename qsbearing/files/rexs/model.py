@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.rexs.names import version_of
 from qsbearing.files.table_checks import Errors
+from qsbearing.model.validation import printable
 
 Span = tuple[int, int]
 
@@ -43,7 +44,7 @@ class Component:
     place: Place | None = None
 
     def __str__(self) -> str:
-        return f"component {self.number} ({self.kind}{f', {self.name}' if self.name else ''})"
+        return printable(f"component {self.number} ({self.kind}{f', {self.name}' if self.name else ''})")
 
 
 @dataclass
