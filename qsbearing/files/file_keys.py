@@ -20,7 +20,7 @@ from qsbearing.model.scene.keys import (
     SPECTRUM_POINT,
     Key,
 )
-from qsbearing.model.validation import Setting
+from qsbearing.model.validation import Setting, whole_number
 from qsbearing.remarks.wording import Reader, Words
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def find(path: str) -> Key | None:
         section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     kind, _, number = table.partition(" ")
-    if number.isdigit():
+    if whole_number(number) is not None:
         table = NUMBERED.get(kind, table)
     if path.startswith("thermal."):
         keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())

@@ -11,7 +11,7 @@ from typing import Any
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
-from qsbearing.model.validation import comma_advice
+from qsbearing.model.validation import comma_advice, whole_number
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
@@ -93,9 +93,9 @@ def _line_of(text: str, message: str) -> str:
     """The line that a TOML message points at."""
     number = message.partition("(at line ")[2].partition(",")[0]
     lines = text.split("\n")
-    if not number.isdecimal() or int(number) > len(lines):
+    if not 1 <= (at := whole_number(number) or 0) <= len(lines):
         return ""
-    line = lines[int(number) - 1].strip()
+    line = lines[at - 1].strip()
     comma = _WITH_COMMA.search(line)
     advice = comma_advice(comma[1]) if comma else ""
     hint = f". {advice}" if advice else ""

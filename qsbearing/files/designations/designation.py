@@ -18,8 +18,8 @@ from qsbearing.files.designations.iso15 import table
 LONGEST = 60
 """Letters of a text that may be a designation."""
 _BORES = {"00": 10.0, "01": 12.0, "02": 15.0, "03": 17.0}
-_PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)")
-_SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?")
+_PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)", re.ASCII)
+_SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?", re.ASCII)
 _TOLERANCE = re.compile(r"P4[ASY]?|P[256](?!\d)|ABEC-?[13579]")
 _CERAMIC = re.compile(r"\bHC\b|SN24|\bHYBRID\b")
 _PLAIN = ("", "S", "KH", "HYS", "HYKH")

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.rexs.names import version_of
 from qsbearing.files.table_checks import Errors
-from qsbearing.model.validation import printable
+from qsbearing.model.validation import printable, whole_number
 
 Span = tuple[int, int]
 
@@ -215,7 +215,7 @@ def _text(value: Any) -> str:
 def _whole(value: Any, path: str, errors: Errors) -> int | None:
     """An id or an order; None, and an error, where it is no whole number."""
     text = str(value).strip() if isinstance(value, str | int) and not isinstance(value, bool) else ""
-    if text.isascii() and text.isdigit() and len(text) < 19:
-        return int(text)
+    if (found := whole_number(text)) is not None:
+        return found
     errors.append(FileErrorDetail(path, "missing" if value is None else "is not a whole number", value))
     return None
