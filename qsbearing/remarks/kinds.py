@@ -129,7 +129,9 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(fields["quantity"], by, " by about ")
-    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {words.of(entry.needs)}"
+    beside = entry.needs_beside_size if fields.get("has_size") and words.reader is not Reader.PYTHON else ""
+    needs = words.of(beside or entry.needs)
+    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
 
 
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
@@ -346,7 +348,8 @@ _ALL = (
          "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
          "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
-         "are read so and as those of the bearing's own grooves"),
+         "are read so and as those of the bearing's own grooves. Add whose they are, such as {field}",
+         field=Setting("maker", "SKF")),
 )
 # fmt: on
 KINDS = {kind.code: kind for kind in _ALL}
