@@ -43,8 +43,9 @@ def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
     found = []
     for bound in TYPICAL:
         slipping = part_of_effect(*_FIELD, None, bound).finer(of)
-        slips = any(np.any(_needed(point) > bound) for point in points)
-        found += [Assumed(f"µ = {bound:g}", f"a coefficient of {bound:g}", slipping if slips else of)] if slipping is not of else []
+        if slipping is not of:
+            slips = any(np.any(_needed(point) > bound) for point in points)
+            found.append(Assumed(f"µ = {bound:g}", f"a coefficient of {bound:g}", slipping if slips else of))
     return found
 
 
