@@ -134,6 +134,17 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
 
 
+def _differing(fields: Mapping[str, Any], words: Words) -> str:
+    """What displacement and stiffness are by all hypotheses, and how to see each."""
+    said = [
+        f"{fields[name]} is {fields[f'{name}_least']:.4g} to {fields[f'{name}_most']:.4g} {fields[f'{name}_unit']} "
+        f"(here {fields[f'{name}_here']:.4g})"
+        for name in ("displacement", "stiffness")
+        if name in fields and _largest(fields[f"{name}_most"]) > _largest(fields[f"{name}_least"])
+    ]
+    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
+
+
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
     """A contact cut by the edge, with as many of its numbers as there are."""
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
@@ -182,6 +193,12 @@ _ADD = {
     Reader.PAGE: "Tick what is missing in the table of effects",
 }
 _GIVE = {Reader.PYTHON: "give", Reader.FILE: "give", Reader.PAGE: "open a scene file that gives"}
+_DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
+_LIST = {
+    Reader.PYTHON: "To see each: qsbearing explain FILE",
+    Reader.FILE: "To see each: qsbearing explain FILE",
+    Reader.PAGE: "The table of effects has the range",
+}
 _BEYOND = (
     ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
     "bearing's life before fatigue does"
@@ -276,6 +293,11 @@ _ALL = (
     Kind("effect_data_missing", INCOMPLETE, "accuracy",
          "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
          "its numbers", say=_lacking),
+    Kind("hypotheses_differ", INCOMPLETE, HYPOTHESES,
+         f"{_DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
+         "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
+         "{stiffness_most:.4g} {stiffness_unit} (here {stiffness_here:.4g}). To see each: qsbearing explain FILE",
+         say=_differing),
     # Readings: life
     Kind("life_of_ceramic", NOTE, CHOICES,
          "the dynamic rating and the life modification factor of ceramic balls are those of steel balls"),

@@ -18,6 +18,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks import bearing
 from qsbearing.remarks.expansion import far_from_room_temperature
+from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
@@ -110,8 +111,8 @@ def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
 
 
 def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
-    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks, solved with
-    all rows together: what one changes of a row moves the shaft."""
+    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks and
+    hypotheses, solved with all rows together: what one changes of a row moves the shaft."""
     loads = solution.preload_loads
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
@@ -119,6 +120,7 @@ def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part)
     yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
+    yield from hypotheses(solution, part)
 
 
 def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
