@@ -254,8 +254,8 @@ _ALL = (
     Kind("preload_lost", CHECK, PRELOAD,
          "Preload lost: {who} carries {carried_N:.4g} N in operation; its preload is {given_N:.4g} N {state}."),
     Kind("preload_reduced", CHECK, PRELOAD,
-         "Preload reduced: {who} carries {carried_N:.4g} N in operation, {share_percent:.2g} % of its preload of "
-         "{given_N:.4g} N {state}; its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
+         "Preload reduced: {cause} {who} only {carried_N:.4g} N of its preload of {given_N:.4g} N {state} "
+         "({share_percent:.3g} %); its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
          "mounted to {stiffness_N_per_um:.4g} N/µm."),
     Kind("preload_excessive", CHECK, PRELOAD,
          "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "

@@ -112,13 +112,12 @@ def _of_preload_of_row(solution: SetSolution, number: int) -> list[Margin]:
 
 
 def _excessive(loads: PreloadLoads | None) -> list[Margin]:
-    if loads is None or not float(loads.given) > 0.0:
+    if loads is None:
         return []
-    return [
-        Margin(
-            "preload", float(loads.alone), EXCESSIVE * float(loads.given), "N", f"{EXCESSIVE:g} times its given value"
-        )
-    ]
+    given, alone, _ = (float(each) for each in loads.arrays)
+    if not given > 0.0:
+        return []
+    return [Margin("preload", alone, EXCESSIVE * given, "N", f"{EXCESSIVE:g} times its given value")]
 
 
 def _of_heat(state: ThermalState | None) -> list[Margin]:

@@ -167,7 +167,8 @@ def preload_text(preload: dict[str, Any]) -> str:
     text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
     if preload["share"] is None:
         return text
-    return f"{text}: {preload['state']}, {percent(preload['share'])} of the given preload"
+    share = percent(preload["share"], digits=3)
+    return f"{text}: {preload['state']}; without external loads {share} of the given preload"
 
 
 def ending(found: dict[str, Any]) -> list[Block]:

@@ -44,6 +44,8 @@ class Outcome:
     """The part of loads and speeds up to which an equilibrium was followed."""
     axial: NDArray
     """Load of each row in the direction that it carries; shape (row, case) [N]."""
+    largest: NDArray
+    """Of the forces on rows, in any direction; shape (case,) [N]."""
 
     @classmethod
     def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
@@ -51,7 +53,7 @@ class Outcome:
         numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
         return cls(
             np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
-            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)),
+            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)), np.zeros(count),
         )  # fmt: skip
 
 
@@ -205,7 +207,8 @@ class Problem:
             refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
             o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
             o.reached[part][rest] = reached[rest]
-        o.axial[:, part] = found.results["load"][..., 0] * cases["force"]
+        forces = found.results["load"][..., :3] * cases["force"][..., None]
+        o.axial[:, part], o.largest[part] = forces[..., 0], np.abs(forces).max(axis=(0, 2))
         failed = o.status[part] != CONVERGED
         if failed.any():
             for row in rows:
