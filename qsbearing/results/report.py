@@ -142,9 +142,12 @@ def geometry_text(solution: Solution) -> str:
 def speeds_text(solution: Solution) -> str:
     """The speeds of both rings of a single case."""
     numbers = case_arrays(solution.scene)
-    outer = numbers.get("outer_speed")
-    turning = "" if outer is None else f", outer ring {float(outer) / rpm:.6g} rpm"
-    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{turning}"
+    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{outer_turning(numbers.get('outer_speed'))}"
+
+
+def outer_turning(speed: Any) -> str:
+    """What is said of the outer rings' speed [rad/s] beside that of the inner ones; nothing where none is given."""
+    return "" if speed is None else f", outer ring {float(speed) / rpm:.6g} rpm"
 
 
 def loads_text(solution: Solution | SetSolution) -> str:

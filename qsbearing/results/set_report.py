@@ -25,6 +25,7 @@ from qsbearing.results.report import (
     distinct,
     ending,
     heat_tables,
+    outer_turning,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
@@ -100,9 +101,10 @@ def heading(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
     number = found["axial_datum_row"]
     datum = "" if number is None else f"; row {number} is the axial datum of spacers, which move the other rows"
+    turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{outer_turning(of.operation.outer_speed)}"
     what = (
-        f"{name}  {count}, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
-        f"channels at x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
+        f"{name}  {count}, {of.arrangement}; shaft {turning}, its channels at "
+        f"x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
     )
     preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
     return [Paragraph(what, name), *preload, *ending(found)]
