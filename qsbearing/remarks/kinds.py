@@ -132,6 +132,17 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {words.of(entry.needs)}"
 
 
+def _pressing(fields: Mapping[str, Any], words: Words) -> str:
+    """Rows that press each other, and what to write so that one of them slides."""
+    said = KINDS["rows_press"].sentence.format_map(fields)
+    row = f"{fields['slides']:.0f}"
+    written = {
+        Reader.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
+        Reader.FILE: f": floating = [{{rows = [{row}]}}]",
+    }
+    return f"{said}{written.get(words.reader, '')}."
+
+
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
     """A contact cut by the edge, with as many of its numbers as there are."""
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
@@ -261,6 +272,10 @@ _ALL = (
          "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
+    Kind("rows_press", CHECK, "sets#deep-groove-rows",
+         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
+         "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
+         say=_pressing),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model
