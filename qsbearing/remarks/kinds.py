@@ -145,6 +145,17 @@ def _differing(fields: Mapping[str, Any], words: Words) -> str:
     return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
 
 
+def _pressing(fields: Mapping[str, Any], words: Words) -> str:
+    """Rows that press each other, and what to write so that one of them slides."""
+    said = KINDS["rows_press"].sentence.format_map(fields)
+    row = f"{fields['slides']:.0f}"
+    written = {
+        Reader.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
+        Reader.FILE: f": floating = [{{rows = [{row}]}}]",
+    }
+    return f"{said}{written.get(words.reader, '')}."
+
+
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
     """A contact cut by the edge, with as many of its numbers as there are."""
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
@@ -278,13 +289,17 @@ _ALL = (
     Kind("preload_lost", CHECK, PRELOAD,
          "Preload lost: {who} carries {carried_N:.4g} N in operation; its preload is {given_N:.4g} N {state}."),
     Kind("preload_reduced", CHECK, PRELOAD,
-         "Preload reduced: {who} carries {carried_N:.4g} N in operation, {share_percent:.2g} % of its preload of "
-         "{given_N:.4g} N {state}; its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
+         "Preload reduced: {cause} {who} only {carried_N:.4g} N of its preload of {given_N:.4g} N {state} "
+         "({share_percent:.3g} %); its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
          "mounted to {stiffness_N_per_um:.4g} N/µm."),
     Kind("preload_excessive", CHECK, PRELOAD,
          "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
+    Kind("rows_press", CHECK, "sets#deep-groove-rows",
+         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
+         "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
+         say=_pressing),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model

@@ -183,10 +183,13 @@ def _of_preload_of_row(solution: SetSolution, number: int) -> list[Margin]:
 
 
 def _excessive(loads: PreloadLoads | None) -> list[Margin]:
-    if loads is None or not float(loads.given) > 0.0:
+    if loads is None:
         return []
-    most = Estimate(EXCESSIVE * float(loads.given), f"{EXCESSIVE:g} times its given value")
-    return [Margin("preload", float(loads.alone), (most,))]
+    given, alone, _ = (float(each) for each in loads.arrays)
+    if not given > 0.0:
+        return []
+    most = Estimate(EXCESSIVE * given, f"{EXCESSIVE:g} times its given value")
+    return [Margin("preload", alone, (most,))]
 
 
 def _of_heat(state: ThermalState | None) -> list[Margin]:

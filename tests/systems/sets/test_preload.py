@@ -296,21 +296,22 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
 
 
 def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
-    """Where a load relieves a row: its share, and how its stiffness fell."""
+    """Where a load relieves a row: what it leaves, and how its stiffness fell; the share is that without the load."""
     found = solved(pair("DB", 720.0, axial_load=1300.0))
     share = found.axial_loads[1] / 720.0
-    assert list(found.preload_state) == ["maintained", "maintained"]
-    assert found.preload_share[1] == pytest.approx(share, rel=1e-9)
+    assert list(found.preload_state) == ["maintained", "reduced"]
+    assert found.preload_share == pytest.approx([1.0, 1.0], rel=1e-9)
     assert 0.01 < share < 0.5
     (said,) = (each for each in found.warnings() if each.startswith("Preload"))
-    assert said.startswith(f"Preload reduced: row 2 (S 6210 C, carries -x) carries {found.axial_loads[1]:.4g} N")
+    row = "row 2 (S 6210 C, carries -x)"
+    assert said.startswith(f"Preload reduced: the loads leave {row} only {found.axial_loads[1]:.4g} N of its preload")
     before, now = (each.rows[1].stiffness[0, 0] / 1e6 for each in (found.mounted, found))
-    part = f"{100 * share:.2g} % of its preload of 720 N before fitting"
+    part = f"of 720 N before fitting ({100 * share:.3g} %)"
     assert f"{part}; its axial stiffness fell from {before:.4g}" in said
     assert f"to {now:.4g} N/µm" in said
     many = solved(pair("DB", 720.0, axial_load=np.array([0.0, 1300.0])))
     (said,) = (each for each in many.warnings() if "Preload" in each)
-    assert said.startswith("1 of 2 cases, the first 1: Preload reduced: row 2 (S 6210 C, carries -x) carries ")
+    assert said.startswith(f"1 of 2 cases, the first 1: Preload reduced: the loads leave {row} only ")
 
 
 # Heat -----------------------------------------------------------------------------------------------------------------
