@@ -14,6 +14,7 @@ import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.kernel.assembly import assemble_balls, least_load, least_stiffness
 from qsbearing.model.kernel.case import record
 from qsbearing.model.kernel.linear import solve_in_place
@@ -58,6 +59,21 @@ class ShaftSystem(NamedTuple):
     step: ndarray
     moved: ndarray
     """A row's stiffness times its matrix; shape (5, unknown)."""
+
+
+SHAFTS = Shafts._make(
+    [
+        array_of(float, 2),
+        array_of(bool, 2),
+        array_of(float, 2),
+        array_of(float, 3),
+        int,
+        array_of(float, 2),
+        array_of(SHAFT),
+    ]
+)
+SHAFT_SYSTEM = ShaftSystem._make([array_of(np.int64), array_of(float, 2), *[array_of(float)] * 3, array_of(float, 2)])
+"""The kinds of both."""
 
 
 def shaft_system(unknowns: int) -> ShaftSystem:
