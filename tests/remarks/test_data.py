@@ -152,6 +152,7 @@ def of_solutions() -> Iterator[Any]:
         qs.Scene(B218, fast, ring_effects=(rings,)),
         qs.Scene(B218, qs.Operation(), ring_effects=(rings,), preload=qs.Preload(rigid=300.0)),
         qs.Scene(B218, pressed, ring_effects=(thin,)),
+        qs.Scene(B218, pressed, ring_effects=(qs.RingExpansion(90 * qs.mm, 160 * qs.mm, inner_ring_temperature=20.0),)),
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
         qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
