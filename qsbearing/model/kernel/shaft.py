@@ -64,9 +64,9 @@ class ShaftSystem(NamedTuple):
 
 def shaft_system(unknowns: int) -> ShaftSystem:
     """Working memory for so many unknowns."""
-    vectors = (np.zeros(unknowns) for _ in range(4))
-    square = np.zeros((unknowns, unknowns))
-    return ShaftSystem(np.zeros(unknowns, np.int64), square, *vectors, np.zeros((5, unknowns)))
+    imbalance, right_side, step, start = (np.zeros(unknowns) for _ in range(4))
+    square, moved = np.zeros((unknowns, unknowns)), np.zeros((5, unknowns))
+    return ShaftSystem(np.zeros(unknowns, np.int64), square, imbalance, right_side, step, start, moved)
 
 
 @kernel
