@@ -29,7 +29,7 @@ def drawn(seed: int, count: int, *, thrust: float) -> qs.BearingSet:
     loads = size * generator.uniform(-1.0, 1.0, (5, count))
     loads[0] *= thrust
     loads[3:] *= 0.5 * apart
-    rows = qs.Row(grooved_both_ways(first), 0.0), qs.Row(deep_groove(second), apart)
+    rows = qs.Row(grooved_both_ways(first), 0.0), qs.Row(grooved_both_ways(second), apart)
     return qs.BearingSet(rows, qs.Operation(**dict(zip(CHANNELS, loads, strict=True))))
 
 
