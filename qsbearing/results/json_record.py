@@ -202,18 +202,20 @@ def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | Non
 def temperatures(
     solution: Solution, index: Place = (), thermal_of: Thermal | None = None
 ) -> dict[str, dict[str, Any]] | None:
-    """Of rings, shaft and housing, and whether each is given or found; None where the scene gives none."""
-    effect = solution.scene.ring_expansion
-    if effect is None or not effect.is_warm:
+    """Of rings, shaft, housing and balls, and whether each is given, found or assumed; None where the scene gives
+    none."""
+    known = solution.scene.temperatures
+    if not known:
         return None
     balance = thermal_of if solution.thermal is None else solution.thermal.thermal
     found = () if balance is None else balance.found_nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": "heat balance" if body in found and each.taken_from == "given" else each.taken_from,
+            "from": "heat balance" if body in found and not each.is_assumed else each.taken_from,
+            "assumed": each.is_assumed,
         }
-        for body, each in effect.temperatures.items()
+        for body, each in known.items()
     }
 
 

@@ -275,10 +275,10 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
     if found["temperatures"] is None:
         return []
     rows = [
-        (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+        (body.replace("_", " "), f"{each['temperature_C']:.6g}", "assumed: " * each["assumed"] + each["from"])
         for body, each in found["temperatures"].items()
     ]
-    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures of rings, shaft and housing")]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures")]
 
 
 def freedom(free: Collection[int]) -> str:

@@ -11,16 +11,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BearingKind
+from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks import bearing
+from qsbearing.remarks.expansion import far_from_room_temperature
+from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
+from qsbearing.systems.sets.axial_growth import SIDES
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOTICEABLE = 1e-3
@@ -110,8 +115,8 @@ def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
 
 
 def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
-    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks, solved with
-    all rows together: what one changes of a row moves the shaft."""
+    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks and
+    hypotheses, solved with all rows together: what one changes of a row moves the shaft."""
     loads = solution.preload_loads
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
@@ -119,6 +124,21 @@ def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
     yield from _pressing_rows(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part)
+    yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
+    yield from hypotheses(solution, part)
+
+
+def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
+    """What grows beside the rows themselves: shaft, housing and spacers with temperatures of their own."""
+    if of.shaft is not None and of.shaft.temperature is not None:
+        yield from (("shaft", of.shaft.temperature, each.material) for each in of.shaft.sections)
+    if of.housing is not None and of.housing.temperature is not None:
+        yield "housing", of.housing.temperature, of.housing.material
+    for number, spacer in enumerate(of.spacers, 1):
+        for side in SIDES:
+            warm = getattr(spacer, f"{side}_temperature")
+            if warm is not None:
+                yield f"{side} sleeve of spacer {number}", warm, getattr(spacer, f"{side}_material")
 
 
 def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:

@@ -67,11 +67,12 @@ def test_what_raises_a_rigid_preload_and_leaves_a_spring() -> None:
 
 
 def test_growing_rings_raise_what_a_moved_datum_would_lower() -> None:
-    """10 um less clearance with the position held. Counted from where the tighter bearing just touches, the same
-    displacement would carry less than before; the ring that is held in its place carries more."""
+    """10 um less clearance, of cold balls, with the position held. Counted from where the tighter bearing just touches,
+    the same displacement would carry less than before; the ring that is held in its place carries more."""
     strain = 5 * qs.um / float(B218.inner_groove_centre_radius)
     effect = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, inner_ring_temperature=20 + qs.zero_celsius + strain / 12e-6)
-    found = solved(preloaded(qs.Preload(rigid=2000.0), effect, bearing=B218))
+    balls = qs.BallExpansion(20 + qs.zero_celsius)
+    found = solved(preloaded(qs.Preload(rigid=2000.0), effect, balls, bearing=B218))
     tight = found.scene.operating_bearing
     grooves = 2 * (tight.inner_groove_radius - B218.inner_groove_radius)
     assert B218.diametral_clearance - tight.diametral_clearance == pytest.approx(10 * qs.um - grooves, rel=1e-9)

@@ -233,19 +233,20 @@ def test_life_of_a_set() -> None:
 @pytest.mark.parametrize("inner, outer", [(20.0, 20.0), (60.0, 20.0), (20.0, 45.0)])
 def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner: float, outer: float) -> None:
     """By symmetry the shaft of a pair stays: each row, loose on a shaft and in a housing that do not grow, is the
-    single bearing held where its preload took it, hot or cold, still or turning; and rings that grow apart take the
-    preload away, from both."""
+    single bearing held where its preload took it, hot or cold, still or turning; and rings that grow apart from cold
+    balls take the preload away, from both."""
     temperatures = {"inner_ring_temperature": inner, "outer_ring_temperature": outer}
     temperatures |= {"shaft_temperature": 20.0, "housing_temperature": 20.0}
     hot = {name: value + qs.zero_celsius for name, value in temperatures.items()}
     loose = {"shaft_interference": -0.1 * qs.mm, "housing_interference": -0.1 * qs.mm, "housing_outside_diameter": 0.15}
     growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **loose, **hot)  # type: ignore[arg-type]
-    effects = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
+    effects: dict[str, Any] = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
     preload = qs.Preload(rigid=720.0)
-    steel = replace(S6210C.ring_material, thermal_expansion=12e-6)
-    bearing = replace(S6210C, ring_material=steel)
-    alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), ring_effects=(growth,), preload=preload, **effects))
-    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, ring_effects=(growth,), **effects))
+    ring, ball = (replace(each, thermal_expansion=12e-6) for each in (S6210C.ring_material, S6210C.ball_material))
+    bearing = replace(S6210C, ring_material=ring, ball_material=ball)
+    effects["ring_effects"] = (growth, qs.BallExpansion(20.0 + qs.zero_celsius))
+    alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), preload=preload, **effects))
+    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, **effects))
     np.testing.assert_allclose(found.axial_loads, alone.load[0], rtol=1e-8, atol=1e-9)
     np.testing.assert_allclose(found.rows[0].displacement, alone.displacement, rtol=1e-9, atol=1e-15)
     assert found.preload_at_rest == pytest.approx(720.0, rel=1e-9)
