@@ -183,22 +183,6 @@ def test_what_is_long_is_not_repeated(tmp_path: Path) -> None:
         assert len(found.content[0].text) < 12_000, tool  # type: ignore[union-attr]
 
 
-def test_the_first_search_says_that_it_compiles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked_for = {"scene": "b218", "vary": {"axial_load_N": "1000:3000:3"}, "quantities": ["inner_max_pressure_max"]}
-    [kept] = asked(tmp_path, ("sweep", asked_for))
-    assert "compiled" not in kept
-    states = iter([False, True, False, False])
-    monkeypatch.setattr(of_server, "is_kept", lambda name: next(states))
-    monkeypatch.setattr(of_server, "COMPILED", True)
-    first, plain = asked(tmp_path, ("sweep", asked_for), ("sweep", asked_for))
-    assert first["compiled"] == "the solver of batches, up to a minute, this once"
-    assert "compiled" not in plain, "three points do not need it"
-    monkeypatch.setattr(of_server, "is_kept", lambda name: False)
-    monkeypatch.setattr(work, "LONGEST", 0.0)
-    [error] = refused(tmp_path, "sweep", **asked_for)
-    assert error["cause"] == "It compiles the solver of batches, up to a minute, this once: ask again"
-
-
 @pytest.fixture
 def enclosed(tmp_path: Path) -> Path:
     """A folder with ways out of it, beside a scene and a table that nobody may read."""

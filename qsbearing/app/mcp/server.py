@@ -22,20 +22,13 @@ from qsbearing.app.mcp.tools import Tools
 from qsbearing.app.work import StoppedError, answered
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.table_checks import did_you_mean
-from qsbearing.model.compiler.background_compiler import begin
-from qsbearing.model.compiler.compiled import COMPILED, compile_in_background
-from qsbearing.model.compiler.compiled_files import is_kept
-from qsbearing.model.kernel import lanes, solve_case
 from qsbearing.model.validation import SceneError, printable
 from qsbearing.model.version import __version__
 
 LONGEST_TEXT = 2000
 """Characters of one text of an error; the longest of ours, a list of all keys of a table, has 900."""
-OF_BATCHES, BATCHES = ("find", "sweep"), f"{lanes.__name__}.{lanes.solve_in_lanes.__name__}"
-FIRST = "the solver of batches, up to a minute, this once"
 LONGEST_ANSWER = 200_000
 """Characters; a bearing with all its balls takes 20,000."""
-WARM = "import qsbearing as qs; qs.solve(qs.load_scene('b218'))"
 WRITES = ("sweep", "report")
 INSTRUCTIONS = """\
 qsbearing computes ball bearings by the quasi-static (Jones-Harris) model. Units stand at the end of keys (speed_rpm,
@@ -43,7 +36,7 @@ axial_load_N). Say with every number what its remarks say: severity wrong_model 
 incomplete_model that an effect that is left out would change them, check_data that the input is unusual. A status other
 than converged is a result: there is no equilibrium, or none was found; give no numbers of it. Errors tell the key, its
 value, unit and allowed range, and the likely cause: correct the scene and ask again. Begin with describe; its topic
-"skill" tells how to work with all of it. The first find or sweep after an installation may wait a minute.
+"skill" tells how to work with all of it.
 """
 
 
@@ -59,16 +52,12 @@ def server(folder: Path) -> MCPServer:
 
 
 def serve(folder: Path) -> None:
-    """Serve until standard input ends; plain Python answers first, while another process compiles.
+    """Serve until standard input ends.
 
     Raises:
         OSError: there is no such folder.
     """
-    made = server(folder)
-    compile_in_background()
-    if COMPILED:
-        begin(f"{solve_case.__name__}.{solve_case.solve_cases.__name__}", WARM)
-    made.run("stdio")
+    server(folder).run("stdio")
 
 
 def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
@@ -76,16 +65,14 @@ def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
 
     @functools.wraps(question)
     async def answer(**given: Any) -> CallToolResult:
-        is_first = question.__name__ in OF_BATCHES and COMPILED and not is_kept(BATCHES)
         try:
             found = await answered(question, given)
         except SceneError as error:
             details = [each if isinstance(each, FileErrorDetail) else translate(each) for each in error.errors]
             return _refusal(details, getattr(error, "file", ""))
         except (StoppedError, OSError) as error:
-            cause = f"It compiles {FIRST}: ask again" if is_first and isinstance(error, StoppedError) else ""
-            return _refusal([FileErrorDetail("", str(error), cause=cause)])
-        return _result(found | ({"compiled": FIRST} if is_first and is_kept(BATCHES) else {}))
+            return _refusal([FileErrorDetail("", str(error))])
+        return _result(found)
 
     hints = ToolAnnotations(read_only_hint=question.__name__ not in WRITES, destructive_hint=False)
     tool = _Tool.from_function(answer, annotations=hints, structured_output=False)
