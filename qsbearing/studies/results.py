@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.result_keys import attributes, printed_unit, split
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import alike, question
 from qsbearing.readings.asked import BEFORE, READINGS, all_values, by_short_name, named, take_asked
 from qsbearing.readings.entry import Reading
 from qsbearing.systems.sets.set_quantities import SetQuantity, set_quantities
@@ -99,10 +99,11 @@ def why_unknown(name: str, known: Mapping[str, Result]) -> tuple[str, str]:
     if reading := reading_of(name):
         cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
         return "is not called for by this scene", cause
-    near = difflib.get_close_matches(name, sorted(every, key=len), n=1, cutoff=0.5)
     names = dict.fromkeys(each.name for each in every.values())
+    found = alike(plain, every)
+    meant = [each for each in found if not any(each.startswith(f"{other}_") for other in found)]
     there = f"There are {', '.join(names)}; with _max or _min for all balls of one"
-    return "is not a result", f"Did you mean {near[0]}?" if near else there
+    return "is not a result", question(meant) or there
 
 
 @lru_cache(maxsize=1)  # asked for each result of a dataset
