@@ -87,6 +87,8 @@ class Entry:
     errors: Callable[[OperatingPoint], Errors]
     needs: str = ""
     """Parameters without which it cannot be added, in words that follow "give"; empty for what needs none."""
+    needs_beside_size: str = ""
+    """Likewise in a file whose [bearing] has bore, outside diameter and width; empty where that is the same."""
     without_it: str = ""
     """What the model assumes without it, as a sentence's beginning that "would change ..." follows; empty where that
     goes without saying."""
@@ -147,9 +149,13 @@ def effect(slot: str, effect_type: Any, make: Callable[[], Any] | None = None) -
     return Switch(finer, coarser, slot, effect_type)
 
 
-def given(effect_type: Any, what: str) -> Sentence:
-    """What a ring effect needs: the effect, with this of its own."""
-    return Sentence("{effect}{what}", effect=Setting("ring_effects", effect_type), what=what)
+def given(effect_type: Any, what: str, **settings: Any) -> Sentence:
+    """What a ring effect needs: the effect, with this of its own, and a setting that is one, as an example."""
+    named = [Setting(name, value) for name, value in settings.items()]
+    example = ", such as {example}" if named else ""
+    return Sentence(
+        f"{{effect}}{{what}}{example}", effect=Setting("ring_effects", effect_type), what=what, example=tuple(named)
+    )
 
 
 def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
@@ -170,11 +176,17 @@ def bearings_of(of: Any) -> list[tuple[Any, tuple[Any, ...]]]:
     return [(row.bearing, of.effects_of(row)) for row in of.rows]
 
 
+def has_size(of: Any) -> bool:
+    """Whether bore, outside diameter and width of every bearing are known."""
+    outlines = [bearing.outline for bearing, _ in bearings_of(of)]
+    return all(each and None not in (each.bore_diameter, each.outside_diameter, each.width) for each in outlines)
+
+
 def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, ...]], Any]) -> Any:
     """The scene, or every row of a set, with a ring effect, where it lacks one of this type.
 
     Args:
-        made: the effect, from the bearing and its other ring effects.
+        made: the effect, from the bearing and its other ring effects; None where these leave it out.
     """
     known: dict[tuple[int, ...], tuple[Any, ...]] = {}  # rows alike keep the very same, so that they are solved once
 
@@ -182,7 +194,8 @@ def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, 
         key = (id(bearing), *map(id, there))
         if key not in known:
             has_it = any(isinstance(one, effect_type) for one in there)
-            known[key] = there if has_it else (*there, made(bearing, there))
+            more = None if has_it else made(bearing, there)
+            known[key] = there if more is None else (*there, more)
         return known[key]
 
     found = [effects(*each) for each in bearings_of(of)]
