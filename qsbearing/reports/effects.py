@@ -125,6 +125,10 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
                 else f"add {', '.join(row.add)}"
             )
             lines.append([row.what, Badge("no", "fail" if row.verdict == NEEDED else "finding"), change, give])
+        elif what[row.effect].hypothesis and row.size(most) > tolerance:
+            lines.append(
+                [row.what, Badge("a hypothesis", "finding"), change, "see the range below the table of effects"]
+            )
     limit = f"changes a result by more than {100 * tolerance:g} %"
     said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."
     said = f"{said} {NEVER}"
