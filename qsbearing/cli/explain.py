@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.chooser.explain import Row
     from qsbearing.studies.chooser.explained import Explained
 
-HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nness %")
+HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
 """Of `QUANTITIES`, in their order."""
 
 

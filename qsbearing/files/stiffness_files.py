@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import printable
 from qsbearing.model.version import __version__
@@ -278,7 +279,7 @@ def _row(mark: str, number: int, seat: Seat, units: str) -> list[str]:
         f"{mark} {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
         f"{mark} Point: {POINT}, x = {seat.position:.6g} {length}.",
         f"{mark} The springs are the symmetric part of the stiffness. Of what is not symmetric the largest",
-        f"{mark} difference of two terms is {100.0 * seat.asymmetry:.3g} % of the largest term.",
+        f"{mark} difference of two terms is {plain(100.0 * seat.asymmetry, '.3g')} % of the largest term.",
     ]
 
 

@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
+from qsbearing.model.units import um
 from qsbearing.remarks.remark import Found, Of, Remark
 
+DISPLACEMENT = "displacement"
 MOST_CASES = 64
 """More cases than these (chosen: more points than a load spectrum has) are not solved again: what indicators predict of
 them is said with ≈, and nothing of effects of which they predict nothing."""
@@ -51,7 +53,8 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
 
     def missing(i: int) -> Remark:
         here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
-        most = [_most([change], part.start + i) for _, change in here]
+        k = part.start + i
+        most = [_most([change], k) for _, change in here]
         return Remark(
             "effects_missing",
             values={
@@ -59,6 +62,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
                 "quantities": tuple(quantity for quantity, _ in most),
                 "changes": tuple(change for _, change in most),
                 "is_estimated": not are_few,
+                **_moved([each for (_, each), (name, _) in zip(here, most, strict=True) if name == DISPLACEMENT], k),
                 "add": settings_to_add(of, [entry for entry, _ in here]),
             },
         )
@@ -83,10 +87,24 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
 
 def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, start: int, i: int) -> Remark:
     """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
-    quantity, by = _most(found, start + i)
-    under = tuple(each.under for each in found if np.ravel(each.is_solved)[start + i])
-    values = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under, "is_estimated": not is_solved}
+    k = start + i
+    quantity, by = _most(found, k)
+    there = [each for each in found if np.ravel(each.is_solved)[k]]
+    values = {
+        "effect": entry.name,
+        "quantity": quantity,
+        "changes": by,
+        "under": tuple(each.under for each in there),
+        "is_estimated": not is_solved,
+        **_moved(there if quantity == DISPLACEMENT else [], k),
+    }
     return Remark("effect_data_missing", of, values)
+
+
+def _moved(found: list[Change], k: int) -> dict[str, tuple[float, ...]]:
+    """Of a remark that speaks of displacements: by how much they change with each effect, or under each assumption."""
+    by = tuple(float(np.ravel(each.moved)[k] / um) for each in found if each.moved is not None)
+    return {"displacements_um": by} if by else {}
 
 
 def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:

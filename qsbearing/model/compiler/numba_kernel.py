@@ -320,14 +320,15 @@ class _Compilation(numba_event.Listener):
         if self._said or name is None:
             return
         self._said = True
-        what = "the fallback for hard cases" if "fallback" in name else "the solver"
+        what = "the solver for hard cases" if "fallback" in name else "the solver"
+        takes = "up to half a minute"
         if ".readings." in name:
-            what = "a reading"
+            what, takes = "a reading", "some seconds"
         if "lanes" in name:
             what = "the solver of batches"
         folder, why = compiled_files.usable_folder()
-        when = f"once, cached in {folder}" if folder else f"at each start, not cached: {why}"
-        print(f"qsbearing: compiling {what}, some seconds ({when})", file=sys.stderr, flush=True)
+        when = f"this once, cached in {folder}" if folder else f"at each start, not cached: {why}"
+        print(f"qsbearing: compiling {what}: {takes} ({when})", file=sys.stderr, flush=True)
 
     def on_end(self, event: numba_event.Event) -> None:
         self._depth -= 1

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects import Entry
 from qsbearing.model.effects.entry import Assumed
-from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.validation import SceneError
 
 
@@ -31,6 +31,8 @@ class Change:
     """What leaving it out changes, by quantity, relative to the solution with it."""
     is_solved: NDArray
     """Whether there is a solution with it."""
+    moved: NDArray | None = None
+    """By how much displacements change [m]; None where nothing is solved."""
 
     @property
     def largest(self) -> NDArray:
@@ -69,7 +71,8 @@ def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
 
 def _change(assumed: Assumed, solution: Any) -> Change:
     full = solution if assumed.of is asked(solution) else solution.solve_alike(assumed.of)
-    return Change(assumed.under, assumed.what, by_quantity(solution, full), np.asarray(full.converged))
+    errors, is_solved = by_quantity(solution, full), np.asarray(full.converged)
+    return Change(assumed.under, assumed.what, errors, is_solved, moved(solution, full))
 
 
 def asked(solution: Any) -> Any:

@@ -8,8 +8,16 @@ import numpy as np
 
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.solution.changes import Change, changes
-from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, lines_to_add, under_assumptions, verdict
+from qsbearing.model.solution.comparison import by_quantity, moved
+from qsbearing.studies.chooser.explain import (
+    Row,
+    as_floats,
+    in_um,
+    largest_of,
+    lines_to_add,
+    under_assumptions,
+    verdict,
+)
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
@@ -53,10 +61,10 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
     of, is_solved = solution.set, bool(solution.converged)
     fine, coarse = finer(entry, of), coarser(entry, of)
     is_in = fine is of and coarse is not of
-    actual, error, beyond, assumed = None, None, "", list[Change]()
+    actual, by, error, beyond, assumed = None, None, None, "", list[Change]()
     if is_solved and fine is not coarse:
         without, full = solve_set(coarse), solve_set(fine)
-        actual = by_quantity(without, full)
+        actual, by = by_quantity(without, full), in_um(moved(without, full))
         error, beyond = float(max(actual.values())), _beyond(without, full, actual)
     elif is_solved:
         assumed = changes(entry, solution)
@@ -64,7 +72,7 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
     judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance, assumed)
     found, under = as_floats(actual), under_assumptions(assumed)
     lines = lines_to_add(of, entry)
-    return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under)
+    return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under, by)
 
 
 def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray]) -> str:
