@@ -4,14 +4,32 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from qsbearing.documents import terminal
+from qsbearing.documents.model import Table
+from tests.documents.names import WIDTHS, broken, shown
 from tests.guide.pages import GUIDE, ROOT, blocks, run_page
 
 pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
+
+
+@pytest.fixture(autouse=True)
+def tables_have_whole_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every table that a command of the guide prints."""
+
+    def checked(blocks: Any, width: int | None = None) -> str:
+        for each in (each for each in blocks if isinstance(each, Table)) if isinstance(blocks, Sequence) else ():
+            assert [broken(each, width) for width in WIDTHS] == [set() for _ in WIDTHS], each.caption
+        return shown(blocks, width)
+
+    monkeypatch.setattr(terminal, "text_of", checked)
+
 
 ELSEWHERE = {
     "adding_an_effect.md": "tests/model/effects/test_adding_an_effect.py, on a copy of the package",
