@@ -79,6 +79,17 @@ def timing() -> str:
     )
 
 
+def compiling() -> str:
+    """What is compiled when it is first needed, and how long that takes."""
+    found = read(RECORD)["compiling"]
+    said = (("solver", "the solver"), ("batches", "the solver of batches"), ("hard_cases", "the solver for hard cases"))
+    times = "; ".join(f"{what} takes {found[f'{name}_s']:g} s" for name, what in said)
+    return (
+        f"{times}; a reading, such as the life, {found['reading_s']:g} s: processor time, at load average "
+        f"{found['load_average']:g}, which makes it longer"
+    )
+
+
 def alternatives() -> str:
     """Beside a general solver, and what the initial guess saves."""
     record = read(RECORD)
@@ -129,6 +140,26 @@ def contacts() -> str:
 
 def _tolerance(entry: dict[str, Any], quantity: str) -> float:
     return float(next(row["tolerance_percent"] for row in entry["rows"] if row["quantity"] == quantity))
+
+
+def coverage() -> str:
+    """How often the true error of exact cases exceeds its uncertainty."""
+    rows = records_store.read_all()["convergence_order"]["rows"]
+    (share,) = (row for row in rows if row["quantity"] == "share whose error exceeds its uncertainty")
+    return (
+        f"{100.0 * share['found']:.2g} % of cases ({share['case']}; at most {share['tolerance_percent']:g} % allowed)"
+    )
+
+
+def sector_costs() -> str:
+    """What the sector at the release level takes."""
+    entry = records_store.read_all()["bearing_sector"]
+    series = entry["pictures"]["bearing_sector"].values()
+    count = sum(len(state["load_N"]) for states in series for state in states.values())
+    return (
+        f"{entry['cpu_seconds'] / 60.0:.0f} minutes of processor time for {count} comparisons, and "
+        f"{entry['peak_memory_MB'] / 1e3:.1f} GB of memory"
+    )
 
 
 def true_geometry() -> str:
@@ -275,6 +306,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "accuracy.md": {"cost": lambda: cost.table(cost.load())},
     "timing.md": {
         "timing": timing,
+        "compiling": compiling,
         "before": lambda: before.table(before.load()),
         "alternatives": alternatives,
     },
@@ -283,6 +315,8 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "true geometry": true_geometry,
         "sector": sector,
         "finite elements": finite_elements,
+        "coverage": coverage,
+        "costs of the sector": sector_costs,
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
     "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},

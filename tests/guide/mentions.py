@@ -1,0 +1,51 @@
+"""Whether the text beside an example mentions the remarks that the example prints."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+
+from qsbearing.remarks.kinds import Severity
+from qsbearing.remarks.remark import Remark
+from qsbearing.results import remarks
+
+WORDS = {
+    "ring_expansion": r"expansion|expand|gr[eo]w",
+    "elastic_rings": r"elastic|rigid|deflect",
+    "effects_missing": r"not (?:included|named|simulated)|without (?:ball )?effects|inertia",
+    "preload_lost": r"preload (?:is )?lost|lost",
+    "preload_reduced": r"preload",
+    "preload_excessive": r"preload",
+}
+"""What a text says that mentions a remark, by its code or by the effect that it is about; of any other its code in
+words."""
+
+
+def key_of(remark: Remark) -> str:
+    """By which `WORDS` has it."""
+    return str(remark.values["effect"]) if remark.code == "effect_data_missing" else remark.code
+
+
+def unmentioned(text: str, printed: Collection[str]) -> set[str]:
+    """Of the remarks that an example prints, those that no word of the text is about."""
+    plain = re.sub(r"\s+", " ", text)
+    return {key for key in printed if not re.search(WORDS.get(key, key.replace("_", " ")), plain, re.IGNORECASE)}
+
+
+@contextmanager
+def printed() -> Iterator[set[str]]:
+    """The remarks that are shown meanwhile, but for those that only add a word to numbers that hold."""
+    found: set[str] = set()
+    own = remarks.together
+
+    def kept(said: list[Remark]) -> list[Remark]:
+        shown = own(said)
+        found.update(key_of(each) for each in shown if each.kind.severity is not Severity.GOOD_TO_KNOW)
+        return shown
+
+    remarks.together = kept  # type: ignore[assignment]
+    try:
+        yield found
+    finally:
+        remarks.together = own
