@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
@@ -18,6 +19,7 @@ import pytest
 from hypothesis import settings
 
 from qsbearing.model.compiler.compiled import COMPILED
+from tests import durations
 from tests.drawing import blank, drawing
 
 settings.register_profile(
@@ -36,6 +38,37 @@ def _relative_alone(expected: Any, rel: Any = None, abs: Any = None, nan_ok: boo
 
 
 pytest.approx = _relative_alone
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--record-durations", action="store_true", help="write tests/durations.json")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.option.record_durations:
+        config.pluginmanager.register(durations.Recorder())
+    given = getattr(config, "workerinput", None)
+    if given is None and config.getoption("dist", "") == "each":
+        config.pluginmanager.register(durations.AllFiles())
+    elif given is not None and given["dist"] == "each":
+        config.pluginmanager.register(durations.OwnFiles(config, given))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """A process of `-n` is not told by itself."""
+    node.workerinput["dist"] = node.config.option.dist
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """`-m quick` does not import files of which it would leave out all."""
+    is_test = collection_path.name.startswith("test_") and collection_path.is_file()
+    return True if is_test and config.option.markexpr == "quick" and not durations.has_quick(collection_path) else None
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    if durations.is_quick(item):
+        item.add_marker("quick")
 
 
 def pytest_collection_finish() -> None:

@@ -61,7 +61,11 @@ def row(first: float, last: float, quantity: str, is_assumed: bool) -> Row:
     of = lambda part: {"actual": dict.fromkeys(QUANTITIES, 0.0) | {quantity: part}, "displacement_um": 20.0 * part}  # noqa: E731
     assumed = [of(first), of(last)] if is_assumed else []
     own = {"actual": None, "displacement_um": None} if is_assumed else of(first)
-    return Row("elastic_rings", "", False, None, None, own["actual"], None, "", "", [], assumed, own["displacement_um"])
+    return Row(
+        effect="elastic_rings", what="", in_scene=False, indicator=None, predicted=None, actual=own["actual"],
+        time_with_over_without=None, verdict="", why="", add=[], assumed=assumed, alternatives=[], range={},
+        displacement_um=own["displacement_um"],
+    )  # fmt: skip
 
 
 def ends(text: str) -> list[str]:
@@ -96,7 +100,13 @@ def test_a_sentence_on_what_is_missing_has_no_range_of_equal_ends(
     assert found
     said = found[1]
     assert not POWER.search(said), said
-    assert "about >" not in said and "about ≈" not in said and "about more" not in said and ">" not in said
+    assert (
+        "about 0 " not in said
+        and "about >" not in said
+        and "about ≈" not in said
+        and "about more" not in said
+        and ">" not in said
+    )
     whole = re.split(r"(?<=\)) to ", said)
     assert len({re.sub(r" \(.*", "", each.removeprefix("about ")) for each in whole}) == len(whole), said
     for each in whole:

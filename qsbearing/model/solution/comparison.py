@@ -45,14 +45,16 @@ Results = dict[str, NDArray]
 
 def read(solution: Any) -> Results:
     """The results of a scene's or set's solution; NaN in cases that are not solved and for balls that are not there."""
-    load = solution.load
+    displacement, load = solution.displacement, solution.load
     rows = getattr(solution, "rows", (solution,))
     for row in rows:
         row.read_at_once((*CONTACT, "approach"))
-    lever = _lever(solution)
+    lever = lever_of(solution)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
     found: Results = {
-        **_displacements(solution),
+        "axial_displacement": displacement[..., :1],
+        "radial_displacement": displacement[..., 1:3],
+        "tilt": displacement[..., 3:] * lever,
         "axial_stiffness": tangent[..., :1],
         "radial_stiffness": tangent[..., 1:3],
         "tilt_stiffness": tangent[..., 3:],
@@ -66,27 +68,19 @@ def read(solution: Any) -> Results:
     return found
 
 
-def _lever(solution: Any) -> NDArray:
-    """dm/2 [m], by which tilts and moments compare with displacements and forces; shape (*cases, 1)."""
+def lever_of(solution: Any) -> NDArray:
+    """dm/2, which makes tilts lengths and moments forces."""
     rows = getattr(solution, "rows", (solution,))
     pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
-    return np.asarray(0.5 * np.mean(pitch, axis=0)[..., None])
+    return np.asarray(0.5 * np.mean(pitch, axis=0))
 
 
-def _displacements(solution: Any) -> Results:
-    """Of ring or shaft, tilts times dm/2 [m]."""
-    found = solution.displacement
-    return {
-        "axial_displacement": found[..., :1],
-        "radial_displacement": found[..., 1:3],
-        "tilt": found[..., 3:] * _lever(solution),
-    }
-
-
-def moved(solution: Any, full: Any) -> NDArray:
-    """By how much the displacements of two solutions of the same cases differ, tilts times dm/2 [m]; shape (*cases)."""
-    one, other = _displacements(solution), _displacements(full)
-    return np.asarray(np.max([_nan_max(_gap(one[name], other[name])) for name in RING], axis=0))
+def moved(solution: Any, displacement: Any) -> NDArray:
+    """By how much displacements, as those of another solution of the same cases, differ from a solution's, tilts times
+    dm/2 [m]; shape (*cases)."""
+    lever = lever_of(solution)[..., None]
+    gap = _gap(solution.displacement, displacement)
+    return np.asarray(_nan_max(np.concatenate([gap[..., :3], gap[..., 3:] * lever], axis=-1)))
 
 
 def errors(found: Results, full: Results) -> dict[str, NDArray]:

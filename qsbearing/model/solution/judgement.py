@@ -84,12 +84,12 @@ NOTHING = 1e-6
 """A relative change below it is not worth showing: two solutions differ by as much as their solver allows."""
 
 
-def percent(error: float, unit: str = " %") -> str:
-    """A relative error in as many digits as it is good for, which are two."""
+def percent(error: float, unit: str = " %", digits: int = 2) -> str:
+    """A relative error in as many digits as it is good for, which are two; a share in more."""
     if abs(error) < NOTHING:
         return f"0{unit}"
-    digits = f"{100.0 * error:.2g}"
-    return f"{digits}{unit}" if error < 0.99 else f"{float(digits):.0f}{unit}"
+    text = f"{100.0 * error:.{digits}g}"
+    return f"{text}{unit}" if error < 0.99 else f"{float(text):.0f}{unit}"
 
 
 def changed(error: float, unit: str = " %") -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, changes
+from qsbearing.model.solution.changes import Change, alternatives, asked, changes
 from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.solution.judgement import (
     WORTH_A_WARNING,
@@ -25,9 +25,11 @@ from qsbearing.model.solution.judgement import (
     shifted,
     unit_of,
 )
+from qsbearing.model.solution.ranges import KEYS, ranges
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import um
+from qsbearing.model.validation import Setting
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 
@@ -62,36 +64,43 @@ class Row:
     assumed: list[dict[str, Any]]
     """What solving with usual parameters finds where its own are not known: `actual` and `displacement_um` under each
     assumption, with words for it; empty else."""
+    alternatives: list[dict[str, Any]]
+    """Likewise of a choice, by each other member that the scene's is judged against, with all displacements and
+    stiffnesses; `actual` of the row is the largest of them. Empty for an effect."""
+    range: dict[str, dict[str, Any]]
+    """From where to where displacement and locked stiffness go by all that was solved, and by which; see
+    `qsbearing.model.solution.ranges`."""
     displacement_um: float | None = None
-    """By how much `actual` changes displacements."""
+    """By how much `actual` changes displacements; of others see `assumed`."""
+
+    @property
+    def solved(self) -> list[dict[str, float | None]]:
+        """What it changes: in all, or else under each assumption."""
+        found = [self.actual, *(each["actual"] for each in self.assumed)]
+        return [each for each in found if each is not None]
+
+    def size(self, quantity: str) -> float:
+        """The largest change of one of `QUANTITIES`."""
+        return max((each[quantity] or 0.0 for each in self.solved), default=0.0)
 
     @property
     def largest(self) -> str:
         """The one of `QUANTITIES` that it changes most; empty where nothing was solved."""
-        sizes = {name: self.size(name) for name in QUANTITIES}
-        return max(sizes, key=lambda name: sizes[name]) if self._solved else ""
+        return max(QUANTITIES, key=self.size) if self.solved else ""
 
     @property
     def is_large(self) -> bool:
         """Whether it changes some result by so much that a scene without it is warned of."""
-        is_told = all(value is not None for each in self._solved for value in each["actual"].values())
+        is_told = all(value is not None for each in self.solved for value in each.values())
         return not is_told or any(self.size(name) > WORTH_A_WARNING for name in QUANTITIES)
-
-    def size(self, quantity: str) -> float:
-        """The largest relative change of one of `QUANTITIES` that has a number, under any assumption."""
-        return max((each["actual"][quantity] or 0.0 for each in self._solved), default=0.0)
-
-    @property
-    def _solved(self) -> list[dict[str, Any]]:
-        """What solving with and without it found, under each assumption."""
-        known = {"actual": self.actual, "displacement_um": self.displacement_um}
-        return [each for each in ([known] if self.actual is not None else self.assumed) if each["actual"] is not None]
 
     def change(self, quantity: str) -> str:
         """What leaving it out changes of one of `QUANTITIES`, in its unit; after ≈ where its parameters are assumed,
         from the first assumption to the last."""
         is_own = self.actual is not None
-        shown = list(dict.fromkeys(_change(each, quantity, is_own) for each in self._solved)) or ["-"]
+        own = {"actual": self.actual, "displacement_um": self.displacement_um}
+        found = [each for each in ([own] if is_own else self.assumed) if each["actual"] is not None]
+        shown = list(dict.fromkeys(_change(each, quantity, is_own) for each in found)) or ["-"]
         return shown[0] if is_own or shown in (["0"], ["-"]) else "≈ " + "\nto ".join(shown)
 
     def change_in(self, quantity: str) -> str:
@@ -133,26 +142,94 @@ def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Sol
 
 def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Row:
     scene = solution.scene
-    is_in = entry.is_in(scene)
     finer, coarser = entry.finer(scene), entry.coarser(scene)
-    judged, actual, ratio, error, by, assumed = None, None, None, None, None, list[Change]()
-    if solution.converged and finer is not coarser:
-        judged = judge(entry, solution)
-        actual, by, ratio = _solved(finer, coarser)
-        error = float(max(actual.values()))
-    elif solution.converged:
-        assumed = changes(entry, solution)
-        error = largest_of(assumed)
-    (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
-    predicted = as_floats(None if judged is None else judged.errors)
-    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance, assumed, words)
-    lines, under = lines_to_add(scene, entry), under_assumptions(assumed)
-    shown = as_floats(actual)
-    return Row(entry.name, entry.what, is_in, indicator, predicted, shown, ratio, found, why, lines, under, by)
+    ratio, found = None, Compared()
+    if solution.converged:
+        found = against_others(entry, solution)
+        is_timed = bool(found.alternatives) and is_compiled(solve_cases)
+        if finer is not coarser and (entry.switch.members is None or is_timed):
+            actual, by, ratio = _solved(finer, coarser)
+            found = found if is_timed else Compared(actual, by)
+    row = row_of(entry, solution, entry.is_in(scene), found, tolerance, words)
+    if found.actual is None:
+        return row
+    judged = judge(entry, solution)
+    (indicator,) = (as_floats({"": judged.indicator}) or {}).values()
+    return replace(row, indicator=indicator, predicted=as_floats(judged.errors), time_with_over_without=ratio)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """What solving finds of one effect or choice."""
+
+    actual: dict[str, Any] | None = None
+    """The largest change of each quantity; None where its parameters are not known, or nothing is compared."""
+    moved: Any = None
+    """The largest change of a displacement [m]; likewise."""
+    assumed: list[Change] = field(default_factory=list)
+    alternatives: list[Change] = field(default_factory=list)
+    beyond: str = ""
+    """Why a change has no number."""
+
+
+def against_others(entry: Entry, solution: Any) -> Compared:
+    """A choice against its other members, an effect that there is no solution with under assumptions about it."""
+    if entry.switch.members is None:
+        return Compared(assumed=changes(entry, solution))
+    found = alternatives(entry, solution)
+    counted = [each for each in found if each.is_solved or not entry.hypothesis]
+    actual = {name: np.max([each.errors[name] for each in counted], axis=0) for name in QUANTITIES} if counted else None
+    by = max((float(moved(solution, each.displacement)) for each in counted), default=None)
+    without = [each.under for each in found if not each.is_solved]
+    return Compared(
+        actual, by, alternatives=found, beyond=f"without a solution: {'; '.join(without)}" if without else ""
+    )
+
+
+def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance: float, words: Words = IN_FILE) -> Row:
+    """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
+    error = largest_of(found.assumed) if found.actual is None else float(max(found.actual.values()))
+    judged, why = verdict(entry, solution, is_in, error, tolerance, found.assumed, words)
+    several = found.alternatives or found.assumed
+    spans = ranges(solution, several)
+    is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
+    said = [each.text for each in spans.values() if is_open and each.moves]
+    told = _told(solution, found.alternatives)
+    others = [one | _channels(each) for one, each in zip(told, found.alternatives, strict=True)]
+    return Row(
+        effect=entry.name,
+        what=entry.what,
+        in_scene=is_in,
+        indicator=None,
+        predicted=None,
+        actual=as_floats(found.actual),
+        time_with_over_without=None,
+        verdict=judged,
+        why="; ".join(filter(None, (why, ", ".join(said), found.beyond))),
+        add=lines_to_add(asked(solution), entry),
+        assumed=_told(solution, found.assumed),
+        alternatives=others,
+        range={name: vars(each) for name, each in spans.items()},
+        displacement_um=in_um(found.moved),
+    )
+
+
+def _channels(of: Change) -> dict[str, dict[str, float | None] | None]:
+    """Displacements and stiffnesses by their keys; null without a solution."""
+    if not of.is_solved:
+        return dict.fromkeys(KEYS)
+    return {
+        name: as_floats({key: value / size for (key, size), value in zip(keys, getattr(of, name), strict=True)})
+        for name, keys in KEYS.items()
+    }
 
 
 def lines_to_add(of: Any, entry: Entry) -> list[str]:
-    """What the file of a scene or set says under [effects] to ask for it besides."""
+    """What the file of a scene or set says under [effects] to ask for it besides, or for the finest of a choice."""
+    members = entry.switch.members
+    if members is not None and members.finest is not None and members.others(of):
+        now = getattr(of, entry.switch.slot)
+        return [] if now == members.finest else [line(Setting(entry.switch.slot, members.finest))]
     return [line(each) for each in settings_to_add(of, [entry])]
 
 
@@ -162,14 +239,14 @@ def largest_of(found: list[Change]) -> float | None:
     return max(solved) if solved else None
 
 
-def under_assumptions(found: list[Change]) -> list[dict[str, Any]]:
+def _told(solution: Any, found: list[Change]) -> list[dict[str, Any]]:
     """As a row has them."""
     return [
         {
             "under": each.under,
             "what": each.what,
             "actual": as_floats(each.errors) if each.is_solved else None,
-            "displacement_um": in_um(each.moved) if each.is_solved else None,
+            "displacement_um": in_um(moved(solution, each.displacement)) if each.is_solved else None,
         }
         for each in found
     ]
@@ -187,8 +264,7 @@ def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
 
 def verdict(
     entry: Entry,
-    of: str,
-    is_solved: bool,
+    solution: Any,
     is_in: bool,
     error: float | None,
     tolerance: float,
@@ -198,11 +274,12 @@ def verdict(
     """Whether it is needed, and why not so where that cannot be judged.
 
     Args:
-        of: what has it or not, in a word.
+        solution: of the scene or set that has it or not.
         error: the largest change of all reported results; None where there is none.
         assumed: from which it is, where the parameters are not known.
     """
-    if not is_solved:
+    of = "set" if hasattr(solution, "set") else "scene"
+    if not solution.converged:
         return NOT_ASSESSED, f"the {of} has no solution to judge by"
     if entry.needs and not is_in:
         whats, needs = " and ".join(dict.fromkeys(each.what for each in assumed)), words.of(entry.needs)
@@ -218,18 +295,18 @@ def verdict(
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 
-def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float | None, float | None]:
-    """What a solve with it and one without differ by, by how much of a displacement [µm], and the time of the first
-    over that of the other: medians of solves in turn, of the compiled kernel; None where it runs as plain Python."""
+def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], Any, float | None]:
+    """What a solve with it and one without differ by, of a displacement [m] too, and the time of the first over that of
+    the other: medians of solves in turn, of the compiled kernel; None where it runs as plain Python."""
     scenes = finer, coarser
     found = [solve(each, threads=1) for each in scenes]
     times = [[each.seconds] for each in found]
     with_it, without = found
     if not is_compiled(solve_cases):
-        return by_quantity(without, with_it), in_um(moved(without, with_it)), None
+        return by_quantity(without, with_it), moved(without, with_it.displacement), None
     while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
         found = [solve(each, threads=1) for each in scenes]
         for taken, each in zip(times, found, strict=True):
             taken.append(each.seconds)
     ratio = statistics.median(times[0]) / statistics.median(times[1])
-    return by_quantity(without, with_it), in_um(moved(without, with_it)), ratio
+    return by_quantity(without, with_it), moved(without, with_it.displacement), ratio
