@@ -26,7 +26,7 @@ import click
 from click.testing import CliRunner
 
 import qsbearing.cli
-from tests.guide.mentions import printed, unmentioned
+from tests.guide.mentions import CHECKED, printed, unmentioned
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "qsbearing" / "guide"
@@ -154,5 +154,6 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
         elif block.language == "python":
             run_program(block.text, folder, names)
     sentences = _BLOCK.sub("", page.read_text(encoding="utf-8"))
-    assert unmentioned(sentences, said) == set(), f"{page.name} does not mention remarks that its commands print"
+    if page.name in CHECKED:
+        assert unmentioned(sentences, said) == set(), f"{page.name} does not mention remarks that its commands print"
     return count
