@@ -34,6 +34,7 @@ STATED = {
     "how_to.md": {
         "98 of 130 bad": ONCE,
         "15 seconds": CHECK,
+        "some minutes": CHECK,
         "1 MB": LIMIT,
         "50 MB": LIMIT,
         "20 MB": LIMIT,

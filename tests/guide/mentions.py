@@ -18,8 +18,11 @@ WORDS = {
     "balls_press_cage": r"press the cage",
     "ring_expansion": r"expansion|expand|gr[eo]w",
     "elastic_rings": r"elastic|rigid|deflect",
-    "effects_missing": r"not (?:included|named|simulated)|without (?:ball )?effects|inertia",
-    "preload_lost": r"preload (?:is )?lost|lost",
+    "centrifugal_force": r"centrifugal|inertia",
+    "gyroscopic_moment": r"gyroscopic|inertia",
+    "hertz_angle": r"actual contact angle",
+    "preload_lost": r"preload (?:is )?lost",
+    "fit_lost": r"fit (?:is )?lost",
     "preload_reduced": r"preload",
     "preload_excessive": r"preload",
 }
@@ -27,9 +30,11 @@ WORDS = {
 words."""
 
 
-def key_of(remark: Remark) -> str:
+def keys_of(remark: Remark) -> Collection[str]:
     """By which `WORDS` has it."""
-    return str(remark.values["effect"]) if remark.code == "effect_data_missing" else remark.code
+    if remark.code == "effects_missing":
+        return tuple(map(str, remark.values["effects"]))
+    return (str(remark.values["effect"]) if remark.code == "effect_data_missing" else remark.code,)
 
 
 def unmentioned(text: str, printed: Collection[str]) -> set[str]:
@@ -46,7 +51,7 @@ def printed() -> Iterator[set[str]]:
 
     def kept(said: list[Remark]) -> list[Remark]:
         shown = own(said)
-        found.update(key_of(each) for each in shown if each.kind.severity is not Severity.GOOD_TO_KNOW)
+        found.update(key for each in shown if each.kind.severity is not Severity.GOOD_TO_KNOW for key in keys_of(each))
         return shown
 
     remarks.together = kept  # type: ignore[assignment]

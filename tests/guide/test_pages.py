@@ -116,7 +116,7 @@ def test_measured_numbers_are_made_from_records_or_stated_with_a_reason(page: Pa
     assert stated(page) == set(STATED.get(page.name, {})), "make it from a record, or say in `STATED` why not"
 
 
-@pytest.mark.parametrize("code", ["preload_lost", "ring_expansion", "effects_missing", "friction_beyond"])
+@pytest.mark.parametrize("code", ["preload_lost", "ring_expansion", "centrifugal_force", "friction_beyond"])
 def test_a_remark_that_no_text_mentions_is_found(code: str) -> None:
     assert unmentioned("The bearing runs at 10,000 rpm.", {code}) == {code}
     assert unmentioned("Preload is lost; the rings grow; inertia is not included; friction\nbeyond.", {code}) == set()
