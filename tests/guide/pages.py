@@ -155,5 +155,6 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
             run_program(block.text, folder, names)
     sentences = _BLOCK.sub("", page.read_text(encoding="utf-8"))
     if page.name in CHECKED:
-        assert unmentioned(sentences, said) == set(), f"{page.name} does not mention remarks that its commands print"
+        lacking = sorted(unmentioned(sentences, said))
+        assert lacking == [], f"{page.name} does not mention what its commands remark: {lacking}"
     return count
