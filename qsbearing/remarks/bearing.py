@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
@@ -119,7 +120,9 @@ def _where(part: float) -> str:
     if part == 1.0:
         return ""
     return (
-        f" This is already so at {100.0 * part:.3g} % of the speed." if part > 0.0 else " This is already so at rest."
+        f" This is already so at {plain(100.0 * part, '.3g')} % of the speed."
+        if part > 0.0
+        else " This is already so at rest."
     )
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
@@ -62,7 +63,7 @@ def _why(solution: SetSolution, k: int) -> str:
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
-        reached = f"{100.0 * outcome.reached[k]:.3g} %"
+        reached = f"{plain(100.0 * outcome.reached[k], '.3g')} %"
         where = f" Followed from rest, the equilibrium exists up to {reached} of the loads and speeds."
     if outcome.fault[k] >= 0:
         number = int(outcome.fault[k])

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 QUANTILES = (0.0, 0.05, 0.5, 0.95, 1.0)
 HEADS = ("smallest", "5 %", "median", "95 %", "largest")
+QUANTILE_COLUMNS = (2, 4, 3)
+"""Of the table, which a narrow terminal leaves out."""
 ITSELF = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")
 """What is said in words, or means nothing over all points."""
 _MANY = 1 << 16
@@ -98,7 +100,7 @@ def table(results: Dataset) -> list[Block]:
     spreads = [(name, *(f"{value:.5g}" for value in row), unit) for name, row, unit in spread(results)]
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
-        Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
+        Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l", spare=QUANTILE_COLUMNS),
     ]
 
 

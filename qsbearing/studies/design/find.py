@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.compiler.threads import thread_count
@@ -286,7 +287,7 @@ def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
 
 def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
     return tuple(
-        f"{each}: found {value:.6g}, off by {100.0 * off:.3g} %"
+        f"{each}: found {value:.6g}, off by {plain(100.0 * off, '.3g')} %"
         for each, value, off in zip(asked.conditions, best.results, best.violation, strict=False)
         if off > MET
     )

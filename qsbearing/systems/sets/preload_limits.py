@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.preload_state import PreloadState
 from qsbearing.model.units import rpm, um
@@ -227,7 +228,7 @@ def _fitted(solution: SetSolution) -> list[str]:
 
 
 def _span(values: NDArray, digits: int = 4) -> str:
-    return " to ".join(dict.fromkeys(f"{each:.{digits}g}" for each in (values.min(), values.max())))
+    return " to ".join(dict.fromkeys(plain(each, f".{digits}g") for each in (values.min(), values.max())))
 
 
 def _at_speed(solution: SetSolution) -> list[str]:
