@@ -5,18 +5,37 @@ Equation      (lambda_i, lambda_o) = (0, 2) under outer control; under inner con
 Assumes       what raceway control assumes
 When not      outer control: both are the same there
 Parameters    none
-Indicator     y = 2 |Mg|/(D Q) of inner-controlled balls: the friction that moves to the other raceway is half of it
+Indicator     y = 2 |Mg|/(D Q) of balls that the outer raceway does not control: half of this friction moves to the
+              other raceway
 Example       GyroscopicMoment(MomentShares.HARRIS)
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects.entry import Entry, largest, part_of_effect
+from qsbearing.model.effects.entry import Assumed, Entry, Members, as_setting, largest, other_than, part_of_effect
+from qsbearing.model.effects.gyroscopic_moment import MomentShares
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
+
+
+def ways_of_sharing(of: Any) -> list[tuple[str, Any]]:
+    """A scene or set with the moment shared in every way that differs under its raceway control, each with its setting;
+    as it stands, without a setting, where none does."""
+    if of.raceway_control == "outer" or not any(hasattr(each, "moment_shares") for each in of.ball_effects):
+        return [("", of)]
+    field = "moment_shares"
+    return [
+        (as_setting(field, each), part_of_effect("ball_effects", field, None, each).finer(of)) for each in MomentShares
+    ]
+
+
+def _others(of: Any) -> list[Assumed]:
+    return other_than(of, ways_of_sharing(of))
 
 
 def _moving_friction(point: OperatingPoint) -> NDArray:
@@ -24,13 +43,15 @@ def _moving_friction(point: OperatingPoint) -> NDArray:
     inner, control = point.solution.inner.required_friction, point.solution.raceway_control
     if inner is None or control is None:
         return np.zeros_like(point.load)
-    return np.where(point.is_heavy & (control == "inner"), 0.5 * np.nan_to_num(inner), 0.0)
+    return np.where(point.is_heavy & (control != "outer"), 0.5 * np.nan_to_num(inner), 0.0)
 
+
+_SWITCH = part_of_effect("ball_effects", "moment_shares", "controlling", "harris")
 
 ENTRY = Entry(
     "moment_shares",
     "the gyroscopic moment shared as Harris has it (all on the controlling raceway instead)",
-    part_of_effect("ball_effects", "moment_shares", "controlling", "harris"),
+    _SWITCH._replace(members=Members(_others)),
     indicator=largest(_moving_friction, 2.0),
     errors=by_friction(_moving_friction),
     hypothesis="how the raceways share the moment is a hypothesis, which the model cannot test",

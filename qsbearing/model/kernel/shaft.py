@@ -25,6 +25,7 @@ SHAFT = record(
     ("iterations", np.int32),
     ("solved", np.bool_),
     ("count", np.int64),  # of unknowns solved, not given
+    ("is_loose", np.bool_),  # gaps are to be closed
 )
 """One case of a set: how its solution stands."""
 
@@ -57,6 +58,7 @@ class ShaftSystem(NamedTuple):
     imbalance: ndarray
     right_side: ndarray
     step: ndarray
+    start: ndarray
     moved: ndarray
     """A row's stiffness times its matrix; shape (5, unknown)."""
 
@@ -72,16 +74,15 @@ SHAFTS = Shafts._make(
         array_of(SHAFT),
     ]
 )
-SHAFT_SYSTEM = ShaftSystem._make([array_of(np.int64), array_of(float, 2), *[array_of(float)] * 3, array_of(float, 2)])
+SHAFT_SYSTEM = ShaftSystem._make([array_of(np.int64), array_of(float, 2), *[array_of(float)] * 4, array_of(float, 2)])
 """The kinds of both."""
 
 
 def shaft_system(unknowns: int) -> ShaftSystem:
     """Working memory for so many unknowns."""
-    vectors = (np.zeros(unknowns) for _ in range(3))
-    imbalance, right_side, step = vectors
+    vectors = [np.zeros(unknowns) for _ in range(4)]
     square = np.zeros((unknowns, unknowns))
-    return ShaftSystem(np.zeros(unknowns, np.int64), square, imbalance, right_side, step, np.zeros((5, unknowns)))
+    return ShaftSystem._make([np.zeros(unknowns, np.int64), square, *vectors, np.zeros((5, unknowns))])
 
 
 @kernel

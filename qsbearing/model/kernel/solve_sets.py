@@ -25,7 +25,7 @@ from qsbearing.model.kernel.initial_guess import split_contacts, thrust_at_rest
 from qsbearing.model.kernel.newton_step import is_far
 from qsbearing.model.kernel.ring import couple_channels
 from qsbearing.model.kernel.shaft import SHAFT_SYSTEM, SHAFTS, Shafts, ShaftSystem, move_rows
-from qsbearing.model.kernel.shaft_newton import shaft_newton
+from qsbearing.model.kernel.shaft_newton import shaft_descent, shaft_newton
 from qsbearing.model.kernel.solve_case import UNFINISHED, deliver_positions, prepare, set_controls
 from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 
@@ -49,24 +49,36 @@ def prepare_row(
 
 
 @kernel
+def count_carrying(cases: ndarray, matrices: ndarray, k: int, load: float) -> int:
+    """Rows that carry an axial load of this sign in their own direction."""
+    carrying = 0
+    for r in range(cases.shape[0]):
+        if matrices[r, k, 0, 0] * load > 0.0:
+            carrying += 1
+    return carrying
+
+
+@kernel
 def guess_shaft(cases: ndarray, offsets: ndarray, matrices: ndarray, shafts: Shafts, k: int) -> None:
     """First axial displacement of the shaft, unless it is held: at least so far that the rows that carry its load could
     carry it alone."""
     load = shafts.load[k, 0]
     if shafts.held[k, 0] or load == 0.0:
         return
-    carrying = 0
-    for r in range(cases.shape[0]):
-        if matrices[r, k, 0, 0] * load > 0.0:
-            carrying += 1
+    side = 1.0  # of rows whose grooves carry both ways the other one, where none carries in the load's direction
+    carrying = count_carrying(cases, matrices, k, load)
+    if carrying == 0:
+        side = -1.0
+        for r in range(cases.shape[0]):
+            carrying += 0 if cases[r, k].one_sided or matrices[r, k, 0, 0] == 0.0 else 1
     if carrying == 0:
         return
     least = 1.0
     for r in range(cases.shape[0]):
-        if matrices[r, k, 0, 0] * load > 0.0:
+        if matrices[r, k, 0, 0] * load * side > 0.0 and (side > 0.0 or not cases[r, k].one_sided):
             case = cases[r, k]
-            alone = thrust_at_rest(case, abs(load) / (carrying * case.force)) * case.length
-            least = min(least, alone - offsets[r, k])
+            alone = thrust_at_rest(case, side * abs(load) / (carrying * case.force)) * case.length
+            least = min(least, side * (alone - offsets[r, k]))
     if least > 0.0:
         shafts.q[k, 0] = least if load > 0.0 else -least
 
@@ -114,11 +126,22 @@ def solve_set_case(
             system.channel[shaft.count] = j
             shaft.count += 1
     guess_shaft(cases, offsets, matrices, shafts, k)
-    move_rows(cases, works, matrices, offsets, shafts, k)
-    for r in range(cases.shape[0]):
-        set_at_rest(cases[r, k], works[r], balls[r])
+    for j in range(shafts.q.shape[1]):
+        system.start[j] = shafts.q[k, j]
     moves = is_moving(cases[0, k])
-    converged = moves or shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
+    converged, descends = False, shaft.is_loose
+    while True:
+        if descends:
+            shaft_descent(cases, works, balls, matrices, offsets, shafts, system, k)
+        move_rows(cases, works, matrices, offsets, shafts, k)
+        for r in range(cases.shape[0]):
+            set_at_rest(cases[r, k], works[r], balls[r])
+        converged = moves or shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
+        if converged or descends:
+            break
+        descends = True
+        for j in range(shafts.q.shape[1]):
+            shafts.q[k, j] = system.start[j]
     for r in range(cases.shape[0]):
         if is_far(works[r]):
             return False

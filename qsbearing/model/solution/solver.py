@@ -26,8 +26,8 @@ from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 TOLERANCE = 1e-12
 LEAST_BATCH = 100
-"""So many cases are solved in lanes, as far as lanes know them: there 32 take 0.7 of the time, 128 0.6, 256 0.5. Of
-fewer than a hundred that saves less than a millisecond."""
+"""So many cases are solved in lanes, as far as lanes know them: there 32 take 0.7 of the time, 128 0.6, 256 0.5; of
+fewer than a hundred that is less than a millisecond."""
 
 
 def solve(
