@@ -2,7 +2,8 @@
 
 Without a word, this platform's library alone, into a folder that is not committed: for work on the kernel. With `all`,
 those of every platform, which are committed and come with the package; it needs the versions of the extra "kernel".
-With `compare`, `all` again and beside what is committed: the same bytes, or an error.
+With `check`, only whether what is committed was made from the source as it is, by the tool as it is; with `compare`,
+all is made again and compared with it: the same bytes, or an error.
 """
 
 from __future__ import annotations
@@ -21,6 +22,9 @@ def main(asked: str = "own") -> None:
     elif asked == "all":
         for path in build.make_all(build.FOLDER):
             print(path)
+    elif asked == "check":
+        if faults := build.faults():
+            raise SystemExit("\n".join(faults))
     elif asked == "compare":
         with tempfile.TemporaryDirectory() as folder:
             build.make_all(Path(folder))
@@ -28,7 +32,7 @@ def main(asked: str = "own") -> None:
         if differing:
             raise SystemExit(f"made again, these differ from what is committed: {', '.join(differing)}")
     else:
-        raise SystemExit(f"{asked}: must be own, all or compare")
+        raise SystemExit(f"{asked}: must be own, all, check or compare")
 
 
 main(*sys.argv[1:])

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 
-from qsbearing.model.compiler.library import MANIFEST, OWN, digest, platform_name
+from qsbearing.model.compiler.library import FOLDER, MANIFEST, OWN, digest, file_of, platform_name
 from tests.verification.kernel_library import inputs
 
 
@@ -55,6 +55,19 @@ def differing(one: Path, other: Path) -> list[str]:
         for path in sorted(one.iterdir())
         if not (other / path.name).exists() or (other / path.name).read_bytes() != path.read_bytes()
     ]
+
+
+def faults() -> list[str]:
+    """What is wrong with the committed libraries, without making them again."""
+    if not is_current(FOLDER):
+        return ["the committed libraries are not of this source: python -m tests.verification.kernel_library all"]
+    manifest = json.loads((FOLDER / MANIFEST).read_text(encoding="utf-8"))
+    now = json.loads(json.dumps(inputs.made_by())) | {"python": manifest["made_by"]["python"]}
+    found = [f"made with another {name}" for name, value in now.items() if manifest["made_by"][name] != value]
+    for name, stated in manifest["libraries"].items():
+        if hashlib.sha256((FOLDER / file_of(name)).read_bytes()).hexdigest() != stated["sha256"]:
+            found.append(f"{file_of(name)} is not the one that was made")
+    return found
 
 
 def is_current(folder: Path) -> bool:

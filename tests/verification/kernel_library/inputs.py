@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import dis
-import hashlib
 import re
 import sys
 import tomllib
@@ -15,7 +14,7 @@ from types import CodeType
 from typing import Any
 
 from qsbearing.model.compiler import compiled
-from qsbearing.model.compiler.library import ROOT
+from qsbearing.model.compiler.library import ROOT, digest
 
 PACKAGE = "qsbearing"
 ENTRY = re.compile(r"^@entry\b", re.MULTILINE)
@@ -100,11 +99,10 @@ def pinned() -> dict[str, str]:
 
 def tool() -> str:
     """Digest of the tool's own files and of what turns kinds into numba's types."""
-    files = [*Path(__file__).parent.glob("*.py"), *(ROOT / PACKAGE / "model" / "compiler").glob("*.py")]
-    digest = hashlib.sha256()
-    for path in sorted(files):
-        digest.update(path.read_bytes())
-    return digest.hexdigest()
+    compiler = ROOT / PACKAGE / "model" / "compiler"
+    own = [Path(__file__).with_name(f"{name}.py") for name in ("inputs", "compile_all", "entry_points", "targets")]
+    files = [*own, *(compiler / f"{name}.py" for name in ("kinds", "machine_code", "numba_kernel"))]
+    return digest(path.relative_to(ROOT).as_posix() for path in files)
 
 
 def made_by() -> dict[str, Any]:
