@@ -152,16 +152,20 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
 
 def remarks(solution: Solution, index: Index = None) -> list[Remark]:
     """What to beware of in the numbers of a case; of several without an index, once of each kind."""
-    return in_case(solution, _all, index)
+    return in_case(solution, found, index)
 
 
-def _all(solution: Solution, part: slice) -> Iterator[Found]:
-    """Which cases of a stretch have a remark, and that of the i-th of them."""
-    yield from preload_remarks(solution, part)
+def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[Found]:
+    """Which cases of a stretch have a remark, and that of the i-th of them.
+
+    Args:
+        may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
+    """
+    yield from preload_remarks(solution, part, may_solve)
     yield from _ring_remarks(solution, part)
     yield from ball_remarks(solution, part)
     yield from friction_remarks(solution, part)
-    yield from missing_effects(solution, part)
+    yield from missing_effects(solution, part, may_solve)
     if solution.scene.is_reshaped:
         yield from expansion_remarks(solution, part)
     yield from bending_remarks(solution, part)

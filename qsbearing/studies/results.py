@@ -132,11 +132,17 @@ def attributes_of(result: Result) -> dict[str, str]:
     return found | {"long_name": found["long_name"] + words}
 
 
-def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:
+def is_of_solution(name: str) -> bool:
+    """Whether a result of a bearing is read off its solution itself, not by a reading."""
+    return name in quantities.ALL or name.rpartition("_")[0] in quantities.ALL
+
+
+def _of_set(solution: SetSolution, readings: Any = None) -> dict[str, SetQuantity]:
     """Results of shaft and rows, the readings of each row that are the bearing's own, and the life of all rows."""
     found = set_quantities(solution)
     columns: dict[str, NDArray] = {}
-    of_rows = [_readings(row) for row in solution.rows]
+    given = readings or [None] * len(solution.rows)
+    of_rows = [_readings(row, own) for row, own in zip(solution.rows, given, strict=True)]
     for number, own in enumerate(of_rows, 1):
         columns |= {f"row_{number}_{name}": values for name, (is_per_ball, values) in own.items() if not is_per_ball}
     for name in LIVES:
@@ -148,10 +154,14 @@ def _of_set(solution: SetSolution) -> dict[str, SetQuantity]:
     return found
 
 
-def read(solution: Solution | SetSolution, results: Iterable[Result]) -> dict[str, NDArray]:
-    """The values of these results over the cases, and the balls of those that each ball has."""
+def read(solution: Solution | SetSolution, results: Iterable[Result], taken: Any = None) -> dict[str, NDArray]:
+    """The values of these results over the cases, and the balls of those that each ball has.
+
+    Args:
+        taken: the readings, where they are taken already; of a set those of each row.
+    """
     if isinstance(solution, SetSolution):
-        quantities_of_set = _of_set(solution)
+        quantities_of_set = _of_set(solution, taken)
         return {result.name: quantities_of_set[result.name].read() for result in results}
     readings: dict[str, tuple[bool, NDArray]] | None = None
     found: dict[str, Any] = {}
@@ -164,13 +174,14 @@ def read(solution: Solution | SetSolution, results: Iterable[Result]) -> dict[st
             if name in quantities.ALL:
                 kept[name] = quantities.ALL[name].read(solution)
             else:
-                readings = readings or {split(key)[0]: value for key, value in _readings(solution).items()}
+                readings = readings or {split(key)[0]: value for key, value in _readings(solution, taken).items()}
                 kept[name] = readings[name][1]
         found[result.name] = OVER_BALLS[ending](kept[name], axis=-1) if ending else kept[name]
     return found
 
 
-def _readings(solution: Solution) -> dict[str, tuple[bool, NDArray]]:
+def _readings(solution: Solution, taken: Any = None) -> dict[str, tuple[bool, NDArray]]:
     """Numbers of the readings that the scene asks for, by column: whether each ball has its own, and the values."""
-    taken = take_asked(solution) if solution.scene.readings else {}
+    if taken is None:
+        taken = take_asked(solution) if solution.scene.readings else {}
     return {column: (is_per_ball, values) for column, is_per_ball, values in all_values(solution, taken)}

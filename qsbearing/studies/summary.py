@@ -14,6 +14,7 @@ import numpy as np
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.block_statistics import blocks, blocks_of, quantiles
 from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.studies.remarked import of_results, records_of
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -86,7 +87,7 @@ def record(results: Dataset) -> dict[str, Any]:
         {"points": count, "status": status, "why": why, "first": keys} for status, count, why, keys in endings(results)
     ]
     found = {name: {**dict(zip(HEADS, row, strict=True)), "unit": unit} for name, row, unit in spread(results)}
-    return {"points": ends, "results": found}
+    return {"points": ends, **records_of(results.attrs), "results": found}
 
 
 def table(results: Dataset) -> list[Block]:
@@ -99,6 +100,7 @@ def table(results: Dataset) -> list[Block]:
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
         Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
+        *of_results(results.attrs),
     ]
 
 
@@ -126,7 +128,7 @@ def table_of_indices(indices: Dataset) -> list[Block]:
     if indices.attrs["unsolved"]:
         lack = f"{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
         found.append(Paragraph(lack))
-    return found
+    return [*found, *of_results(indices.attrs)]
 
 
 INDICES = ("first_order", "total")
