@@ -196,8 +196,8 @@ ENTRY = Reading(
     needs=NEEDS,
     of_contact=(
         Shown("entrainment_speed_m_s", "entrainment_speed"),
-        Shown("rolling_speed_rpm", "rolling_speed", rpm),
-        Shown("spin_speed_rpm", "spin_speed", rpm),
+        Shown("rolling_speed_rpm", "rolling_speed", rpm, is_signed=True),
+        Shown("spin_speed_rpm", "spin_speed", rpm, is_signed=True),
         Shown("spin_to_roll", "spin_to_roll"),
         Shown("spin_sliding_speed_m_s", "spin_sliding_speed"),
         Shown("spin_pressure_speed_MPa_m_s", "spin_pressure_speed", MPa, "p v of spin"),

@@ -117,8 +117,8 @@ ENTRY = Reading(
     take=lambda solution, given, taken: _of_motion(solution, taken.get("kinematics") or kinematics(solution)),
     needs=NEEDS,
     of_contact=(
-        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre"),
-        Shown("far_pivot_mm", "far", mm, "other pivot point"),
+        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre", is_signed=True),
+        Shown("far_pivot_mm", "far", mm, "other pivot point", is_signed=True),
     ),
     scope="Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
 )

@@ -16,6 +16,7 @@ from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.remarked import Look, together
 from qsbearing.studies.remarked import attributes as of_remarks
+from qsbearing.studies.results import OVER_BALLS, SIZE
 from qsbearing.studies.scenes import check
 from qsbearing.studies.study import Study
 
@@ -139,7 +140,8 @@ def _solved(plan: Plan, values: dict[str, NDArray], looks: list[Look]) -> NDArra
         looks.append(chunk.remarks)
         for row, result in enumerate(plan.results):
             found = chunk.results[result.name]
-            out[row, part] = np.fmax.reduce(found, axis=1) if result.is_per_ball else found
+            over = OVER_BALLS[SIZE if result.is_signed else "max"]
+            out[row, part] = over(found, axis=1) if result.is_per_ball else found
     return out
 
 

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 QUANTILES = (0.0, 0.05, 0.5, 0.95, 1.0)
 HEADS = ("smallest", "5 %", "median", "95 %", "largest")
+"""In data."""
+HEADINGS = ("minimum", *HEADS[1:-1], "maximum")
+"""Over points, signs included."""
 ITSELF = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")
 """What is said in words, or means nothing over all points."""
 _MANY = 1 << 16
@@ -99,7 +102,7 @@ def table(results: Dataset) -> list[Block]:
     spreads = [(name, *(f"{value:.5g}" for value in row), unit) for name, row, unit in spread(results)]
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
-        Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
+        Table(("result", *HEADINGS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
         *of_results(results.attrs),
     ]
 

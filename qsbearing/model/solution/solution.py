@@ -265,11 +265,16 @@ class Solution(SolutionOfCases):
         "without a ball effect."
     )
     attitude_angle = Array[NDArray | None](
-        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a "
-        "ball effect."
+        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
+        "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect."
     )
-    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball [rad/s]; None without a ball effect.")
-    radial_rotation = Array[NDArray | None]("omega_R sin(beta) of each ball [rad/s]; None without a ball effect.")
+    axial_rotation = Array[NDArray | None](
+        "omega_R cos(beta) of each ball, about +x [rad/s]; None without a ball effect."
+    )
+    radial_rotation = Array[NDArray | None](
+        "omega_R sin(beta) of each ball, about its radial line, positive towards the bearing axis: minus the outward "
+        "component [rad/s]; None without a ball effect."
+    )
 
     @cached_property
     def raceway_control(self) -> NDArray | None:

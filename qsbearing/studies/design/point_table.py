@@ -27,8 +27,6 @@ from qsbearing.studies.variables import Axis
 
 LABELS = ("name", "label", "point", "remark")
 """Headings of columns that are copied: whatever tells the rows apart."""
-CASE_ENDS = ("max", "min")
-"""Of a result that each ball has, a row holds the largest and the smallest."""
 OF_BALLS = ("load", "angle", "max_pressure", "required_friction", "film_parameter", "overrun_load", "edge_distance")
 """Results of each ball that a row holds, by the ends of their names."""
 
@@ -177,14 +175,15 @@ def _plan(study: Study, values: dict[str, NDArray], count: int) -> Plan:
 
 
 def _kept(known: tuple[Result, ...]) -> list[Result]:
-    """Results of the whole bearing, and the largest and smallest of what each ball has."""
+    """Results of the whole bearing, and maximum, minimum and, where a sign is a direction, largest size of what each
+    ball has."""
     by_name = {each.name: each for each in known}
     kept: list[Result | None] = []
     for each in known:
         if not each.is_per_ball:
             kept.append(each)
         elif each.name.endswith(OF_BALLS):
-            kept += [find_result(f"{each.name}_{end}", by_name) for end in CASE_ENDS]
+            kept += [find_result(f"{each.name}_{end}", by_name) for end in each.endings]
     return [each for each in kept if each is not None]
 
 
