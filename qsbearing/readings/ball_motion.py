@@ -33,6 +33,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, rpm
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
@@ -77,6 +78,7 @@ class BallMotion(Remarked):
 
 def kinematics(solution: Solution) -> BallMotion:
     """Rolling, spin and sliding in every contact."""
+    check_kind("kinematics", solution, "Solution")
     solution.read_at_once(*NEEDS)
     motion = motion_arrays(solution)
     radius = of_cases(solution, 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter)[0]

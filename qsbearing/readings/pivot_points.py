@@ -23,6 +23,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
@@ -61,6 +62,7 @@ class PivotPoints(Remarked):
 
 def pivot_points(solution: Solution) -> PivotPoints:
     """Where nothing slides, in every contact."""
+    check_kind("pivot_points", solution, "Solution")
     return _of_motion(solution, kinematics(solution))
 
 

@@ -64,6 +64,8 @@ def message(solution: Solution, index: Index = None) -> str:
             return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
     if status == Status.NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
+    if not iterations:
+        return "Not solved: this row was not tried, since the set has no solution."
     return (
         f"Not converged: the last imbalance was {residual:.1e} of the largest force after {iterations} iterations. "
         "This does not prove that there is no equilibrium: continuing from a solution nearby (at a lower speed or a "

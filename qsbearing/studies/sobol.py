@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.validation import check_kind
 from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
 from qsbearing.studies.dataset import attributes
@@ -60,6 +61,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
     """
     import xarray
 
+    check_kind("sobol_indices", study, "Study")
     study = study if study.quantities else study.replaced(quantities=MAIN)
     plan = _checked(study, count)
     keys, names = [each.key for each in study.distributions], [each.name for each in plan.results]

@@ -115,6 +115,10 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
     return solved(job_of(sources, at))
 
 
+def _is_no_source(given: object) -> bool:
+    return not isinstance(given, str | os.PathLike | dict)
+
+
 class Job(NamedTuple):
     """Bearings at one job, as they can be solved."""
 
@@ -128,6 +132,8 @@ class Job(NamedTuple):
 
 def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
+    if not isinstance(sources, Sequence) or isinstance(sources, str) or any(map(_is_no_source, sources)):
+        raise TypeError("compare takes a list of scenes, each by its file, its name in the catalogue, or its tables")
     count = len(sources)
     if not 2 <= count <= MOST:
         given = f"{count} scene{'' if count == 1 else 's'} given"
