@@ -184,6 +184,7 @@ def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str
     Args:
         readings: results by the name of their reading, as `take_asked` gives them.
     """
+    check_kind("reading_columns", solution, "Solution")
     exists = np.isfinite(solution.azimuth)
     return {
         column: (values if is_per_ball else np.broadcast_to(values[..., None], exists.shape))[exists]
