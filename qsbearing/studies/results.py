@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -29,7 +29,7 @@ def _size(values: NDArray, axis: int) -> NDArray:
 
 
 SIZE = "size"
-OVER_BALLS = {"max": np.fmax.reduce, "min": np.fmin.reduce, SIZE: _size}
+OVER_BALLS: dict[str, Callable[..., Any]] = {"max": np.fmax.reduce, "min": np.fmin.reduce, SIZE: _size}
 """With these after its name, the maximum or minimum over the balls of a result that each ball has; of one whose sign is
 a direction also the largest size."""
 SAID = {"max": "maximum", "min": "minimum", SIZE: "largest size"}
