@@ -172,23 +172,25 @@ def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[F
         yield from expansion_remarks(solution, part)
     yield from bending_remarks(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
-    yield from _pressure_remarks(solution, pressure)
+    yield from _pressure_remarks(solution, pressure, part)
     bearing = solution.scene.bearing
     share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
     filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
     yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
 
 
-def _pressure_remarks(solution: Solution, pressure: NDArray) -> Iterator[Found]:
+def _pressure_remarks(solution: Solution, pressure: NDArray, part: slice) -> Iterator[Found]:
     """Dents, and first yield where the scene gives a yield strength."""
     rings = solution.scene.ring_expansion
-    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
-    yielding: dict[str, Any] = {}
-    if rings is not None:
-        near = float(f"{first_yield / MPa:.2g}")
-        yielding = {"yield_strength_MPa": rings.yield_strength / MPa, "first_yield_MPa": near}
+    given = inf if rings is None else np.asarray(rings.yield_strength, float)
+    strength = np.broadcast_to(given, solution.shape).reshape(-1)[part]
+    first_yield = strength * first_yield_pressure(1.0)
 
     def reached(code: str, i: int) -> Remark:
+        yielding: dict[str, Any] = {}
+        if rings is not None:
+            near = float(f"{first_yield[i] / MPa:.2g}")
+            yielding = {"yield_strength_MPa": strength[i] / MPa, "first_yield_MPa": near}
         return remark(code, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
 
     yield pressure > STATIC_PRESSURE, lambda i: reached("pressure_dents", i)

@@ -178,7 +178,7 @@ class Store:
         """
         fields: dict[str, Any] = chunk._asdict() | {
             "reasons": np.array(chunk.reasons),
-            "remarks": json.dumps(chunk.remarks),
+            "remarks": np.array([json.dumps(chunk.remarks)]),
         }
         fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
         temporary = self.folder / f"{number}.part"
@@ -202,7 +202,7 @@ class Store:
         with (self.folder / f"{number}.npz").open("rb") as opened, np.load(opened) as file:
             fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons", "remarks")}
             results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
-            reasons, remarks = tuple(map(str, file["reasons"])), json.loads(str(file["remarks"]))
+            reasons, remarks = tuple(map(str, file["reasons"])), json.loads(str(file["remarks"][0]))
             return Chunk(**fields, reasons=reasons, remarks=remarks, results=results)
 
     def join(self) -> None:
