@@ -4,26 +4,39 @@ from __future__ import annotations
 
 import gc
 import os
+import subprocess
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-# Tests solve more than plain Python pays for; those of the plain way start processes of their own.
-os.environ.setdefault("QSBEARING_COMPILED", "1")
 # Tables are as wide as in a file, whatever the terminal; pytest-xdist sets it in its processes.
 os.environ.pop("COLUMNS", None)
 
 import pytest
 from hypothesis import settings
 
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler import compiled, library
+from qsbearing.model.compiler.compiled import has_fast_code
+from tests import durations
 from tests.drawing import blank, drawing
 
 settings.register_profile(
-    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=30 if COMPILED else 4
+    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=30 if has_fast_code() else 4
 )
 settings.load_profile("qsbearing")
+
+
+def _make_machine_code(config: pytest.Config) -> None:
+    """Whoever works on the kernel leaves its machine code behind: for this platform it is made anew, some minutes, once
+    for all of pytest's processes."""
+    is_to_be = compiled.HAS_NUMBA and (library.ROOT / ".git").exists() and "QSBEARING_LIBRARY" not in os.environ
+    if is_to_be and library.found() is None and not hasattr(config, "workerinput"):
+        root = Path(__file__).parents[1]
+        subprocess.run([sys.executable, "-m", "tests.verification.kernel_library"], cwd=root, check=True)
+        library.forget()
 
 
 _approx = pytest.approx
@@ -36,6 +49,38 @@ def _relative_alone(expected: Any, rel: Any = None, abs: Any = None, nan_ok: boo
 
 
 pytest.approx = _relative_alone
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--record-durations", action="store_true", help="write tests/durations.json")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    _make_machine_code(config)
+    if config.option.record_durations:
+        config.pluginmanager.register(durations.Recorder())
+    given = getattr(config, "workerinput", None)
+    if given is None and config.getoption("dist", "") == "each":
+        config.pluginmanager.register(durations.AllFiles())
+    elif given is not None and given["dist"] == "each":
+        config.pluginmanager.register(durations.OwnFiles(config, given))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """A process of `-n` is not told by itself."""
+    node.workerinput["dist"] = node.config.option.dist
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """`-m quick` does not import files of which it would leave out all."""
+    is_test = collection_path.name.startswith("test_") and collection_path.is_file()
+    return True if is_test and config.option.markexpr == "quick" and not durations.has_quick(collection_path) else None
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    if durations.is_quick(item):
+        item.add_marker("quick")
 
 
 def pytest_collection_finish() -> None:

@@ -64,11 +64,12 @@ class Measured:
 
 
 def ellipse(solution: ContactSolution) -> tuple[Array, Array]:
-    """Semi-axes a and b from the pressure's moments, each of shape (position,)."""
+    """Semi-axes a and b from the pressure's moments, each of shape (position,); NaN where tension leaves none."""
     basis = solution.basis
     forces = basis.forces @ solution.pressures
-    a = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: x**2) @ solution.pressures) / forces)
-    b = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: y**2) @ solution.pressures) / forces)
+    with np.errstate(invalid="ignore"):
+        a = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: x**2) @ solution.pressures) / forces)
+        b = solution.unit_lengths * np.sqrt(5.0 * (basis.weighted(lambda x, y: y**2) @ solution.pressures) / forces)
     return a, b
 
 
@@ -142,10 +143,12 @@ def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: A
 
 
 def measure(solution: ContactSolution, ball: CondensedBody, race: CondensedBody) -> Measured:
-    """All quantities of a solved contact; the shear is the race's."""
+    """All quantities of a solved contact; the shear is the race's. Without an ellipse: NaN, but for the approach."""
     a, b = ellipse(solution)
-    p0 = largest_pressure(solution, a, b)
-    shear, depth = largest_shear(solution, race, a, b)
+    p0 = shear = depth = np.full(len(a), np.nan)
+    if np.isfinite([a, b]).all():
+        p0 = largest_pressure(solution, a, b)
+        shear, depth = largest_shear(solution, race, a, b)
     force = solution.basis.forces @ solution.pressures
     imbalance = max(float(np.abs(body.reaction @ solution.pressures / force + 1.0).max()) for body in (ball, race))
     each = dict(zip(QUANTITIES, (solution.approaches, a, b, p0, shear, depth), strict=True))

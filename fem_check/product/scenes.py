@@ -79,9 +79,8 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
     for effect in scene.ring_effects:
         if isinstance(effect, qsbearing.RingExpansion):
             growth |= _ring_growth(effect, scene, drawing, name)
-        elif isinstance(effect, qsbearing.BallExpansion):
-            warmer = _number(effect.ball_temperature, name) - _number(effect.reference_temperature, name)
-            growth["ball"] = _strain(scene.bearing.ball_material, warmer, name) * drawing.ball_diameter
+    if ball := heat_strains(scene, name)["ball"]:
+        growth["ball"] = ball * drawing.ball_diameter
     return drawing.grown(**growth) if growth else drawing
 
 
@@ -122,12 +121,14 @@ def axial_growth(scene: qsbearing.Scene, name: str) -> tuple[float, float]:
 
 
 def heat_strains(scene: qsbearing.Scene, name: str) -> dict[str, float]:
-    """alpha dT of inner_ring, outer_ring, shaft and housing.
+    """alpha dT of inner_ring, outer_ring, shaft, housing and ball.
 
-    A ring whose temperature is left out is at the reference temperature, shaft and housing are as warm as their rings.
+    A ring whose temperature is left out is at the reference temperature, shaft and housing are as warm as their rings,
+    balls as warm as the mean of both rings.
     """
     ring = scene.bearing.ring_material
     materials = {"inner_ring": ring, "outer_ring": ring, "shaft": ring, "housing": ring}
+    materials["ball"] = scene.bearing.ball_material
     warmer: dict[str, float] = {}
     for effect in scene.ring_effects:
         if isinstance(effect, qsbearing.RingExpansion):
@@ -141,6 +142,10 @@ def heat_strains(scene: qsbearing.Scene, name: str) -> dict[str, float]:
                 given = getattr(effect, f"{body}_temperature")
                 reference = _number(effect.reference_temperature, name)
                 warmer[body] = warmer.get(on, 0.0) if given is None else _number(given, name) - reference
+    warmer["ball"] = 0.5 * (warmer.get("inner_ring", 0.0) + warmer.get("outer_ring", 0.0))
+    for effect in scene.ring_effects:
+        if isinstance(effect, qsbearing.BallExpansion):
+            warmer["ball"] = _number(effect.ball_temperature, name) - _number(effect.reference_temperature, name)
     return {body: _strain(material, warmer.get(body, 0.0), name) for body, material in materials.items()}
 
 

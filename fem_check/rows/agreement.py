@@ -39,7 +39,7 @@ class Row:
     reference: float
     reference_source: str
     found: float | None
-    """None: refused, for the reason in `why_tolerance`."""
+    """None: refused, for the reason in `why_tolerance`; NaN: there was nothing to read, which fails."""
     uncertainty_percent: float | None
     """Discretisation uncertainty of the comparison, in per cent of the reference (absolute where that is 0); None where
     nothing is discretised."""
@@ -73,14 +73,16 @@ class Row:
         return "pass" if self.reach_percent <= self.tolerance_percent else "fail"  # NaN fails too
 
     def as_dict(self) -> dict[str, Any]:
-        """As the record keeps it."""
-        ordered = asdict(self)
-        entries = {
-            name: ordered[name] for name in ("case", "quantity", "unit", "reference", "reference_source", "found")
+        """As the record keeps it; what is no number is None."""
+        ordered = asdict(self) | {"deviation_percent": self.deviation_percent, "verdict": self.verdict}
+        names = (
+            "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",
+            "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict", "worst_at",
+        )  # fmt: skip
+        values = {name: ordered[name] for name in names}
+        return {
+            name: None if isinstance(each, float) and not math.isfinite(each) else each for name, each in values.items()
         }
-        entries["deviation_percent"] = None if self.found is None else self.deviation_percent
-        entries |= {name: ordered[name] for name in ("uncertainty_percent", "tolerance_percent", "why_tolerance")}
-        return entries | {"verdict": self.verdict, "worst_at": self.worst_at}
 
 
 @dataclass

@@ -35,7 +35,8 @@ def scatter(groups: list[list[float]]) -> float:
     Args:
         groups: of each case its values, two or more.
     """
-    over_mean = [np.asarray(values) / np.mean(values) for values in groups]
+    # Values that agree have no scatter, also where they are 0, as of what an effect that is not there makes.
+    over_mean = [np.asarray(values) / np.mean(values) for values in groups if np.ptp(values) > 0.0]
     freedom = sum(len(values) - 1 for values in groups)
     pooled = np.sqrt(sum(float(np.sum((values - 1.0) ** 2)) for values in over_mean) / freedom)
     return float(stdtrit(freedom, 0.975) * pooled)

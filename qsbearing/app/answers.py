@@ -23,7 +23,7 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.files.toml import tables_of
+from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS
@@ -207,6 +207,7 @@ def _solution_of(text: str, label: str) -> Solution | SetSolution:
 
 
 def _read(document: Tables, label: str) -> Scene | BearingSet:
+    check_tables(document, Path(label or "scene"))
     if "spectrum" in document:
         cause = "`qsbearing run` and `qsbearing report` take it; this page shows one operating point"
         raise SceneFileError(label or "scene", [FileErrorDetail("", "is several operating points", cause=cause)])

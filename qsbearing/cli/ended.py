@@ -16,7 +16,7 @@ import os
 import signal
 import sys
 from contextlib import suppress
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, TextIO
 
 import click
 
@@ -56,6 +56,10 @@ def run_to_the_end(command: click.Command, name: str) -> NoReturn:
         sys.stdout.flush()
     except OSError as error:
         code = code if isinstance(error, BrokenPipeError) else _refused(error, name)
+    try:
+        sys.stderr.flush()
+    except OSError:  # a full disk keeps what was to be said: Python would end with 120 for it
+        _silent(code, sys.stderr)
     sys.exit(code)
 
 
@@ -120,10 +124,10 @@ def _place(trace: TracebackType | None) -> str:
     return f"{os.path.basename(last.filename)} line {last.lineno}"  # noqa: PTH119
 
 
-def _silent(code: int) -> int:
-    """Throw away what Python would try to write once more on its way out."""
+def _silent(code: int, stream: TextIO | None = None) -> int:
+    """Throw away what Python would try to write to it (standard output) once more on its way out."""
     with suppress(OSError, ValueError, AttributeError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        os.dup2(os.open(os.devnull, os.O_WRONLY), (stream or sys.stdout).fileno())
     return code
 
 

@@ -104,7 +104,8 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
         changes, verdict = map(row.change, QUANTITIES), row.verdict.replace(", ", ",\n")
         cells.append((row.effect, "yes" if row.in_scene else "no", *changes, verdict, *own))
         if row.why or (row.add and row.verdict == "needed"):
-            lines = f"to include it, under [effects]: {', '.join(row.add)}" if row.add else ""
+            is_lacking = row.add and row.verdict == "needed"
+            lines = f"to include it, under [effects]: {', '.join(row.add)}" if is_lacking else ""
             said.append(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}")
     table = Table(headings, cells, f"ll{'r' * len(HEADINGS)}l{'r' * len(more)}", title)
     return [table, *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(said))]

@@ -60,18 +60,15 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         state: ThermalState = solution.thermal
         from qsbearing.results.json_record import how_it_ended, thermal
         from qsbearing.results.remarks import blocks, every_remark, remarks_record
-        from qsbearing.results.thermal_report import course_record, speeds_record
+        from qsbearing.results.thermal_report import course_record, speeds_record, whole_bearing_record
 
         found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
         found |= remarks_record(said := every_remark(solution))
         found["transient"] = None
         if transient is None:
-            with solving(loaded):
+            with solving():
                 found["speeds"] = speeds_record(state)
-            if loaded.thermal.friction == "contacts":
-                from qsbearing.results.thermal_report import whole_bearing_record
-
-                found["whole_bearing"] = whole_bearing_record(loaded)
+            found["whole_bearing"] = whole_bearing_record(state)
         else:
             try:
                 found["transient"] = course_record(_course(state, transient, start))

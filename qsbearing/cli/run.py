@@ -100,7 +100,7 @@ def run(
         loaded = load_scene_or_set(scene, may_infer=True)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
-        model: Any = None if into is None else _model_of(scene, into, loaded)
+        model: Any = None if into is None else _model_of(scene, into)
         from qsbearing.model.scene.scene import Scene
 
         if isinstance(loaded, Scene) and loaded.bearing.inferred is not None:
@@ -132,7 +132,7 @@ def run(
 NO_PICTURE = "--plot: a picture shows a single operating point, not a spectrum; --csv writes every ball of every point"
 
 
-def _model_of(scene: str, into: str, loaded: Scene | BearingSet) -> Any:
+def _model_of(scene: str, into: str) -> Any:
     """The model that takes the results; ends with what is wrong with it, before anything is solved."""
     from pathlib import Path
 
@@ -140,9 +140,8 @@ def _model_of(scene: str, into: str, loaded: Scene | BearingSet) -> Any:
     from qsbearing.files.scene_file import STANDARD_INPUT, document_of
     from qsbearing.model.validation import SceneError
 
-    is_of_set = hasattr(loaded, "rows") and "spectrum" in loaded.readings
-    if is_of_set or scene in STANDARD_INPUT:
-        refuse("--into: takes a scene file, of one point or of a bearing's load spectrum, or a set of one point")
+    if scene in STANDARD_INPUT:
+        refuse("--into: takes a scene file, of one point or of a load spectrum")
     try:
         return WriteBack(Path(into), document_of(scene)[0])
     except SceneError as error:

@@ -98,10 +98,10 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
         lacking: Errors = []
         _find_missing(set(good) | unusable, lacking)
         if lacking:
-            cause = catalogue.nearest(good["name"])
+            absent = [each.key.partition(".")[2] for each in lacking]
+            cause = catalogue.nearest(good["name"], {*absent})
             if read(good["name"]) is None:
-                absent = ", ".join(each.key.partition(".")[2] for each in lacking)
-                cause += f" A bearing of your own may have a name, but needs {absent}, too"
+                cause += f" A bearing of your own may have a name, but needs {', '.join(absent)}, too"
             errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
         label = printable(good["name"]) or label
     if entry is not None or "name" not in table:

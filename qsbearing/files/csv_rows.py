@@ -14,14 +14,14 @@ from typing import Any
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.limits import LONGEST_CELL, MOST_CELLS, MOST_ROWS
 
-_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(?:\1\d{3})*")
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(?:\1\d{3})*", re.ASCII)
 """What may be whole with separators of thousands; with one of them only, it may be decimals too."""
 _GROUPED = {
-    mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:{re.escape(mark)}\d{{3}})+(?:{re.escape(other)}\d*)?")
+    mark: re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:{re.escape(mark)}\d{{3}})+(?:{re.escape(other)}\d*)?", re.ASCII)
     for mark, other in ((".", ","), (",", "."))
 }
 """A whole number with separators of thousands, and perhaps decimals after the other mark."""
-_NUMBER = re.compile(r"[+-]?[\d.,]+(?:[eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?[\d.,]+(?:[eE][+-]?\d+)?", re.ASCII)
 OTHER = {",": ".", ".": ","}
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from qsbearing.files.designations import read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.table_checks import Errors, material, si
 from qsbearing.inference.data_sheet import DataSheet
@@ -76,6 +77,8 @@ def bearing_of_sheet(
     if len(errors) > before:
         return None
     chosen = given.get("ball_set")
+    told = read(given.get("name", ""))
+    fields |= {"maker": told.maker} if told is not None else {}
     fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
     try:
         found = infer_bearing(**fields, name=printable(given.get("name", label)))

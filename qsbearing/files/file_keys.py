@@ -20,7 +20,7 @@ from qsbearing.model.scene.keys import (
     SPECTRUM_POINT,
     Key,
 )
-from qsbearing.model.validation import Setting
+from qsbearing.model.validation import Setting, whole_number
 from qsbearing.remarks.wording import Reader, Words
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def find(path: str) -> Key | None:
         section, name = f"{before}elastic_rings", within
     table = "material" if section.endswith("_material") else section.rpartition(".")[2]
     kind, _, number = table.partition(" ")
-    if number.isdigit():
+    if whole_number(number) is not None:
         table = NUMBERED.get(kind, table)
     if path.startswith("thermal."):
         keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())
@@ -110,7 +110,8 @@ def line(setting: Setting) -> str:
         name = value.name  # type: ignore[attr-defined]
         return f"[effects.{name}]" if name in EFFECT_TABLES else numbers()[name][0].name
     names = [effect.name for effect in value] if isinstance(value, tuple) else value
-    return f"{_OF_EFFECTS.get(field, field)} = {_toml(names)}"
+    keys = _OF_EFFECTS | {own: key for key, own in SEATS.items()}
+    return f"{keys.get(field, field)} = {_toml(names)}"
 
 
 def _toml(value: Any) -> str:

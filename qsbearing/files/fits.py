@@ -23,7 +23,7 @@ NORMAL = "normal"
 CLASS = "tolerance_class"
 LARGEST = 1e5
 """Of a diameter that is looked up [mm]."""
-_NAME = re.compile(r"([a-zA-Z]{1,2})(\d+)")
+_NAME = re.compile(r"([a-zA-Z]{1,2})([0-9]+)")
 
 
 @cache

@@ -12,7 +12,7 @@ from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.model.material import STEEL, material_named
 from qsbearing.model.scene.keys import EFFECT_TABLES, IN_PLACE, MATERIAL, MATERIALS, SET_NUMBERS, Key
 from qsbearing.model.units import mm
-from qsbearing.model.validation import LENGTH, near
+from qsbearing.model.validation import LENGTH, near, whole_number
 
 Path = tuple[str, ...]
 ONE_EACH = (
@@ -29,7 +29,7 @@ LOOKALIKE, MOST_MEANT = 0.7, 3
 
 def plain(path: Iterable[str]) -> str:
     """A path without its numbers."""
-    return ".".join(step for step in path if not step.isdigit())
+    return ".".join(step for step in path if whole_number(step) is None)
 
 
 def key_at(path: Path) -> Key | None:
@@ -77,7 +77,8 @@ def missing_table(document: dict[str, Any], path: Path) -> str:
     table: Any = document
     for number, step in enumerate(path[:-1]):
         within, table = table, _inner(table, step)
-        if table is None and (isinstance(within, list) or (number + 2 < len(path) and path[number + 1].isdigit())):
+        is_listed = number + 2 < len(path) and whole_number(path[number + 1]) is not None
+        if table is None and (isinstance(within, list) or is_listed):
             there = len(within) if isinstance(within, list) else 0
             listed = ".".join(path[: number + (0 if isinstance(within, list) else 1)])
             return f"there {'is' if there == 1 else 'are'} {there or 'no'} {listed}"
@@ -86,7 +87,7 @@ def missing_table(document: dict[str, Any], path: Path) -> str:
 
 def _inner(table: Any, step: str) -> Any:
     if isinstance(table, list):
-        return table[int(step) - 1] if step.isdigit() and 1 <= int(step) <= len(table) else None
+        return table[at - 1] if 1 <= (at := whole_number(step) or 0) <= len(table) else None
     return table.get(step) if isinstance(table, dict) else None
 
 

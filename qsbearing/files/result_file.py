@@ -58,5 +58,6 @@ def _of_netcdf(path: Path, of_study: bool) -> tuple[Any, Any, Any]:
     study = kept["study"] if isinstance(kept["study"], dict) else {}
     whole = study.get("scene")
     if of_study and isinstance(whole, dict):
-        return version, {**whole, "vary": study.get("vary"), "study": study.get("study")}, study.get("label")
+        own = {name: study[name] for name in ("vary", "study") if study.get(name) is not None}
+        return version, whole | own, study.get("label")
     return version, None if of_study else kept["input"], study.get("label")

@@ -226,8 +226,12 @@ def wrong_in_other_tables(document: dict[str, Any]) -> Errors:
     return errors
 
 
-def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
-    """The operation of a file's table [operation]; likewise."""
+def operation_of(document: dict[str, Any], errors: Errors, *, is_loaded: bool = False) -> Operation | None:
+    """The operation of a file's table [operation]; likewise.
+
+    Args:
+        is_loaded: other tables have loads, so that this one need not.
+    """
     if "operation" not in document:
         needed = "At the least one load or displacement, such as axial_load_N = 1000; speed_rpm if it turns"
         errors.append(FileErrorDetail("[operation]", "missing", cause=needed))
@@ -239,11 +243,12 @@ def operation_of(document: dict[str, Any], errors: Errors) -> Operation | None:
     fields = si(OPERATION, dict.fromkeys(unusable, nan) | good)
     if (
         isinstance(table, dict)
+        and not is_loaded
         and "preload" not in document
         and not any(channel.load in fields or channel.displacement in fields for channel in CHANNELS)
     ):
-        cause = "Give a load or a displacement, such as axial_load_N = 1000; if none is meant, axial_load_N = 0"
-        errors.append(FileErrorDetail("operation", "neither a load nor a displacement is given", cause=cause))
+        cause = "Write axial_load_N = 0 if that is meant, or a load or displacement, such as axial_load_N = 1000"
+        errors.append(FileErrorDetail("operation", "no load is given", cause=cause))
     return made(lambda: Operation(**fields), errors)
 
 

@@ -79,7 +79,7 @@ def scene_schema() -> Schema:
         "readings": _ref("readings"),
         "thermal": _thermal(),
         REPORT: closed(dict.fromkeys(OTHER_TABLES[REPORT], _WORD)),
-        ORIGIN: closed({key: {} for key in OTHER_TABLES[ORIGIN]}),
+        ORIGIN: closed({key: {"not": {"type": "null"}} for key in OTHER_TABLES[ORIGIN]}),
         **_of_set(),
         "spectrum": {"anyOf": [_list(_point(), 1), closed({"file": _WORD}) | {"required": ["file"]}]},
     }

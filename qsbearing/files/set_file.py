@@ -66,7 +66,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
     rows = _rows(document, common, has_common, errors, found)
-    operation = operation_of({"operation": {"axial_load_N": 0.0}} | document, errors)
+    operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
     preload = preload_of(document, None, errors)
     effects = effects_of(document, errors, found)
     readings = asked_readings(document, errors, found)
@@ -84,6 +84,17 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if wrong:
         raise SceneFileError(file, wrong)
     return of
+
+
+def _is_loaded(document: dict[str, Any]) -> bool:
+    """Whether anything but [operation] and [preload] loads rows: the shaft's loads or weight, springs, or lengths."""
+    shaft = document.get("shaft")
+    rows = document.get("rows")
+    of_shaft = isinstance(shaft, dict) and ("loads" in shaft or "gravity_m_s2" in shaft)
+    of_rows = isinstance(rows, list) and any("offset_um" in row for row in rows if isinstance(row, dict))
+    groups = document.get("floating")
+    of_groups = isinstance(groups, list) and any(key != "rows" for group in groups for key in group)
+    return of_shaft or of_rows or of_groups or "spacers" in document
 
 
 def _translated(error: ErrorDetail) -> FileErrorDetail:

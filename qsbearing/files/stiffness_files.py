@@ -13,6 +13,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.rounding import (
+    NOISE,
+    least_force,
+    matrix_without_rounding,
+    rounding_of,
+    without_rounding,
+)
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import printable
 from qsbearing.model.version import __version__
@@ -48,7 +55,8 @@ class Seat(NamedTuple):
     @property
     def asymmetry(self) -> float:
         """As `springs.asymmetry`."""
-        return asymmetry(self.stiffness, self.lever)
+        found = asymmetry(self.stiffness, self.lever)
+        return found if found > NOISE else 0.0
 
 
 def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]:
@@ -70,8 +78,11 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
     for bearing, position, sign, solved in listed:
         lever = from_shaft(solved, sign)
         scale = np.array([length, length, length, 1.0, 1.0])  # from displacements of the program to metres, radians
-        stiffness = (lever.T @ solved.stiffness @ lever) * scale[:, None] * scale / length
-        load = (lever.T @ solved.load) * scale / length
+        turned = matrix_without_rounding(lever.T @ solved.stiffness @ lever)
+        radius = 0.5 * float(np.asarray(bearing.pitch_diameter)) * (np.arange(5) > 2) + (np.arange(5) < 3)
+        forces = lever.T @ solved.load / radius
+        forces = without_rounding(forces, rounding_of(np.abs(forces).max(), least_force(bearing)))
+        stiffness, load = turned * scale[:, None] * scale / length, forces * radius * scale / length
         half = 0.5 * float(np.asarray(bearing.pitch_diameter)) / length
         name = printable(bearing.name) or "bearing"
         found.append(Seat(name, position / length, stiffness, load, half, float(speed) / rpm))

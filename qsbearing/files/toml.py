@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.file_errors import refused
+from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.limits import DEEPEST_KEY, LARGEST_FILE, MOST_KEYS
 from qsbearing.files.raw import read_text
-from qsbearing.model.validation import comma_advice
+from qsbearing.model.validation import comma_advice, whole_number
 
 _COMMENT = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
 _KEY_OR_TABLE = re.compile(r"=|^[ \t]*\[", re.MULTILINE)
@@ -59,10 +60,10 @@ def tables_of(text: str, path: Path) -> dict[str, Any]:
 
 
 def check_tables(document: dict[str, Any], path: Path) -> None:
-    """See that tables from elsewhere than a text have no more keys than those of one.
+    """See that tables from elsewhere than a text have what one can have: no more keys, and no null.
 
     Raises:
-        SceneFileError: they have more, or are nested deeper.
+        SceneFileError: they have more, are nested deeper, or hold a null.
     """
     count, level, inner = 0, 0, [document]
     while inner:
@@ -74,15 +75,27 @@ def check_tables(document: dict[str, Any], path: Path) -> None:
         values = (each for table in inner for each in table.values())
         lists = (value if isinstance(value, list) else [value] for value in values)
         inner = [each for found in lists for each in found if isinstance(each, dict)]
+    if empty := list(_nulls(document)):
+        cause = "null is no value: write one, or leave the key out"
+        raise SceneFileError(str(path), [FileErrorDetail(each, "is null", cause=cause) for each in empty])
+
+
+def _nulls(value: Any, path: str = "") -> Iterator[str]:
+    """The path of every null within tables and lists; what stands in a list counts from 1."""
+    if value is None:
+        yield path
+    steps = value.items() if isinstance(value, dict) else enumerate(value, 1) if isinstance(value, list) else ()
+    for step, each in steps:
+        yield from _nulls(each, f"{path}.{step}" if path else str(step))
 
 
 def _line_of(text: str, message: str) -> str:
     """The line that a TOML message points at."""
     number = message.partition("(at line ")[2].partition(",")[0]
     lines = text.split("\n")
-    if not number.isdecimal() or int(number) > len(lines):
+    if not 1 <= (at := whole_number(number) or 0) <= len(lines):
         return ""
-    line = lines[int(number) - 1].strip()
+    line = lines[at - 1].strip()
     comma = _WITH_COMMA.search(line)
     advice = comma_advice(comma[1]) if comma else ""
     hint = f". {advice}" if advice else ""

@@ -7,10 +7,10 @@ import warnings
 from io import BytesIO
 from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
 
 from qsbearing.files.file_errors import refused
 from qsbearing.files.limits import LONGEST_CELL, MOST_COLUMNS, MOST_SHEET_CELLS
+from qsbearing.files.zip_file import pieces, unzipped
 
 MOST_PARTS = 1000
 """Files within the folder; a workbook has some tens."""
@@ -18,7 +18,6 @@ MOST_TAGS = 8 * MOST_SHEET_CELLS
 """A cell takes four to six."""
 LARGEST_PART = 40 * MOST_TAGS
 """Bytes of all parts unpacked."""
-PIECE = 1 << 20
 _ENTRY = b"PK\x01\x02"
 _DECLARES = re.compile(rb"<!(?:DOCTYPE|ENTITY)")
 
@@ -68,18 +67,15 @@ def _measure(data: bytes, path: Path) -> None:
     if data.count(_ENTRY) > MOST_PARTS:
         raise refused(path, f"has more than {MOST_PARTS:,} parts; a workbook has some tens")
     tags = size = 0
-    with ZipFile(BytesIO(data)) as folder:
-        for part in folder.infolist():
-            if not part.filename.endswith((".xml", ".rels")):
-                continue
-            with folder.open(part) as file:
-                while piece := file.read(PIECE):
-                    tags += piece.count(b"<")
-                    size += len(piece)
-                    if _DECLARES.search(piece):
-                        raise refused(path, "declares entities, which no spreadsheet writes")
-                    if tags > MOST_TAGS or size > LARGEST_PART:
-                        raise _too_large(path)
+    with unzipped(data, path) as folder:
+        read = [part for part in folder.infolist() if part.filename.endswith((".xml", ".rels"))]
+        for piece in pieces(folder, read, path):
+            tags += piece.count(b"<")
+            size += len(piece)
+            if _DECLARES.search(piece):
+                raise refused(path, "declares entities, which no spreadsheet writes")
+            if tags > MOST_TAGS or size > LARGEST_PART:
+                raise _too_large(path)
 
 
 def _too_large(path: Path) -> Exception:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.inference.ball_sets import BallSets
 from qsbearing.inference.data_sheet import DataSheet, sheet_errors
 from qsbearing.inference.narrowing import Range, range_of, shares_removed
-from qsbearing.inference.practice import ACCEPTED, FACTORS, HOW_TO_STATE, ISO, OWN_GROOVE, RatingPractice, practice_of
+from qsbearing.inference.practice import ACCEPTED, FACTORS, ISO, OWN_GROOVE, RatingPractice, how_to_state, practice_of
 from qsbearing.inference.ratings_fit import Fitted, fitted, joined
 from qsbearing.inference.rigidity import grooves_of_rigidity, pair_rigidity
 from qsbearing.model.bearing import BallBearing, BearingKind, Outline
@@ -132,7 +132,7 @@ def _unstated(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
     """Where nobody states the practice: ISO's, if both ratings agree closely, beside own grooves; else it asks."""
     if not fitted(sheet, replace(ISO, within=ACCEPTED)).misfit.size:
         problem = "cannot be read: nothing states what the ratings mean, and they are not ISO's as printed"
-        cause = f"{HOW_TO_STATE}. Without it a ball set that seems to fit is mostly wrong"
+        cause = f"{how_to_state(sheet.maker)}. Read by the wrong rule, C and C0 give a wrong ball set"
         raise SceneError([ErrorDetail("bearing.dynamic_load_rating", problem, sheet.dynamic_load_rating, cause=cause)])
     remarks.append(remark("sheet_ratings_unstated").said())
     return joined([fitted(sheet, ISO), fitted(sheet, OWN_GROOVE)])

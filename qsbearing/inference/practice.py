@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from qsbearing.model.validation import ErrorDetail, choose
+from qsbearing.model.validation import ErrorDetail, choose, printable
+from qsbearing.remarks.wording import listed
 
 
 class RatingPractice(StrEnum):
@@ -53,11 +54,21 @@ MAKERS = {
 }
 """Whose practice was measured."""
 FACTORS = ("dynamic_rating_factor", "static_rating_factor")
-HOW_TO_STATE = (
-    f'State maker ({", ".join(each.upper() for each in MAKERS)}), or rating_practice = "iso" (C of ISO 281, C0 of '
-    'ISO 76), "own_groove" (both with the bearing\'s own groove radii) or "series_factors" (with '
-    f"{' and '.join(FACTORS)})"
-)
+
+
+def how_to_state(maker: str) -> str:
+    """What to add to a data sheet whose practice nothing tells, a sentence without its end.
+
+    Args:
+        maker: as given, of whom no practice is known; empty: none is given.
+    """
+    first, *others = (each.upper() for each in sorted(MAKERS, key=lambda each: each != "skf"))
+    known = f"No practice of {printable(maker)} is known; known are {listed([first, *others])}. Add"
+    begun = known if maker else f'Whose ratings are these? Add maker = "{first}" (or {", ".join(others)}), or'
+    return (
+        f'{begun} rating_practice = "iso" (C of ISO 281, C0 of ISO 76), "own_groove" (both with the bearing\'s '
+        f'own groove radii) or "series_factors" (with {" and ".join(FACTORS)})'
+    )
 
 
 def practice_of(maker: str, stated: RatingPractice | None, factors: tuple[float | None, ...]) -> Practice | None:

@@ -27,6 +27,8 @@ _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")
 
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
+MOST_DIGITS = 18
+"""Of a whole number in a text: more are an integer that no array holds."""
 
 
 @dataclass(frozen=True)
@@ -188,6 +190,11 @@ def printable(text: str) -> str:
     Whatever comes from a user goes through here before a message or a picture repeats it.
     """
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
+
+
+def whole_number(text: str) -> int | None:
+    """A text of the digits 0 to 9 as a number; None of any other: to Python ² and ٢ are digits as well."""
+    return int(text) if text.isascii() and text.isdigit() and len(text) <= MOST_DIGITS else None
 
 
 def shown(value: Any) -> str:

@@ -22,6 +22,7 @@ from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mrad, um
 from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.kinds import to_add
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import preload_remarks
@@ -95,6 +96,11 @@ def _why_no_equilibrium(solution: Solution, k: int) -> str:
             " under this raceway control: the two contact angles of a ball differ by so much that rolling would leave "
             "the ball standing, or carry it backwards. Outer control does not lead to this."
         )
+        if case["inner_speed"] * case["outer_speed"] < 0.0:
+            why = (
+                ": between rings that turn against each other some ball would stand, or be carried backwards, and so "
+                "press no raceway. Other ring speeds, or more load, do not lead to this."
+            )
     elif reason == Reason.OPEN_SIDE:
         why = (
             f": {_unsupported(case)} Balls would have to press on the open side of the groove, at contact angles below "
@@ -168,6 +174,7 @@ def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[F
     yield from ball_remarks(solution, part)
     yield from friction_remarks(solution, part)
     yield from missing_effects(solution, part, may_solve)
+    yield from hypotheses(solution, part, may_solve)
     if solution.scene.is_reshaped:
         yield from expansion_remarks(solution, part)
     yield from bending_remarks(solution, part)

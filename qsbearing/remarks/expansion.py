@@ -2,15 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects.elastic_rings import grooves_of
+from qsbearing.model.material import EXPANSION_HOLDS, Material, is_own_expansion
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, um
+from qsbearing.model.units import MPa, um, zero_celsius
 from qsbearing.remarks.remark import Found, Remark, remark
+from qsbearing.remarks.wording import listed
+
+
+def far_from_room_temperature(
+    bodies: Iterable[tuple[str, Any, Material]], shape: tuple[int, ...], part: slice
+) -> Iterator[Found]:
+    """Where this program's coefficients of expansion do not hold.
+
+    Args:
+        bodies: names, temperatures [K] and materials of what grows by heat.
+    """
+    least, most = EXPANSION_HOLDS
+    known = [(name, np.asarray(warm, float), is_own_expansion(of)) for name, warm, of in bodies]
+    beyond = {
+        name: np.broadcast_to(np.where(own, np.maximum(least - warm, warm - most), -1.0), shape).reshape(-1)[part]
+        for name, warm, own in known
+    }
+    if not beyond:
+        return
+    warmth = {name: np.broadcast_to(warm, shape).reshape(-1)[part] for name, warm, _ in known}
+
+    def far(i: int) -> Remark:
+        parts = [name for name, by in beyond.items() if by[i] > 0.0]
+        farthest = max(parts, key=lambda name: beyond[name][i])
+        limits: dict[str, Any] = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
+        return remark("expansion_far", parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
+
+    yield np.max([*beyond.values()], axis=0) > 0.0, far
+
+
+def _bodies(solution: Solution) -> Iterator[tuple[str, Any, Material]]:
+    """What grows in a bearing: shaft and housing with their rings, as their lengths hold a preload."""
+    scene, rings = solution.scene, solution.scene.ring_expansion
+    for body, each in scene.temperatures.items():
+        if body == "balls":
+            yield body, each.value, scene.bearing.ball_material
+        elif rings is not None:
+            own = getattr(rings, f"{body}_material", None)
+            yield body.replace("_", " "), each.value, own or scene.bearing.ring_material
 
 
 def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
@@ -23,6 +64,7 @@ def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     before = cases(solution.scene.bearing.diametral_clearance)
     yield (wedged < 0.0) & (before >= 0.0), lambda i: remark("balls_wedged", interference_um=-wedged[i])
     yield (wedged < 0.0) & (before < 0.0), lambda i: remark("clearance_negative", interference_um=-wedged[i])
+    yield from far_from_room_temperature(_bodies(solution), solution.shape, part)
     effect = solution.scene.ring_expansion
     if effect is None:
         return

@@ -129,7 +129,31 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(fields["quantity"], by, " by about ")
-    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {words.of(entry.needs)}"
+    beside = entry.needs_beside_size if fields.get("has_size") and words.reader is not Reader.PYTHON else ""
+    needs = words.of(beside or entry.needs)
+    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
+
+
+def _differing(fields: Mapping[str, Any], words: Words) -> str:
+    """What displacement and stiffness are by all hypotheses, and how to see each."""
+    said = [
+        f"{fields[name]} is {fields[f'{name}_least']:.4g} to {fields[f'{name}_most']:.4g} {fields[f'{name}_unit']} "
+        f"(here {fields[f'{name}_here']:.4g})"
+        for name in ("displacement", "stiffness")
+        if name in fields and _largest(fields[f"{name}_most"]) > _largest(fields[f"{name}_least"])
+    ]
+    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
+
+
+def _pressing(fields: Mapping[str, Any], words: Words) -> str:
+    """Rows that press each other, and what to write so that one of them slides."""
+    said = KINDS["rows_press"].sentence.format_map(fields)
+    row = f"{fields['slides']:.0f}"
+    written = {
+        Reader.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
+        Reader.FILE: f": floating = [{{rows = [{row}]}}]",
+    }
+    return f"{said}{written.get(words.reader, '')}."
 
 
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
@@ -180,6 +204,12 @@ _ADD = {
     Reader.PAGE: "Tick what is missing in the table of effects",
 }
 _GIVE = {Reader.PYTHON: "give", Reader.FILE: "give", Reader.PAGE: "open a scene file that gives"}
+_DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
+_LIST = {
+    Reader.PYTHON: "To see each: qsbearing explain FILE",
+    Reader.FILE: "To see each: qsbearing explain FILE",
+    Reader.PAGE: "The table of effects has the range",
+}
 _BEYOND = (
     ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
     "bearing's life before fatigue does"
@@ -250,17 +280,26 @@ _ALL = (
     Kind("ring_bends_far", WRONG, RINGS,
          "The bending of {raceways:the} ring is {deflection_over_thickness:.2g} times its thickness, too much for "
          "small-deflection theory."),
+    Kind("expansion_far", CHECK, HEAT,
+         "Far from room temperature ({parts}: {temperature_C:.4g} °C), this program's coefficients of expansion do not "
+         "hold. From {least_C:.4g} to {most_C:.4g} °C they are within 10 % of the mean between 20 °C and there; below "
+         "they are too large (of steel 1.4 times at -196 °C, 1.7 times at -253 °C), above too small. Give the material "
+         "as a table, with thermal_expansion_per_K = its mean from the reference temperature to there."),
     # Preload
     Kind("preload_lost", CHECK, PRELOAD,
          "Preload lost: {who} carries {carried_N:.4g} N in operation; its preload is {given_N:.4g} N {state}."),
     Kind("preload_reduced", CHECK, PRELOAD,
-         "Preload reduced: {who} carries {carried_N:.4g} N in operation, {share_percent:.2g} % of its preload of "
-         "{given_N:.4g} N {state}; its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
+         "Preload reduced: {cause} {who} only {carried_N:.4g} N of its preload of {given_N:.4g} N {state} "
+         "({share_percent:.3g} %); its axial stiffness {stiffness_went} from {stiffness_mounted_N_per_um:.4g} N/µm "
          "mounted to {stiffness_N_per_um:.4g} N/µm."),
     Kind("preload_excessive", CHECK, PRELOAD,
          "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
+    Kind("rows_press", CHECK, "sets#deep-groove-rows",
+         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
+         "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
+         say=_pressing),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model
@@ -269,6 +308,11 @@ _ALL = (
     Kind("effect_data_missing", INCOMPLETE, "accuracy",
          "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
          "its numbers", say=_lacking),
+    Kind("hypotheses_differ", INCOMPLETE, HYPOTHESES,
+         f"{_DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
+         "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
+         "{stiffness_most:.4g} {stiffness_unit} (here {stiffness_here:.4g}). To see each: qsbearing explain FILE",
+         say=_differing),
     # Readings: life
     Kind("life_of_ceramic", NOTE, CHOICES,
          "the dynamic rating and the life modification factor of ceramic balls are those of steel balls"),
@@ -344,7 +388,8 @@ _ALL = (
          "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
          "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
-         "are read so and as those of the bearing's own grooves"),
+         "are read so and as those of the bearing's own grooves. Add whose they are, such as {field}",
+         field=Setting("maker", "SKF")),
 )
 # fmt: on
 KINDS = {kind.code: kind for kind in _ALL}

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.effects.entry import has_size
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.remarks.remark import Found, Of, Remark
@@ -84,14 +85,20 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
             of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
             matters = np.any([_matters(each, part) for each in found], axis=0)
             by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
-            yield np.where(matters, by, 0.0), partial(_lacks, entry, of, found, are_few, part.start)
+            size = all(has_size(rows[number - 1].scene) for number in lacking)
+            yield np.where(matters, by, 0.0), partial(_lacks, entry, of, found, are_few, size, part.start)
 
 
-def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, start: int, i: int) -> Remark:
-    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
+def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, size: bool, start: int, i: int) -> Remark:
+    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved.
+
+    Args:
+        size: whether bore, outside diameter and width are known, so that nobody is asked for them.
+    """
     quantity, by = _most(found, start + i)
     under = tuple(each.under for each in found if np.ravel(each.is_solved)[start + i])
-    values = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under, "is_estimated": not is_solved}
+    values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
+    values |= {"is_estimated": not is_solved, "has_size": size}
     return Remark("effect_data_missing", of, values)
 
 

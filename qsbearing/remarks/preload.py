@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadLoads, PreloadState, is_reduced, share, states
+from qsbearing.model.solution.preload_state import EXCESSIVE, REDUCED, PreloadLoads, PreloadState, states
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
 
@@ -53,16 +53,18 @@ def of_loads(
         stiffness: axial, mounted and in operation [N/m].
         fitted: the loads by the preload alone, at rest and cold, before fitting and after [N].
     """
-    words, low = states(loads), is_reduced(loads)
+    words = states(loads)
+    given, alone, carried = loads.arrays
 
     def lost(i: int) -> Remark:
-        return remark("preload_lost", carried_N=max(loads.carried[i], 0.0), given_N=loads.given[i], state=state)
+        return remark("preload_lost", carried_N=max(carried[i], 0.0), given_N=given[i], state=state)
 
     def reduced(i: int) -> Remark:
         before, now = (1e-6 * each[i] for each in stiffness())
         return remark(
             "preload_reduced",
-            carried_N=loads.carried[i], share_percent=100.0 * share(loads)[i], given_N=loads.given[i], state=state,
+            cause="the loads leave" if alone[i] >= REDUCED * given[i] else "speed and heat leave",
+            carried_N=carried[i], share_percent=100.0 * carried[i] / given[i], given_N=given[i], state=state,
             stiffness_went="fell" if now < before else "rose", stiffness_mounted_N_per_um=before,
             stiffness_N_per_um=now,
         )  # fmt: skip
@@ -71,10 +73,10 @@ def of_loads(
         unmounted, mounted = (each[i] for each in fitted())
         return remark(
             "preload_excessive",
-            unmounted_N=unmounted, mounted_N=mounted, in_operation_N=loads.alone[i], limit=EXCESSIVE,
-            given_N=loads.given[i],
+            unmounted_N=unmounted, mounted_N=mounted, in_operation_N=alone[i], limit=EXCESSIVE,
+            given_N=given[i],
         )  # fmt: skip
 
     yield words == PreloadState.LOST, lost
-    yield low, reduced
+    yield words == PreloadState.REDUCED, reduced
     yield words == PreloadState.EXCESSIVE, excessive

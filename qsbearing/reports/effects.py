@@ -114,7 +114,7 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
     lines: list[list[Cell]] = []
     has: list[str] = []
     for row in rows:
-        most = max(QUANTITIES, key=lambda name: _largest(row, name))
+        most = row.largest or QUANTITIES[0]
         change = f"{row.change(most)} % of the {WORDS[most]}".replace("\n", " ")
         if row.in_scene and row.verdict == NEEDED:
             has.append(f"{row.what}: {change}")
@@ -132,12 +132,6 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
         return [Paragraph(Md(f"**{title}** Nothing that it lacks {limit}. {said}"))]
     headings = ("effect or choice", "in the model", "would change", "what to do")
     return [Table(headings, lines, "llll", title, stack=True), Paragraph(said)]
-
-
-def _largest(row: Row, quantity: str) -> float:
-    """Change of it in solves with and without, under any assumption."""
-    found = [row.actual] if row.actual is not None else [each["actual"] for each in row.assumed]
-    return max((each[quantity] or 0.0 for each in found if each is not None), default=0.0)
 
 
 def _line(row: Row) -> list[Cell]:

@@ -6,7 +6,13 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Paragraph, Section
 from qsbearing.model.units import rpm
 from qsbearing.pictures.heat import over_speed
-from qsbearing.results.thermal_report import speeds_record, speeds_table, thermal_record, thermal_tables
+from qsbearing.results.thermal_report import (
+    speeds_record,
+    speeds_table,
+    thermal_record,
+    thermal_tables,
+    whole_bearing_record,
+)
 from qsbearing.systems.heat.state import ThermalState
 
 
@@ -14,13 +20,14 @@ def sections(state: ThermalState | None) -> list[Section]:
     """Of a single case; none without a heat balance."""
     if state is None:
         return []
-    found = speeds_record(state)
+    found, whole = speeds_record(state), whole_bearing_record(state)
     blocks = thermal_tables(thermal_record(state))
     if found["states"]:
         drawn = picture(
-            over_speed(found, float(state.speed) / rpm),
+            over_speed(found, float(state.speed) / rpm, whole=whole),
             "Temperatures and axial loads of the steady states over speed; the speed of the scene is marked.",
             "Temperatures and axial load of the steady states over speed",
         )
         blocks += [drawn, speeds_table(found)]
-    return [Section("Heat balance", [*blocks, Paragraph(found["message"])])]
+    said = [found["message"], *([] if whole is None else [whole["message"]])]
+    return [Section("Heat balance", [*blocks, *map(Paragraph, said)])]

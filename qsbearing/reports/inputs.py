@@ -16,8 +16,10 @@ from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
+from qsbearing.files.thermal_table import NODE_KEYS
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects import ElasticRings, RingExpansion
+from qsbearing.model.effects.body_temperature import body_temperatures
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.scene.keys import (
     BEARING,
@@ -47,6 +49,8 @@ FOLLOWS = {
 CATALOGUE = "catalogue"
 ELASTIC = {field: key for key, field in SEATS.items()}
 """Keys of what elastic rings touch, by its field."""
+KEY_OF = {body: f"{effect}.{key}" for effect, keys in NODE_KEYS.items() for key, body in keys.items()}
+"""Of each part with a temperature, the key that gives it."""
 HEADINGS = ("key of a scene file", "value", "unit", "from")
 
 
@@ -203,18 +207,11 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
             elif isinstance(value, str):
                 name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name
                 found.append((name, str(value), "", ""))
-        if isinstance(effect, RingExpansion) and effect.is_warm:
-            found += [
-                (
-                    f"{effect.name}.{body}_temperature_C",
-                    _text(each.value - zero_celsius),
-                    "°C",
-                    f"left out: {each.taken_from}",
-                )
-                for body, each in effect.temperatures.items()
-                if each.taken_from != "given"
-            ]
-    return found
+    return found + [
+        (KEY_OF[body], _text(each.value - zero_celsius), "°C", f"assumed: {each.taken_from}")
+        for body, each in body_temperatures(effects).items()
+        if each.is_assumed
+    ]
 
 
 def choice_lines(holder: Any) -> list[Line]:

@@ -66,7 +66,8 @@ def _summary(solution: SetSolution) -> str:
     of = solution.set
     bearings = listed(dict.fromkeys(row.bearing.name or "bearing" for row in of.rows))
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
-    said = [f"{count} of {bearings}", f"Shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm"]
+    turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{report.outer_turning(of.operation.outer_speed)}"
+    said = [f"{count} of {bearings}", f"Shaft {turning}"]
     said.append(capital(report.loads_text(solution)))
     for load in () if of.shaft is None else of.shaft.loads:
         values = report.named_loads(float(np.asarray(value)) for value in load.values)

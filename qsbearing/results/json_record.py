@@ -22,6 +22,7 @@ from qsbearing.model.solution.result_keys import (
     STIFFNESS,
     Shown,
 )
+from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.model.units import deg, um, zero_celsius
@@ -30,8 +31,6 @@ from qsbearing.remarks.remark import Remark
 from qsbearing.results.readings_record import Readings, number, readings_record
 from qsbearing.results.remarks import every_remark, message, remarks_record
 
-LOAD_NOISE = 1e-10
-"""What the solver leaves of loads and stiffnesses that are exactly zero, as a part of the largest of their kind."""
 DISPLACEMENT_NOISE = 1e-15
 """Likewise, of displacements [m, rad]: a hundred-thousandth of an atom."""
 
@@ -168,6 +167,8 @@ def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
         "unmounted_N": number(np.asarray(solution.preload_unmounted)[index]),
         "mounted_N": number(np.asarray(solution.preload_mounted)[index]),
         "in_operation_N": number(solution.load[index][0]),
+        "alone_N": number(np.asarray(solution.preload_in_operation)[index]),
+        "carried_N": number(solution.load[index][0]),
         "share": number(np.asarray(solution.preload_share)[index]),
         "state": str(np.asarray(solution.preload_state)[index]) or None,
         "axial_displacement_um": number(solution.displacement[index][0] / um),
@@ -208,18 +209,20 @@ def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | Non
 def temperatures(
     solution: Solution, index: Place = (), thermal_of: Thermal | None = None
 ) -> dict[str, dict[str, Any]] | None:
-    """Of rings, shaft and housing, and whether each is given or found; None where the scene gives none."""
-    effect = solution.scene.ring_expansion
-    if effect is None or not effect.is_warm:
+    """Of rings, shaft, housing and balls, and whether each is given, found or assumed; None where the scene gives
+    none."""
+    known = solution.scene.temperatures
+    if not known:
         return None
     balance = thermal_of if solution.thermal is None else solution.thermal.thermal
     found = () if balance is None else balance.found_nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": "heat balance" if body in found and each.taken_from == "given" else each.taken_from,
+            "from": "heat balance" if body in found and not each.is_assumed else each.taken_from,
+            "assumed": each.is_assumed,
         }
-        for body, each in effect.temperatures.items()
+        for body, each in known.items()
     }
 
 
@@ -273,11 +276,10 @@ def _load_noise(solution: Solution, index: Place) -> NDArray:
     of_balls = [np.nan_to_num(side.load[index]) for side in (solution.inner, solution.outer)]
     of_ring = np.nan_to_num(np.abs(solution.load[index]) / levers)
     largest = max(np.max(each, initial=0.0) for each in (*of_balls, of_ring))
-    return np.asarray(LOAD_NOISE * largest * levers)
+    least = np.broadcast_to(least_force(solution.scene.bearing), solution.shape)[index]
+    return np.asarray(rounding_of(largest, least) * levers)
 
 
 def _matrix_rows(matrix: NDArray) -> list[list[float | None]]:
     """A matrix as lists; what is rounding beside its diagonal is zero."""
-    diagonal = np.sqrt(np.abs(np.nan_to_num(np.diag(matrix))))
-    kept = np.where(np.abs(matrix) <= LOAD_NOISE * np.outer(diagonal, diagonal), 0.0, matrix)
-    return [[number(value) for value in row] for row in kept]
+    return [[number(value) for value in row] for row in matrix_without_rounding(matrix)]

@@ -142,9 +142,12 @@ def geometry_text(solution: Solution) -> str:
 def speeds_text(solution: Solution) -> str:
     """The speeds of both rings of a single case."""
     numbers = case_arrays(solution.scene)
-    outer = numbers.get("outer_speed")
-    turning = "" if outer is None else f", outer ring {float(outer) / rpm:.6g} rpm"
-    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{turning}"
+    return f"Inner ring {float(numbers['speed']) / rpm:.6g} rpm{outer_turning(numbers.get('outer_speed'))}"
+
+
+def outer_turning(speed: Any) -> str:
+    """What is said of the outer rings' speed [rad/s] beside that of the inner ones; nothing where none is given."""
+    return "" if speed is None else f", outer ring {float(speed) / rpm:.6g} rpm"
 
 
 def loads_text(solution: Solution | SetSolution) -> str:
@@ -167,7 +170,8 @@ def preload_text(preload: dict[str, Any]) -> str:
     text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
     if preload["share"] is None:
         return text
-    return f"{text}: {preload['state']}, {percent(preload['share'])} of the given preload"
+    share = percent(preload["share"], digits=3)
+    return f"{text}: {preload['state']}; without external loads {share} of the given preload"
 
 
 def ending(found: dict[str, Any]) -> list[Block]:
@@ -271,10 +275,10 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
     if found["temperatures"] is None:
         return []
     rows = [
-        (body.replace("_", " "), f"{each['temperature_C']:.6g}", each["from"])
+        (body.replace("_", " "), f"{each['temperature_C']:.6g}", "assumed: " * each["assumed"] + each["from"])
         for body, each in found["temperatures"].items()
     ]
-    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures of rings, shaft and housing")]
+    return [Table(("", "°C", "from"), rows, "lrl", "Temperatures")]
 
 
 def freedom(free: Collection[int]) -> str:

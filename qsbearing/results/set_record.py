@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
+from qsbearing.model.solution.rounding import rounding_of
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.json_record import (
-    LOAD_NOISE,
     choice_record,
     choices,
     how_it_ended,
@@ -66,9 +66,10 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
 
 
 def _load_noise(solution: SetSolution, rows: list[dict[str, Any]]) -> float:
-    """Of the largest load of the shaft or of a row."""
+    """Beside the largest load of the shaft or of a row."""
     largest = [abs(load) for row in rows for load in list(row["share"].values())[:3] if load is not None]
-    return LOAD_NOISE * max([*largest, *np.nan_to_num(np.abs(solution.load))], default=0.0)
+    largest += list(np.nan_to_num(np.abs(solution.load)))
+    return float(rounding_of(max(largest), solution.rounding))
 
 
 def _slide(solution: SetSolution) -> dict[str, float | None]:
@@ -95,6 +96,8 @@ def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remar
         "preload_unmounted_N": of_row(solution.preload_unmounted),
         "preload_mounted_N": of_row(solution.preload_mounted),
         "preload_in_operation_N": of_row(solution.preload_in_operation),
+        "preload_alone_N": of_row(solution.preload_in_operation),
+        "preload_carried_N": of_row(solution.axial_loads if solution.set.is_opposed else None),
         "preload_share": of_row(solution.preload_share),
         "preload_state": None if state is None else str(state[i]) or None,
         **{key: value for key, value in own.items() if key not in OF_THE_SET},

@@ -10,17 +10,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BearingKind
+from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks import bearing
+from qsbearing.remarks.expansion import far_from_room_temperature
+from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import not_grown, of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
+from qsbearing.systems.sets.axial_growth import SIDES
+from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
+
+NOTICEABLE = 1e-3
+"""Of the largest force on a row: what rows press each other with below it, changes no digit that matters."""
 
 
 def message(solution: SetSolution, index: Index = None) -> str:
@@ -106,8 +115,8 @@ def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
 
 
 def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterator[Found]:
-    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks, solved with
-    all rows together: what one changes of a row moves the shaft.
+    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks and
+    hypotheses, solved with all rows together: what one changes of a row moves the shaft.
 
     Args:
         may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
@@ -119,8 +128,51 @@ def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterat
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
             yield where, partial(_of_preload, solution, number, make)
+    yield from _pressing_rows(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part, may_solve)
+    yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
+    yield from hypotheses(solution, part, may_solve)
+
+
+def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
+    """What grows beside the rows themselves: shaft, housing and spacers with temperatures of their own."""
+    if of.shaft is not None and of.shaft.temperature is not None:
+        yield from (("shaft", of.shaft.temperature, each.material) for each in of.shaft.sections)
+    if of.housing is not None and of.housing.temperature is not None:
+        yield "housing", of.housing.temperature, of.housing.material
+    for number, spacer in enumerate(of.spacers, 1):
+        for side in SIDES:
+            warm = getattr(spacer, f"{side}_temperature")
+            if warm is not None:
+                yield f"{side} sleeve of spacer {number}", warm, getattr(spacer, f"{side}_material")
+
+
+def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
+    """Deep-groove rows that others of their housing or sleeve press without having been told to."""
+    of = solution.set
+    signs = np.array([row.sign for row in of.rows])
+    along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
+    least = np.maximum(NOTICEABLE * solution.outcome.largest, np.reshape(solution.rounding, -1))[part]
+    deep = np.array([row.bearing.kind is BearingKind.DEEP_GROOVE for row in of.rows])
+    for group, preload in of.groups:
+        meant = [of.rows[n].sprung or np.any(of.rows[n].offset) for n in group]
+        if preload is not None or of.spacers or any(meant) or not deep[list(group)].any():
+            continue
+        own = np.isin(np.arange(len(of.rows)), group)[:, None]
+        for way in (1.0, -1.0):
+            pushed, against = (np.where(own, np.maximum(each * along, 0.0), 0.0) for each in (way, -way))
+            pushed = np.where(deep[:, None], pushed, 0.0)
+            pressed = np.minimum(pushed.sum(axis=0), against.sum(axis=0))
+            # Where deep-groove rows are on both sides, once.
+            once = way > 0.0 or (pressed > np.where(deep[:, None], against, 0.0).sum(axis=0))
+
+            def make(i: int, both: NDArray = pushed + against, pressed: NDArray = pressed) -> Remark:
+                rows = np.flatnonzero(both[:, i] > least[i])
+                said = remark("rows_press", pressed_N=pressed[i], slides=int(rows[-1]) + 1)
+                return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
+
+            yield once & (pressed > least), make
 
 
 def _of_preload(solution: SetSolution, number: int, make: Any, i: int) -> Remark:

@@ -11,10 +11,10 @@ import numpy as np
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.judgement import percent
+from qsbearing.model.solution.rounding import NOISE
 from qsbearing.model.units import rpm
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import Words, capital
-from qsbearing.results.json_record import LOAD_NOISE
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.report import (
@@ -25,6 +25,7 @@ from qsbearing.results.report import (
     distinct,
     ending,
     heat_tables,
+    outer_turning,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
@@ -100,9 +101,10 @@ def heading(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
     number = found["axial_datum_row"]
     datum = "" if number is None else f"; row {number} is the axial datum of spacers, which move the other rows"
+    turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{outer_turning(of.operation.outer_speed)}"
     what = (
-        f"{name}  {count}, {of.arrangement}; shaft {float(np.asarray(of.operation.speed)) / rpm:.6g} rpm, its "
-        f"channels at x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
+        f"{name}  {count}, {of.arrangement}; shaft {turning}, its channels at "
+        f"x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
     )
     preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
     return [Paragraph(what, name), *preload, *ending(found)]
@@ -112,21 +114,21 @@ def rows_tables(found: dict[str, Any]) -> list[Table]:
     """What each row of a record carries; and where rows press each other, what has become of the preload."""
     heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
     cells = []
-    noise = LOAD_NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
+    noise = NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
     for number, row in enumerate(found["rows"], 1):
         loads = [row["axial_load_N"], row["share"]["radial_y_N"], row["share"]["radial_z_N"]]
         loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
         place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
         cells.append((*place, *(digits(load, noise) for load in loads)))
     tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
-    if all(row["preload_state"] is None for row in found["rows"]):
+    if all(row["preload_unmounted_N"] is None for row in found["rows"]):
         return tables
-    heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "with the\nloads N", "share of the\ngiven preload")
+    heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "of what\nis given", "with the\nloads N")
     cells = []
     for number, row in enumerate(found["rows"], 1):
         loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
-        share = "-" if row["preload_share"] is None else percent(row["preload_share"])
-        state = row["preload_state"] or ""
-        cells.append((str(number), *(digits(load, noise) for load in (*loads, row["axial_load_N"])), share, state))
+        share = "-" if row["preload_share"] is None else percent(row["preload_share"], digits=3)
+        given, carried = [digits(load, noise) for load in loads], digits(row["axial_load_N"], noise)
+        cells.append((str(number), *given, share, carried, row["preload_state"] or "none given"))
     title = "Preload: axial load of each row, without external loads and with them"
     return [*tables, Table(("row", *heads, ""), cells, "lrrrrrl", title)]

@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import Place
 from qsbearing.model.units import rpm, zero_celsius
-from qsbearing.model.validation import SceneError
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
 
 if TYPE_CHECKING:
-    from qsbearing.systems.sets.bearing_set import BearingSet
+    pass
 
 
 def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
@@ -67,22 +65,18 @@ def speeds_record(state: ThermalState) -> dict[str, Any]:
 WHOLE = "With Palmgren's friction of the whole bearing"
 
 
-def whole_bearing_record(of: Scene | BearingSet) -> dict[str, Any]:
+def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
     """Steady states over speed with Palmgren's friction in place of that of the contacts; without states where it lacks
-    numbers, which its message then names."""
+    numbers, which its message then names; None where the friction model leaves nothing out."""
     from qsbearing.files.file_errors import translate
-    from qsbearing.systems.heat.solve import solve
-    from qsbearing.systems.heat.whole_bearing import with_whole_friction
-    from qsbearing.systems.sets.solve import solve_set
 
-    try:
-        whole, assumed = with_whole_friction(of)
-        state = (solve(whole) if isinstance(whole, Scene) else solve_set(whole)).thermal
-    except SceneError as error:
-        reasons = " ".join(f"{translate(each)}." for each in error.errors)
+    whole = state.whole_bearing
+    if whole is None:
+        return None
+    if whole.state is None:
+        reasons = " ".join(f"{translate(each)}." for each in whole.errors)
         return {"message": f"{WHOLE}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
-    assert state is not None
-    found = speeds_record(state)
+    found, assumed = speeds_record(whole.state), whole.assumed
     basis = f"{WHOLE} (assumed: {', '.join(assumed)})" if assumed else WHOLE
     return {**found, "message": f"{basis}: {found['message'][0].lower()}{found['message'][1:]}", "assumed": assumed}
 

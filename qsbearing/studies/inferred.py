@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.inference.ball_sets import FILLS, INCH_SIZES
 from qsbearing.inference.infer import InferredBearing
 from qsbearing.inference.narrowing import Range
 from qsbearing.model.solution.result_keys import printed_unit, split
@@ -98,6 +99,18 @@ def _sets(found: InferredBearing) -> list[tuple[int, float, float, float, float]
     return [(c[0], bearing.ball_count[c[0]], bearing.ball_diameter[c[0]], f[c].min(), f[c].max()) for c in cases]
 
 
+def _only_one(found: InferredBearing) -> str:
+    """What bounds the list of one set."""
+    diameter = float(np.ravel(found.bearing.ball_diameter)[0])
+    if found.sheet.ball_count is not None and found.sheet.ball_diameter is not None:
+        return "The balls are given; the ratings agree with them."
+    least, most = FILLS[found.bearing.kind]
+    sizes = f", {'inch' if np.isclose(INCH_SIZES, diameter).any() else 'mm'} sizes" * (
+        found.sheet.ball_diameter is None
+    )
+    return f"Only one set fits within these bounds: fill {100.0 * least:.0f} to {100.0 * most:.0f} %{sizes}."
+
+
 def inferred_tables(solution: Solution) -> list[Block]:
     """The ranges and the sets for people."""
     found: InferredBearing = solution.scene.bearing.inferred
@@ -127,10 +140,10 @@ def inferred_tables(solution: Solution) -> list[Block]:
     title = f"{found.bearing.name or 'Bearing'} from its data sheet: {len(sets)} ball set{'s' if len(sets) > 1 else ''}"
     columns = ("set", "Z", "D\nmm", "f", "misfit", "ratings read as")
     numbers_known = ", ".join(OTHER_WORDS[name] for name in others)
+    several = "The list holds every set that the ratings allow; the first, which fits best, often is not the true one."
     note = (
-        "The list holds every set that the ratings allow; the first, which fits best, often is not the true one."
-        + f" In %: what part of a range goes, on average, if one more number is known: {numbers_known}." * bool(others)
-    )
+        several if len(sets) > 1 else _only_one(found)
+    ) + f" In %: what part of a range goes, on average, if one more number is known: {numbers_known}." * bool(others)
     result = "Results: least and most over all sets and their groove radii"
     return [
         Table(columns, sets, "rrrrrl", title),

@@ -13,7 +13,7 @@ from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.usual_words import usual
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
-from qsbearing.model.validation import near
+from qsbearing.model.validation import near, whole_number
 
 _EITHER = (
     ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),
@@ -31,7 +31,7 @@ _EITHER = (
 
 EACH_BALL = "ball_diameter_deviation_um"
 """Of every ball, drawn at random for each on its own; that of one ball has its number behind it."""
-_ONE_BALL = re.compile(rf"{EACH_BALL}_(\d{{1,4}})")
+_ONE_BALL = re.compile(rf"{EACH_BALL}_([0-9]{{1,4}})")
 
 
 @dataclass(frozen=True)
@@ -99,8 +99,8 @@ def find(name: str) -> StudyKey | None:
     path = tuple(name.split("."))
     if len(path) == 1:
         return None
-    if path[:-1] == ("effects", BALL_DEVIATIONS.name) and path[-1].isdigit() and int(path[-1]) > 0:
-        return find(f"{EACH_BALL}_{int(path[-1]) - 1}")
+    if path[:-1] == ("effects", BALL_DEVIATIONS.name) and (ball_number := whole_number(path[-1])):
+        return find(f"{EACH_BALL}_{ball_number - 1}")
     of_scene = next((key for key in ALL.values() if f".{'.'.join(key.path)}".endswith(f".{name}")), None)
     key = None if of_scene else paths.key_at(path)
     if key is None:

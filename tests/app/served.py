@@ -48,7 +48,8 @@ def asked(address: str, question: str, given: Any, headers: dict[str, str] | Non
         with urlopen(request, timeout=120.0) as answer:
             return answer.status, json.load(answer)
     except HTTPError as error:
-        text = error.read().decode()
+        with error:
+            text = error.read().decode()
         return error.code, json.loads(text) if text.startswith("{") else text
 
 

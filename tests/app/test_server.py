@@ -185,8 +185,9 @@ def test_the_address_that_is_printed_is_answered_until_ctrl_c() -> None:
         line = next(line for line in started.stderr if "shows" in line)
         address = line.split()[1]
         base, _, token = address.partition("?token=")
-        with pytest.raises(HTTPError):
+        with pytest.raises(HTTPError) as refused:
             urlopen(base + "start", timeout=60.0)
+        refused.value.close()
         with urlopen(Request(base + "start", headers={"X-Token": token}), timeout=60.0) as answer:
             assert json.load(answer)["label"] == ""
         with urlopen(address, timeout=60.0) as page:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import signal
 import subprocess
@@ -154,9 +155,14 @@ def test_a_signal_has_its_code(number: int, code: int) -> None:
         ("qsbearing init none", "2>&-", 2, ""),
         ("qsbearing --help", "| true; exit ${PIPESTATUS[0]}", 0, ""),
         ("fem_check --help", ">/dev/full", 2, "fem-check: standard output: No space left on device"),
+        ("fem_check run none", "2>/dev/full", 2, ""),
     ],
 )
-def test_an_output_that_takes_nothing_is_told_in_a_sentence(arguments: str, output: str, code: int, words: str) -> None:
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_an_output_that_takes_nothing_is_told_in_a_sentence(
+    arguments: str, output: str, code: int, words: str, unbuffered: str
+) -> None:
     command = f"'{sys.executable}' -m {arguments} {output}"
-    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120)
+    environment = os.environ | {"PYTHONUNBUFFERED": unbuffered}  # Python takes "" as not set
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120, env=environment)
     assert (ran.returncode, ran.stderr.strip()) == (code, words)

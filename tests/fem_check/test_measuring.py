@@ -36,6 +36,26 @@ def test_semi_axes_of_hertz_pressure():
     assert (a[0], b[0]) == pytest.approx((3.0, 3.0), rel=1e-4)
 
 
+def test_without_an_ellipse_nothing_is_read_but_the_approach():
+    # Tension far out makes the second moments negative.
+    lines = np.arange(0.0, 1.25, 0.05)
+    basis = PressureBasis(lines, lines)
+    square = (basis.points**2).sum(axis=0)
+    pressures = np.where(square < 0.8, 1.0, -0.5)[:, None]
+    of = SimpleNamespace(
+        basis=basis,
+        pressures=pressures,
+        unit_lengths=np.ones(1),
+        approaches=np.ones(1),
+        penetration=0.0,
+        load_error=0.0,
+    )
+    assert basis.forces @ pressures[:, 0] > 0.0
+    body = SimpleNamespace(asymmetry=0.0, reaction=-basis.forces)
+    found = measuring.measure(of, body, body).each
+    assert {name for name, values in found.items() if np.isnan(values).all()} == set(QUANTITIES) - {"approach"}
+
+
 @pytest.mark.parametrize("elements", [6, 12])
 def test_hertz_pressure_sampled_on_the_mesh(elements):
     # Straight lines between the nodes cut the rounded top: h^2/12 of its curvature, which is 1 at the centre and twice
@@ -79,6 +99,12 @@ def test_largest_pressure_is_not_load_over_ellipse():
     reference = boundary_element.over_hertz(groove, 5000.0)
     # 0.05 points is the gate; 3Q/(2 pi a b) is 0.57 points too high.
     assert 100.0 * (read[0] / read[1] - reference.ratio["max_pressure"]) == pytest.approx(0.0, abs=0.05)
+
+
+def test_values_that_agree_have_no_scatter_whatever_they_are():
+    assert convergence.scatter([[0.0, 0.0], [2.0, 2.0, 2.0]]) == 0.0
+    # Beside others they only add degrees of freedom.
+    assert convergence.scatter([[0.0, 0.0], [1.0, 1.1]]) == convergence.scatter([[5.0, 5.0], [1.0, 1.1]]) > 0.0
 
 
 def test_scatter_of_positions_is_the_largest_of_all_loads():

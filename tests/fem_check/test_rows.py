@@ -6,12 +6,15 @@ the packages, then what is measured of the finite elements. (`test_solution_cont
 
 import dataclasses
 import json
+import math
 
 import pytest
 
 from fem_check.independent.references import HERTZ_SOURCE
 from fem_check.mechanics.measuring import Soundness
+from fem_check.rows import row_text
 from fem_check.rows.agreement import Row
+from fem_check.running import records_store
 from tests.fem_check import test_planted_errors as planted
 
 RECORDS = sorted((planted.ROOT / "fem_check/records").glob("*/*.json"))
@@ -34,6 +37,17 @@ def test_twice_one_side_fails(path, side):
         if side == "reference" and row.quantity in OF_ANOTHER_LENGTH:
             changes |= {name: 0.5 * getattr(row, name) for name in ("tolerance_percent", "uncertainty_percent")}
         assert dataclasses.replace(row, **changes).verdict == "fail", row
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf])
+@pytest.mark.parametrize("name", ["found", "uncertainty_percent"])
+def test_what_is_no_number_fails_and_is_recorded_as_none(name, number):
+    row = dataclasses.replace(
+        Row("a contact", "max_pressure", "1", 1.0, "exact", 1.0, 0.1, 2.0, "why"), **{name: number}
+    )
+    entry = json.loads(records_store.text({"rows": [row.as_dict()]}))["rows"][0]
+    assert (entry[name], entry["verdict"]) == (None, "fail")
+    assert row_text.of_row(entry).reference == "1"
 
 
 SOURCES = {

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 import warnings
+from itertools import combinations
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from qsbearing.files import catalogue
@@ -13,6 +18,7 @@ from qsbearing.files.designations import Designation, iso15, read
 from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.units import deg, mm
+from qsbearing.model.validation import SceneError
 
 
 def told(text: str) -> Designation:
@@ -57,8 +63,48 @@ def test_a_suffix_on_which_makers_differ_is_asked_about() -> None:
     assert told("7014E").angle is None and set(told("7014E").angles) == {("FAG", 25), ("GMN", 25)}
     assert told("SKF 7014 E").angle is None and told("FAG 7014E").angle == 25
     assert told("7210A").angle is None and told("NSK 7210A").angle == 30
-    assert "30 (NSK) or 25 (AKE) deg" in catalogue.nearest("7210A")
+    assert "Suffix A means 30° at NSK, 25° at AKE; write the maker first (NSK 7210A)" in catalogue.nearest("7210A")
     assert told("7210").angle is None
+    for text in ("7210", "7210-2RS", "7014 TYN"):
+        assert "Suffix" not in catalogue.nearest(text), text
+    advice = "Without a suffix the angle is 30° at NSK and NTN; write the maker first (NSK 7014) or give free_contact"
+    assert advice in catalogue.nearest("7014")
+
+
+PREFIXES = tomllib.loads((Path(iso15.__file__).parent / "designations.toml").read_text("utf-8"))["prefixes"]
+NUMBERS = (
+    "71914", "7014", "7210", "7014C", "7014-C-T-P4S", "7014 CTYNSULP4", "7210 BEP", "7308 BECBP", "7910UCG", "6205",
+    "6206-C3", "6308", "6804", "71914-E-T-P4S",
+)  # fmt: skip
+"""As makers write them, without the maker."""
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_a_prefix_is_a_makers_or_is_said_to_be_unknown(number: str) -> None:
+    """Every prefix that is known, and all of one to three letters that are not, before every number."""
+    bare, known = told(number), {each for names in PREFIXES.values() for each in names}
+    letters = [a + b + c for a in "ABCHSWXZ" for b in ("", *"BCSZ") for c in ("", *"BSZ")]
+    for prefix in dict.fromkeys([*known, *letters]):
+        found = read(f"{prefix}{number}")
+        if found is None or found.is_refused or found.series != bare.series:  # another designation, or SNFA's letters
+            continue
+        said = catalogue.nearest(f"{prefix}{number}")
+        assert (found.bore, found.outside, found.width) == (bare.bore, bare.outside, bare.width)
+        assert f"uffix {prefix}" not in said, (prefix, said)
+        owners = {maker for maker, names in PREFIXES.items() if prefix in names}
+        spindle = found.kind == "angular_contact" and bool(owners)
+        is_known = "ceramic" in owners or (found.maker in owners if found.maker else spindle)
+        assert found.is_prefix_known == is_known
+        assert (f"Its prefix {prefix} is not known of such bearings" in said) == (not is_known), (prefix, said)
+        assert prefix not in found.ignored.split()
+
+
+def test_a_prefix_of_one_maker_tells_whose_suffixes_count() -> None:
+    for prefix in PREFIXES["FAG"]:
+        assert told(f"{prefix}71914").maker == "FAG"
+        said = catalogue.nearest(f"{prefix}71914")
+        assert f"Prefix {prefix} is of FAG, whose suffixes for the angle are C (15°), E (25°) and B (40°)" in said
+        assert told(f"{prefix}71914E").angle == 25
 
 
 def test_classes_sets_and_balls_are_read() -> None:
@@ -155,6 +201,59 @@ def test_what_a_designation_lacks_is_asked_for_once() -> None:
     assert bearing_of({"bearing": {"name": "7014CD"}}, "", errors) is None
     (error,) = errors
     assert "70 x 110 x 20 mm" in error.cause and "15 deg" in error.cause and "dynamic_load_rating_N" in error.cause
+
+
+EACH = {
+    "ball_count": 9, "ball_diameter_mm": 7.938, "pitch_diameter_mm": 38.5, "inner_groove_radius_mm": 4.1,
+    "outer_groove_radius_mm": 4.15, "diametral_clearance_mm": 0.01,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["6205", "SKF 6205", "7210 BE", "HSS71914C", "7210"])
+def test_what_is_given_is_not_asked_for(name: str) -> None:
+    """Of every selection of what a bearing needs: what is missing is named, and nothing else."""
+    for taken in (each for size in range(len(EACH)) for each in combinations(EACH, size)):
+        given = {key: EACH[key] for key in taken}
+        errors: list[Any] = []
+        made = bearing_of({"bearing": {"name": name, **given}}, "", errors)
+        lacking = EACH.keys() - given.keys()
+        if told(name).angle is not None:
+            lacking -= {"diametral_clearance_mm"}
+        assert (made is None) == bool(lacking)
+        if not lacking:
+            continue
+        (error,) = errors
+        asked = error.cause.partition("; GMN's")[0]
+        assert not [key for key in given if key in asked], (taken, asked)
+        for key in lacking:
+            forms = {key}
+            if "radius" in key:
+                forms |= {"groove_radius_coefficient"}
+            if key == "diametral_clearance_mm" and told(name).kind == "angular_contact":
+                forms = {"free_contact_angle_deg"}
+            assert any(each in asked for each in forms), (taken, asked)
+
+
+def test_a_name_that_tells_the_maker_tells_how_its_ratings_are_read() -> None:
+    ratings = {"dynamic_load_rating_N": 14800, "static_load_rating_N": 7800, "diametral_clearance_mm": 0.01}
+
+    def read_of(**bearing: Any) -> Any:
+        tables = {"bearing": ratings | bearing, "operation": {"axial_load_N": 100.0}}
+        return scene_of(tables, "a file", may_infer=True).bearing.inferred
+
+    by_name, by_key = read_of(name="SKF 6205"), read_of(name="6205", maker="SKF")
+    assert by_name.sheet.maker == by_key.sheet.maker == "SKF"
+    assert np.array_equal(by_name.bearing.ball_diameter, by_key.bearing.ball_diameter)
+    assert (
+        read_of(name="SKF 6205", maker="NTN", dynamic_load_rating_N=14000, static_load_rating_N=7850).sheet.maker
+        == "NTN"
+    )
+    for given, said in (
+        ({"name": "6205"}, 'Whose ratings are these? Add maker = "SKF" (or GMN, NSK, NTN, SNFA)'),
+        ({"name": "FAG 6205"}, "No practice of FAG is known; known are SKF, GMN, NSK, NTN and SNFA"),
+    ):
+        with pytest.raises(SceneError, match=re.escape(said)):
+            read_of(**given)
 
 
 def test_a_designation_gives_its_dimensions_and_what_is_left_out() -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import json
 import pickle
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from html import unescape
@@ -225,7 +226,7 @@ def test_every_code_is_reached(reached: dict[str, Remark]) -> None:
 
 def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached: dict[str, Remark]) -> None:
     for code, said in reached.items():
-        optional = {"yield_strength_MPa", "first_yield_MPa", "is_estimated"}
+        optional = {"yield_strength_MPa", "first_yield_MPa", "is_estimated", "has_size"}
         optional |= {
             "load_loss_percent",
             "turn_deg",
@@ -241,8 +242,11 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
 # Everyone's words -----------------------------------------------------------------------------------------------------
 
 WORDS = (IN_FILE, PYTHON, ON_PAGE)
-ADDED = "effects_missing", "effect_data_missing", "life_grooves_uncovered", "speed_rating_unknown"
-"""Remarks that say what to give."""
+ADDED = (
+    "effects_missing", "effect_data_missing", "life_grooves_uncovered", "speed_rating_unknown",
+    "sheet_ratings_unstated", "hypotheses_differ",
+)  # fmt: skip
+"""Remarks that say what to give or to do."""
 
 
 def test_what_to_give_is_named_in_the_words_of_whoever_asks(reached: dict[str, Remark]) -> None:
@@ -285,6 +289,35 @@ def test_only_files_hear_of_keys(reached: dict[str, Remark]) -> None:
     for said in reached.values():
         assert pickle.loads(pickle.dumps(said.said())) == said.text
         assert said.kind.code in ADDED or len({said.written(words) for words in WORDS}) == 1
+
+
+@pytest.mark.parametrize("name", ["7210C", "b218", "7210C_hybrid"])
+def test_a_file_is_not_asked_for_what_its_bearing_has(name: str, tmp_path: Path) -> None:
+    """Of every effect that needs numbers: the rings' size is asked for in Python, and in a file that lacks it."""
+    scene = qs.load_scene(name)
+    bare = replace(scene, bearing=replace(scene.bearing, outline=None))
+    asked = {"bore", "outside diameter", "widths", "diameters"}
+    for given, has in ((scene, True), (bare, False)):
+        said = [each.remark for each in qs.warnings(qs.solve(given)) if each.remark.kind.code == "effect_data_missing"]
+        assert said
+        for each in said:
+            effect, texts = each.values["effect"], {words.reader: each.written(words) for words in WORDS}
+            named = {reader: bool(asked & {*re.findall("|".join(asked), text)}) for reader, text in texts.items()}
+            expected = effect in ("ring_expansion", "elastic_rings")
+            assert named[Reader.PYTHON] == expected and named[Reader.FILE] == (expected and not has), texts
+
+
+def test_the_line_that_a_remark_gives_is_read(tmp_path: Path) -> None:
+    """`outer.housing = "free"` below [effects.elastic_rings] is all that a bearing of the catalogue needs."""
+    (said,) = [
+        each.remark.written(IN_FILE) for each in qs.warnings(qs.solve(qs.load_scene("7210C"))) if "rigid" in each
+    ]
+    line = re.search(r'such as (\S+ = "\w+")', said)
+    assert line is not None
+    path = tmp_path / "scene.toml"
+    text = '[bearing]\nname = "7210C"\n[operation]\naxial_load_N = 500\n[effects.elastic_rings]\n'
+    path.write_text(text + line[1], encoding="utf-8")
+    assert qs.load_scene(path).ring_effects[0].outer_width == pytest.approx(20 * qs.mm)
 
 
 # One list -------------------------------------------------------------------------------------------------------------
@@ -374,4 +407,5 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
 
 def html_text(paragraph: str) -> str:
     """What a browser shows of a paragraph that begins within its tag."""
-    return unescape(paragraph.partition(">")[2].partition("</p>")[0]).replace("\xa0", " ")
+    text = unescape(paragraph.partition(">")[2].partition("</p>")[0]).replace("<wbr>", "")
+    return text.replace("\xa0", " ").replace("\u2060", "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,8 @@ from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.pictures import margins as picture
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
-from qsbearing.reports.margins import Margin, answer, margins, margins_of_set
+from qsbearing.reports.margins import LIMITS, Margin, answer, margins, margins_of_set
+from tests.systems.heat.spindle import BEARING, EFFECTS, scene, tables
 
 B218 = qs.load_scene("B218").bearing
 BALLS: dict[str, Any] = {
@@ -37,7 +39,7 @@ def test_each_limit_is_compared_with_its_number() -> None:
     pressure = max(side.max_pressure.max() for side in (solution.inner, solution.outer))
     assert found["contact pressure"].used == pytest.approx(pressure / STATIC_PRESSURE, rel=1e-12)
     friction = max(side.required_friction.max() for side in (solution.inner, solution.outer))
-    assert found["friction coefficient"].used == pytest.approx(friction / 0.1, rel=1e-12)
+    assert found["friction coefficient"].used == pytest.approx(friction / 0.06, rel=1e-12)
     given = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.05))
     assert of(operation, **(BALLS | {"ball_effects": given}))["friction coefficient"].limit == 0.05
     assert list(of(replace(operation, speed=0.0))) == ["contact pressure"]
@@ -81,6 +83,62 @@ def test_the_answer_follows_from_margins_and_remarks(
     assert shown.status == status
     for each in words:
         assert each in shown.text
+
+
+COOL = tables()["thermal"] | {"limit_temperature_C": 60.0}
+"""A low limit: curves end early."""
+
+
+@cache
+def every_margin() -> dict[str, Margin]:
+    """One of each limit: of contacts and shoulders, of balls at speed, of fits, of a preload, of heat."""
+    shoulders = {"inner_shoulder_diameter": 118 * qs.mm, "outer_shoulder_diameter": 131 * qs.mm}
+    fits = (qs.RingExpansion(0.09, 0.16, shaft_interference=20 * qs.um),)
+    turning = qs.Operation(speed=9_000 * qs.rpm)
+    preload = qs.Preload(rigid=6_000.0)
+    readings = {"overrun": shoulders}
+    found = of(turning, preload=preload, ring_effects=fits, readings=readings, **BALLS)
+    hot = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000}))
+    return found | {each.what: each for each in margins(hot, {}) if each.what == "speed"}
+
+
+@pytest.mark.parametrize("what", LIMITS)
+def test_every_limit_is_taken_on_its_safe_side(what: str) -> None:
+    """The smallest of its estimates; beyond it no case passes, and beyond all of them it fails."""
+    found = every_margin()
+    assert set(found) == set(LIMITS), "a limit that no case of this test has, or one that says nothing of its side"
+    margin, limits = found[what], [each.value for each in found[what].estimates]
+    assert margin.limit == min(limits) > 0.0 and margin.used == margin.value / min(limits)
+    assert answer([replace(margin, value=0.99 * min(limits))], []).status == "pass"
+    beyond = answer([replace(margin, value=1.01 * max(limits))], [])
+    assert beyond.status == "fail" and "unless" not in beyond.text
+    if len(limits) > 1:
+        between = answer([replace(margin, value=0.5 * (min(limits) + max(limits)))], [])
+        assert between.status == "warning" and "beyond the limit, unless" in between.text
+        assert "friction" in between.text
+
+
+def test_a_speed_is_judged_with_the_friction_of_the_whole_bearing() -> None:
+    """Sliding in the contacts is a lower bound of the heat; its own limit is told as what low friction would allow."""
+    margin = every_margin()["speed"]
+    state = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000})).thermal
+    assert state is not None and state.whole_bearing is not None and state.whole_bearing.state is not None
+    ends = [each.speeds.end.factor * 8000.0 for each in (state, state.whole_bearing.state)]  # type: ignore[union-attr]
+    assert ends[1] < 0.8 * ends[0]
+    assert [each.value for each in margin.estimates] == pytest.approx(ends, rel=1e-9)
+    assert margin.limit == pytest.approx(ends[1], rel=1e-9) and "palmgren" in margin.source
+    between = replace(margin, value=0.5 * sum(ends))
+    assert f"contacts alone (the limit is then {ends[0]:.0f} rpm)" in answer([between], []).text
+
+
+def test_a_speed_that_only_a_lower_bound_of_the_heat_judges_does_not_pass() -> None:
+    bare = {key: value for key, value in BEARING.items() if key not in ("bore_diameter_mm", "outside_diameter_mm")}
+    effects = {key: value for key, value in EFFECTS.items() if key != "ring_expansion"}
+    hot = qs.solve(scene(bearing=bare, effects=effects, thermal=COOL, operation={"speed_rpm": 500}))
+    (margin,) = (each for each in margins(hot, {}) if each.what == "speed")
+    assert margin.used < 1.0
+    shown = answer([margin], [])
+    assert shown.status == "warning" and "lower bound of the heat" in shown.text
 
 
 def test_bars_end_where_their_limit_is_used_up() -> None:

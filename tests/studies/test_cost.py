@@ -6,6 +6,8 @@ import copy
 import itertools
 import json
 import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.terminal import text_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.solution import comparison as results
-from qsbearing.studies.cost import figures, measuring, record, speeds, tables
+from qsbearing.studies.cost import accuracy_table, figures, measuring, record, speeds, tables
 from tests.qsbearing.scenes import CENTRIFUGAL, PER_BALL, resting, solved, turning
 from tests.verification.benchmarks import cost as kept
 from tests.verification.benchmarks import random_scenes
@@ -167,7 +169,7 @@ class Clock:
 
 def test_calls_are_timed_in_turn_and_ratios_outlive_a_drift(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
-    monkeypatch.setattr(measuring, "_now", clock.now)
+    monkeypatch.setattr(measuring, "now", clock.now)
     monkeypatch.setattr(measuring.gc, "collect", int)
     drift = [2.0 + 0.3 * k for k in range(100)]
     calls = {"one": clock.call("one", drift), "two": clock.call("two", [3.0 * value for value in drift])}
@@ -183,7 +185,7 @@ def test_short_calls_are_repeated_and_neither_a_cold_start_nor_an_interruption_c
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     clock = Clock()
-    monkeypatch.setattr(measuring, "_now", clock.now)
+    monkeypatch.setattr(measuring, "now", clock.now)
     monkeypatch.setattr(measuring.gc, "collect", int)
     seconds = [1e-4] * 1000
     seconds[0] = 5.0  # machine code is loaded
@@ -297,8 +299,81 @@ def measured(monkeypatch: pytest.MonkeyPatch, full_record: dict[str, Any]) -> di
     return found
 
 
+# One scene, at a glance ----------------------------------------------------------------------------------------------
+
+
+def at_a_glance(scene: qs.Scene, seconds: float, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """The table of a scene on a clock of its own, by which every case takes so many seconds."""
+    clock = Clock()
+    true_solve = record.solve_one
+
+    def solved_in_time(of: qs.Scene, threads: int | None = None) -> Any:
+        cases = np.size(of.operation.axial_load)
+        clock.seconds += seconds * cases
+        return true_solve(of, threads) if cases == 1 else None
+
+    monkeypatch.setattr(measuring, "now", clock.now)
+    monkeypatch.setattr(accuracy_table, "solve_one", solved_in_time)
+    found = accuracy_table.measure(scene)
+    assert clock.seconds <= accuracy_table.BUDGET
+    return found
+
+
+def test_own_errors_are_those_against_the_full_model() -> None:
+    warm = qs.RingExpansion(0.09, 0.16, inner_ring_temperature=350.0)
+    scene = replace(turning(9000, **COMBINED), ring_effects=(warm,))
+    listed = accuracy_table.levels(scene)
+    assert "ring_expansion" in [name for name, _, _ in listed]
+    found = accuracy_table.measure(scene)
+    (own,) = (row for row in found["levels"] if row["is_asked"])
+    expected = results.by_quantity(qs.solve(scene), qs.solve(listed[-1][2]))
+    assert own["errors"] == {name: pytest.approx(float(expected[name]), rel=1e-3) for name in QUANTITIES}
+    assert set(found["levels"][-1]["errors"].values()) == {0.0}
+
+
+def test_times_are_measured_as_far_as_ten_seconds_go_and_the_rest_is_marked(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = turning(9000, **COMBINED)
+    fast = at_a_glance(scene, 1e-5, monkeypatch)
+    assert [cost["measured"] for cost in fast["levels"][0]["costs"]] == [True, True, False]
+    slow = at_a_glance(scene, 2e-2, monkeypatch)
+    (_, thousand, million) = slow["levels"][0]["costs"]
+    assert (thousand["measured"], million["measured"]) == (False, False)
+    assert (thousand["seconds"], million["seconds"]) == pytest.approx((20.0, 20_000.0), rel=1e-3)
+    shown = text_of(accuracy_table.blocks(slow), 80)
+    assert "5.6 h*" in shown and "20 s*" in shown and "20 ms" in shown
+    assert max(map(len, shown.splitlines())) <= 80
+
+
+def test_a_scene_that_is_no_level_has_a_line_of_its_own() -> None:
+    scene = replace(turning(9000, **COMBINED), hertz_form=qs.HertzForm.HAMROCK_BREWE_1983)
+    rows = accuracy_table.levels(scene)
+    assert rows[0] == ("as_given", "the scene as it is", scene)
+    assert len(rows) == len(accuracy_table.levels(rows[1][2])) + 1
+
+
+def test_finite_elements_are_their_record_and_are_not_imported() -> None:
+    kept_record = json.loads((Path(qs.__file__).parents[1] / "fem_check/records/cost/release.json").read_text())
+    least = min(mesh["worst_error"] for mesh in kept_record["meshes"])
+    found = accuracy_table.elements()
+    assert found is not None
+    assert found["error"] == pytest.approx(least, rel=1e-3)
+    assert found["seconds"] in [mesh["seconds"]["median"] for mesh in kept_record["meshes"]]
+    code = "import sys, qsbearing.studies.cost.accuracy_table as a; a.elements(); print('fem_check' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"
+
+
+def test_the_command_shows_the_table_its_json_and_its_picture(tmp_path: Path, drawn: None) -> None:
+    result = call("cost", "b218", "--out", tmp_path / "new")
+    assert result.exit_code == 0
+    assert "moment of the balls ←" in " ".join(result.stdout.split())
+    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == ["accuracy.png", "cost.json"]
+    found = json.loads((tmp_path / "new" / "cost.json").read_text())
+    assert found["kind"] == "qsbearing cost, one scene"
+    assert found["provenance"]["command"] == "qsbearing cost b218"
+
+
 def test_the_folder_is_filled_whole(tmp_path: Path, measured: dict[str, Any], drawn: None) -> None:
-    assert call("cost", "b218", "--out", tmp_path / "new").exit_code == 0
+    assert call("cost", "b218", "--thorough", "--out", tmp_path / "new").exit_code == 0
     pictures = [f"{name}.png" for name in figures.PICTURES]
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(["cost.json", *pictures])
     assert json.loads((tmp_path / "new" / "cost.json").read_text()) == measured
@@ -308,7 +383,7 @@ def test_the_folder_is_filled_whole(tmp_path: Path, measured: dict[str, Any], dr
 
 def test_a_folder_that_is_not_filled_keeps_no_file(tmp_path: Path, measured: dict[str, Any]) -> None:
     del measured["errors"]
-    result = CliRunner().invoke(cli, ["cost", "b218", "--json", "--out", str(tmp_path / "new")])
+    result = CliRunner().invoke(cli, ["cost", "b218", "--thorough", "--json", "--out", str(tmp_path / "new")])
     assert isinstance(result.exception, KeyError)
     assert list((tmp_path / "new").iterdir()) == []
 

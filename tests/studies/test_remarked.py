@@ -40,7 +40,7 @@ PAIR = {
 }
 STUDIES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "without effects": (B218, {"speed_rpm": "0:15000:7", "axial_load_N": [2000, 300000]}),
-    "slip": (B218 | {"effects": BOTH}, {"speed_rpm": "0:15000:7", "axial_load_N": [-10, 300, 17800]}),
+    "slip": (B218 | {"effects": BOTH}, {"speed_rpm": "0:15000:5", "axial_load_N": [-10, 300, 17800]}),
     "a preload that is lost": (HELD, {"inner_ring_temperature_C": "-100:150:9"}),
     "a pair": (PAIR, {"radial_load_y_N": "100:20000:6"}),
 }

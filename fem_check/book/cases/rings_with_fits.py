@@ -48,8 +48,9 @@ def scene() -> qs.Scene:
         housing_outside_diameter=OUTER_HOUSING, housing_material=qs.Material(*HOUSING),
         housing_temperature=WARM_HOUSING + qs.zero_celsius, reference_temperature=REFERENCE + qs.zero_celsius,
     )  # fmt: skip
+    balls = qs.BallExpansion(REFERENCE + qs.zero_celsius, REFERENCE + qs.zero_celsius)  # theirs do not grow
     operation = qs.Operation(speed=INNER_RPM * qs.rpm, outer_speed=OUTER_RPM * qs.rpm, axial_load=THRUST)
-    return qs.Scene(bearing, operation, (qs.CentrifugalForce(),), qs.RacewayControl.OUTER, ring_effects=(rings,))
+    return qs.Scene(bearing, operation, (qs.CentrifugalForce(),), qs.RacewayControl.OUTER, ring_effects=(rings, balls))
 
 
 def as_theirs(of: qs.Scene, growth: float) -> qs.Solution:

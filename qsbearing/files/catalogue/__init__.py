@@ -8,6 +8,7 @@ from __future__ import annotations
 import difflib
 import tomllib
 import warnings
+from collections.abc import Set
 from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
@@ -15,8 +16,9 @@ from typing import Any
 
 from qsbearing.files.catalogue.entry import Entry
 from qsbearing.files.catalogue.spindle_series import spindle_bearing, spindle_bearings
-from qsbearing.files.designations import Designation, read
+from qsbearing.files.designations import Designation, angles_of, read
 from qsbearing.model.validation import printable
+from qsbearing.remarks.wording import listed
 
 __all__ = ["Entry", "chosen", "entries", "find", "named", "nearest"]
 
@@ -97,14 +99,22 @@ LONGEST_NAME = 60
 """Letters of a name that is compared with others, which takes the square of its length."""
 
 
-def nearest(name: str) -> str:
+_RADII = ("inner_groove_radius_mm", "outer_groove_radius_mm")
+NEEDED = frozenset(("ball_count", "ball_diameter_mm", "pitch_diameter_mm", *_RADII, "free_contact_angle_deg"))
+"""What a bearing needs that no designation tells; an angle stands for a clearance too."""
+
+
+def nearest(name: str, lacking: Set[str] = NEEDED) -> str:
     """A sentence that helps whoever asked for a name that the catalogue does not hold.
 
     Where the name is a designation, no other angle, series or kind is suggested.
+
+    Args:
+        lacking: keys of [bearing] that are not given beside the name; what is given is not asked for.
     """
     told = read(name)
     if told is not None:
-        return f"It is {told.what}. {told.instead}." if told.is_refused else _told(told)
+        return f"It is {told.what}. {told.instead}." if told.is_refused else _told(told, lacking)
     names = {entry.name.lower(): entry.name for entry in (*entries(), *spindle_bearings().values())}
     wanted = name.strip().lower()[:LONGEST_NAME]
     alike = {each: difflib.SequenceMatcher(None, wanted, each).ratio() for each in names}
@@ -115,25 +125,54 @@ def nearest(name: str) -> str:
     return f"The catalogue holds {examples}, and spindle bearings such as 71914C: `qsbearing catalogue --bore 70`."
 
 
-def _told(told: Designation) -> str:
+def _told(told: Designation, lacking: Set[str]) -> str:
     """What a designation says, and what it needs besides."""
     same = [entry for entry in _of_size(told) if not entry.name.startswith("KH")]
-    if told.kind == "angular_contact" and told.angle is None:
-        of_angle = {angle: [maker for maker, each in told.angles if each == angle] for _, angle in told.angles}
-        means = " or ".join(f"{angle:g} ({', '.join(makers)})" for angle, makers in of_angle.items())
-        is_open = not (told.ignored and means) and told.maker in ("", "GMN")
-        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
-        suffix = f"suffix {told.ignored.partition(' ')[0]} means" if told.ignored else "no suffix means"
-        ask = f"{suffix} {means} deg" if means else "its suffix tells no angle"
-        return f"It is {told.size}, but {ask}: put the maker before it, or give free_contact_angle_deg.{found}"
     angle = f" and {told.angle:g} deg" if told.angle else ""
+    begun = f"It is {told.size}{angle}"
+    unknown = (
+        "" if told.is_prefix_known else f" Its prefix {told.prefix} is not known of such bearings, and is not used."
+    )
+    has_angle = told.angle is not None or "free_contact_angle_deg" not in lacking
+    if told.kind == "angular_contact" and not has_angle:
+        is_open = told.maker in ("", "GMN") and not told.suffix and not told.ignored and told.is_prefix_known
+        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
+        needs = _needs(lacking, [])
+        also = f" No designation tells the balls: give {needs}." if needs else ""
+        return f"{begun}.{unknown} {_angle_wanted(told)}.{also}{found}"
+    play = [] if has_angle else ["diametral_clearance_mm = 0.01 or what it is when mounted"]
     alike = [entry.name for entry in same if entry.bearing["free_contact_angle_deg"] == told.angle]
     has = f"; GMN's of these dimensions and angle, with balls of its own, is name = {alike[0]!r}" if alike else ""
-    needs = (
-        "dynamic_load_rating_N and static_load_rating_N of its data sheet, or ball_count and ball_diameter_mm with "
-        "pitch_diameter_mm and groove_radius_coefficient"
-    )
-    return f"It is {told.size}{angle}, whose balls no designation tells: give {needs}{has}."
+    rest = "" if lacking <= {"free_contact_angle_deg"} else ", whose balls no designation tells"
+    return f"{begun}{rest}: give {_needs(lacking, play)}{has}.{unknown}"
+
+
+def _needs(lacking: Set[str], others: list[str]) -> str:
+    """What to give of a ball set, and what else, a part of a sentence; empty where nothing is lacking."""
+    radii = [key for key in _RADII if key in lacking]
+    balls = [key for key in ("ball_count", "ball_diameter_mm", "pitch_diameter_mm") if key in lacking]
+    is_sheet = bool({*balls, *radii} - {"pitch_diameter_mm"})
+    balls += ["groove_radius_coefficient"] if len(radii) == len(_RADII) else radii
+    if not is_sheet:
+        return listed([*balls, *others]) if balls or others else ""
+    ratings = "dynamic_load_rating_N and static_load_rating_N of its data sheet, or "
+    return f"{ratings}{listed(balls)}{f'; and {listed(others)}' if others else ''}"
+
+
+def _angle_wanted(told: Designation) -> str:
+    """What its letters mean for the angle, and how to say it, a sentence without its end."""
+    give = "give free_contact_angle_deg"
+    if told.angles:
+        means = dict.fromkeys(angle for _, angle in told.angles)
+        makers = {angle: listed(maker for maker, each in told.angles if each == angle) for angle in means}
+        said = ", ".join(f"{angle:g}° at {makers[angle]}" for angle in means)
+        begun = f"Suffix {told.suffix} means" if told.suffix else "Without a suffix the angle is"
+        return f"{begun} {said}; write the maker first ({told.angles[0][0]} {told.text.strip()}) or {give}"
+    if told.maker:
+        codes = listed(f"{code} ({angle:g}°)" for code, angle in angles_of(told.maker).items())
+        whose = f"Prefix {told.prefix} is of {told.maker}, whose" if told.prefix else f"{told.maker}'s"
+        return f"{whose} suffixes for the angle are {codes}: add one, or {give}"
+    return f"Its suffix tells no angle: {give}, or write the maker first"
 
 
 def _entry(data: dict[str, Any]) -> Entry:

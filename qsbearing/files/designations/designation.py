@@ -18,8 +18,8 @@ from qsbearing.files.designations.iso15 import table
 LONGEST = 60
 """Letters of a text that may be a designation."""
 _BORES = {"00": 10.0, "01": 12.0, "02": 15.0, "03": 17.0}
-_PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)")
-_SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?")
+_PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)", re.ASCII)
+_SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?", re.ASCII)
 _TOLERANCE = re.compile(r"P4[ASY]?|P[256](?!\d)|ABEC-?[13579]")
 _CERAMIC = re.compile(r"\bHC\b|SN24|\bHYBRID\b")
 _PLAIN = ("", "S", "KH", "HYS", "HYKH")
@@ -39,6 +39,10 @@ class Designation:
     maker: str = ""
     """Empty: not said, nor told by a prefix or suffix that only one maker has."""
     prefix: str = ""
+    is_prefix_known: bool = True
+    """Whether the prefix is one of the maker's, or of no other's; what else it may mean, nobody here knows."""
+    suffix: str = ""
+    """The letters that `angles` are the meanings of."""
     series: str = ""
     """As GMN, SKF and FAG number it: 719, not 79; of SNFA its letters."""
     dimension_series: str = ""
@@ -91,6 +95,7 @@ class Designation:
     def unused(self) -> str:
         """What of it tells nothing of one row of balls at rest in its own right, as a list in words."""
         parts = [
+            "" if self.is_prefix_known else f"prefix {self.prefix}, which is not known here",
             self.arrangement and f"set {self.arrangement}: one row is described, [[rows]] makes a set",
             self.preload and f'preload class: write preload = "{self.preload}" or [preload]',
             self.tolerance_class and f"{self.tolerance_class}, except for fits by name",
@@ -102,6 +107,11 @@ class Designation:
 @cache
 def _facts() -> dict[str, Any]:
     return tomllib.loads(Path(__file__).with_name("designations.toml").read_text("utf-8"))
+
+
+def angles_of(maker: str) -> dict[str, float]:
+    """The angle [deg] of each suffix that means one with a maker."""
+    return {code: angle for code, angle in _facts()["angles"].get(maker, {}).items() if code and angle}
 
 
 @lru_cache(1000)
@@ -151,8 +161,9 @@ def _completed(
     rest = rest.lstrip("-/")
     angle: float | None = None
     angles: tuple[tuple[str, float], ...] = ()
+    suffix = ""
     if kind == "angular_contact":
-        maker, angle, angles, rest = _angle(maker, prefix, rest)
+        maker, angle, angles, suffix, rest = _angle(maker, prefix, rest)
     tolerance, rest = _taken(_TOLERANCE, rest)
     as_set, rest = _taken(_SET, rest)
     arrangement, preload = (as_set[1], as_set[2] or "") if as_set else ("", "")
@@ -160,10 +171,13 @@ def _completed(
     meant = {each[preload] for each in classes if preload in each}
     ceramic, rest = _taken(_CERAMIC, rest)
     is_ceramic = prefix in facts["prefixes"]["ceramic"] or ceramic is not None
-    known = {name for names in facts["prefixes"].values() for name in names}
-    ignored = " ".join(part for part in ("" if prefix in known else prefix, *re.split(r"[-/]+", rest)) if part)
+    owners = {each for each, names in facts["prefixes"].items() if prefix in names}
+    of_maker = maker in owners if maker else bool(owners) and kind == "angular_contact"
+    is_known = not prefix or "ceramic" in owners or of_maker
+    ignored = " ".join(filter(None, re.split(r"[-/]+", rest)))
     return Designation(
-        text, maker=maker, prefix=prefix, series=series, dimension_series=dimension_series, kind=kind, bore=bore,
+        text, maker=maker, prefix=prefix, is_prefix_known=is_known, suffix=suffix,
+        series=series, dimension_series=dimension_series, kind=kind, bore=bore,
         outside=outside, width=width, angle=angle, angles=angles, ball_material="silicon nitride" * is_ceramic,
         arrangement=arrangement, preload=meant.pop() if len(meant) == 1 else "",
         tolerance_class=tolerance[0].replace("-", "") if tolerance else "", ignored=ignored,
@@ -171,8 +185,9 @@ def _completed(
     )  # fmt: skip
 
 
-def _angle(maker: str, prefix: str, rest: str) -> tuple[str, float | None, tuple[tuple[str, float], ...], str]:
-    """Maker, angle, angles by maker where these differ, and the suffix without the angle's letters."""
+def _angle(maker: str, prefix: str, rest: str) -> tuple[str, float | None, tuple[tuple[str, float], ...], str, str]:
+    """Maker, angle, angles by maker where these differ, the letters that mean these, and the suffix without those of
+    the angle."""
     facts = _facts()
     tables = {maker: facts["angles"].get(maker, {})} if maker else facts["angles"]
     if prefix in facts["series_angles"]:
@@ -180,14 +195,14 @@ def _angle(maker: str, prefix: str, rest: str) -> tuple[str, float | None, tuple
     begun = {each: [code for code in codes if rest.startswith(code)] for each, codes in tables.items()}
     longest = max((len(code) for codes in begun.values() for code in codes), default=0)
     if not longest and rest[:1].isalpha() and not (_TOLERANCE.match(rest) or _SET.match(rest)):
-        return maker, None, (), rest  # letters that are no maker's for an angle
+        return maker, None, (), "", rest  # letters that are no maker's for an angle
     of = {each: tables[each][rest[:longest]] for each, codes in begun.items() if rest[:longest] in codes}
     meant = {angle for angle in of.values() if angle}
     is_told = len(meant) == 1 and all(of.values()) and (longest or maker)
     only = next(iter(of)) if len(of) == 1 and (longest or maker) else maker
     if is_told:
-        return only, meant.pop(), (), rest[longest:].lstrip("-/")
-    return maker, None, tuple((each, angle) for each, angle in of.items() if angle), rest
+        return only, meant.pop(), (), "", rest[longest:].lstrip("-/")
+    return maker, None, tuple((each, angle) for each, angle in of.items() if angle), rest[:longest], rest
 
 
 def _taken(pattern: re.Pattern[str], rest: str) -> tuple[re.Match[str] | None, str]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.limits import MOST_MODEL_FILES
@@ -23,7 +24,9 @@ from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
+from qsbearing.files.toml import tables_of
 from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
+from qsbearing.model.validation import printable
 
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
@@ -81,12 +84,13 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
             if shaft is None or shaft_mapping.sides(reader, each).get("inner_part") in chosen:
                 files.append(_of_bearing(reader, path, each))
         files += [_of_shaft(reader, path, each) for each in chosen if shaft_mapping.bearings_on(reader, each)]
-    files += list(_with_spectra(model, path, files, errors))
+    remarks = _remarks(model)
+    files += list(_with_spectra(model, path, files, errors, remarks))
     if errors:
         raise SceneFileError(str(path), errors)
     others = [each for each in model.components.values() if each.kind in _ALONE and not is_ours(plain, each)]
     named = [str(each) + f": {plain.word(each, 'bearing_type')}" * (each.kind in ROLLING) for each in others]
-    return Imported(files, named, _remarks(model))
+    return Imported(files, named, remarks)
 
 
 def _chosen(reader: Reader, shaft: str | None) -> list[Component]:
@@ -161,7 +165,7 @@ def _of_bearing(reader: Reader, path: Path, bearing: Component) -> SceneText:
     document = Table(bearing=row.table) if is_single else Table(rows=[_row(each) for each in rows])
     operation = document["operation"] = Table()
     turns = _speeds(reader, bearing, operation)
-    _load(reader, bearing, row, sign, document)
+    lacks = _load(reader, bearing, row, sign, document)
     if row.first_azimuth:
         operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
     if effects := _effects(turns, row.effects if is_single else Table()):
@@ -171,12 +175,17 @@ def _of_bearing(reader: Reader, path: Path, bearing: Component) -> SceneText:
     if is_single:
         said = f"{ASSUMED} which way it carries axial load" if row.direction is None else ""
         origin.set("x_along", "+u" if sign > 0.0 else "-u", said)
+    if lacks:
+        origin["missing"] = lacks
     name = f"bearing_{bearing.number}{_suffix(reader.case, reader.model)}.toml"
     return _finished(document, name, str(bearing), path)
 
 
-def _with_spectra(model: Model, path: Path, files: list[SceneText], errors: Errors) -> Iterator[SceneText]:
-    """Of each bearing with a load in all load cases, whose shares make up the time: one file of all of them."""
+def _with_spectra(
+    model: Model, path: Path, files: list[SceneText], errors: Errors, remarks: list[str]
+) -> Iterator[SceneText]:
+    """Of each bearing with a load in all load cases, and of each shaft, if their shares make up the time: one file of
+    all of them; a remark where they differ in what the points of one file cannot."""
     shares = [_share(Reader(model, case, errors)) for case in model.load_cases]
     if len(shares) < 2 or None in shares or abs(sum(each or 0.0 for each in shares) - 1.0) > WHOLE:
         return
@@ -184,13 +193,33 @@ def _with_spectra(model: Model, path: Path, files: list[SceneText], errors: Erro
     for file in files:
         cases.setdefault(file.title, []).append(file)
     for title, own in cases.items():
-        if "bearing" not in own[0].document or any(each.lacks for each in own):
+        if any(each.lacks for each in own):
             continue
-        points = [Table(share=share, **each.document["operation"]) for share, each in zip(shares, own, strict=True)]
-        document = Table(own[0].document | {"spectrum": points})
+        points, differs = _points([each.document for each in own])
+        if differs:
+            remarks.append(f"{title}: no load spectrum, since its load cases differ in {differs}")
+            continue
+        document = Table(own[0].document | {"spectrum": []})
+        document["spectrum"] = [Table(share=share, **each) for share, each in zip(shares, points, strict=True)]
         del document["operation"]
         document[ORIGIN] = Table({key: each for key, each in document[ORIGIN].items() if key != "load_case"})
         yield _finished(document, f"{own[0].name.partition('_case_')[0]}_spectrum.toml", title, path)
+
+
+def _points(documents: list[Table]) -> tuple[list[dict[str, float]], str]:
+    """The numbers in which files differ, and their operations, as points of a spectrum; or what no point can have."""
+    plain = [{name: each for name, each in _plain(one).items() if name != ORIGIN} for one in documents]
+    numbers = [{at: paths.value_at(one, at) for at in paths.numbers_of(one)} for one in plain]
+    every = dict.fromkeys(at for each in numbers for at in each)
+    varied = [at for at in every if at[0] == "operation" or len({each.get(at) for each in numbers}) > 1]
+    for at in varied:
+        if any(at not in each for each in numbers) or not paths.spans_cases(at, plain[0]):
+            return [], ".".join(at)
+        for one in plain:
+            paths.take_out(one, at)
+    if any(one != plain[0] for one in plain):
+        return [], next(name for name in plain[0] if any(one.get(name) != plain[0][name] for one in plain))
+    return [{at[1] if at[0] == "operation" else ".".join(at): each[at] for at in varied} for each in numbers], ""
 
 
 def _preload(document: Table, forces: list[float]) -> None:
@@ -202,28 +231,34 @@ def _preload(document: Table, forces: list[float]) -> None:
             table.note("", "the bearings have different preload forces: the largest is written")
 
 
-def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> None:
-    """Loads of a shaft that this bearing alone carries, else by the results in the model, else preload."""
+def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> list[str]:
+    """Loads of a shaft that this bearing alone carries, else by the results in the model; what else bears on the shaft
+    shares its loads and presses the bearing, so that the load is missing. Without a shaft a preload is all there is."""
     shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
-    found, note = None, "the sum of the forces on the shaft"
+    found, note, is_alone = None, "the sum of the forces on the shaft", True
     tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
     if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
-        if len(carried) == 1 and given and not shaft_mapping.lacking(reader, shaft):
+        is_alone = len(carried) == 1 and not shaft_mapping.lacking(reader, shaft)
+        if given and is_alone:
             found = np.sum([load.values[:3] for load in given], axis=0)
     if found is None and (found := _results(reader, bearing, row.turn)) is not None:
         note = "by the results that stand in the model"
         angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
         if None not in angles:
             tilts, of_tilts = row.turn[3:, 3:].T @ np.array(angles, float) * sign, note
+    if found is None and not is_alone and shaft is not None:
+        solved = f"`qsbearing run shaft_{shaft.number}{_suffix(reader.case, reader.model)}.toml` prints it of its row"
+        return [f"the load of {bearing}, which shares {shaft} with others: {solved}, preload included"]
     if found is None:
         _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
-        return
+        return []
     for field, value in zip(_LOADS[:3], found * (sign, 1.0, 1.0), strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, note)
     for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
+    return []
 
 
 def _results(reader: Reader, bearing: Component, turn: NDArray) -> NDArray | None:
@@ -278,15 +313,25 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
 
 
 def _finished(document: Table, name: str, title: str, path: Path) -> SceneText:
-    """The text of the tables, and what reading them finds missing."""
+    """The text of the tables, and what reading it finds missing.
+
+    Raises:
+        SceneFileError: it is not read as what was written.
+    """
     found: list[str] = []
+    heading = f"# {title}\n# of {printable(path.name)}. Run it with: qsbearing run {name}\n\n"
+    text = heading + text_of(document)
+    tables = tables_of(text, Path(name))
+    if tables != _plain(document):
+        raise refused(path, f"cannot be written as {name}: its text is read as something else")
     try:
-        scene_or_set_of(_plain(document), name, may_infer=True)
+        scene_or_set_of(tables, name, may_infer=True)
     except SceneFileError as error:
         listed: Any = error.errors
-        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in listed]
-    heading = f"# {title}\n# of {path.name}. Run it with: qsbearing run {name}\n\n"
-    return SceneText(name, title, heading + text_of(document), found, document)
+        lacks = "missing" in document[ORIGIN]
+        told = [each for each in listed if not (lacks and each.key == "operation")]  # the load, told better there
+        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in told]
+    return SceneText(name, title, text, found, document)
 
 
 def _plain(value: Any) -> Any:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.rexs.names import version_of
 from qsbearing.files.table_checks import Errors
+from qsbearing.model.validation import printable, whole_number
 
 Span = tuple[int, int]
 
@@ -43,7 +44,7 @@ class Component:
     place: Place | None = None
 
     def __str__(self) -> str:
-        return f"component {self.number} ({self.kind}{f', {self.name}' if self.name else ''})"
+        return printable(f"component {self.number} ({self.kind}{f', {self.name}' if self.name else ''})")
 
 
 @dataclass
@@ -214,7 +215,7 @@ def _text(value: Any) -> str:
 def _whole(value: Any, path: str, errors: Errors) -> int | None:
     """An id or an order; None, and an error, where it is no whole number."""
     text = str(value).strip() if isinstance(value, str | int) and not isinstance(value, bool) else ""
-    if text.isascii() and text.isdigit() and len(text) < 19:
-        return int(text)
+    if (found := whole_number(text)) is not None:
+        return found
     errors.append(FileErrorDetail(path, "missing" if value is None else "is not a whole number", value))
     return None

@@ -9,6 +9,8 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from qsbearing.model.validation import whole_number
+
 NEWEST = (2, 0, 0)
 _OTHERS = {"name"}
 """What a name also means in other versions: it counts only where the version gives it this meaning."""
@@ -26,7 +28,7 @@ def _histories() -> dict[str, list[list[_Name]]]:
     by_id: dict[str, list[_Name]] = {}
     lines = Path(__file__).with_name("names.csv").read_text("utf-8").splitlines()
     for line in lines:
-        if line[:1].isdigit():
+        if whole_number(line[:1]) is not None:
             number, since, name, unit = line.split(",")
             by_id.setdefault(number, []).append(_Name(version_of(since), name, unit))
     found: dict[str, list[list[_Name]]] = {}
@@ -38,8 +40,8 @@ def _histories() -> dict[str, list[list[_Name]]]:
 
 def version_of(text: str) -> tuple[int, ...]:
     """1.4 as (1, 4); empty where the text is no version."""
-    parts = text.strip().split(".")
-    return tuple(map(int, parts)) if all(part.isascii() and part.isdigit() and len(part) < 5 for part in parts) else ()
+    parts = [whole_number(part) if len(part) < 5 else None for part in text.strip().split(".")]
+    return tuple(part for part in parts if part is not None) if None not in parts else ()
 
 
 @cache

@@ -15,7 +15,7 @@ from qsbearing.files.rexs.model import Attribute, Component, LoadCase, Model
 from qsbearing.files.rexs.names import spellings, unit_of
 from qsbearing.files.rexs.units import NUMBER, Unit, unit_named
 from qsbearing.files.table_checks import Errors
-from qsbearing.model.validation import comma_advice
+from qsbearing.model.validation import comma_advice, printable
 
 _CODES = {"float64": "<f8", "float32": "<f4", "int32": "<i4"}
 
@@ -59,7 +59,7 @@ class Reader:
     def word(self, component: Component, name: str) -> str:
         """A text or the word of a choice; empty where there is none."""
         found = self.attribute(component, name)
-        return found.value.strip() if found is not None and isinstance(found.value, str) else ""
+        return printable(found.value.strip()) if found is not None and isinstance(found.value, str) else ""
 
     def array(self, component: Component, name: str) -> list[float] | None:
         """Numbers in SI."""

@@ -43,7 +43,7 @@ def text_of(table: Table, path: str = "") -> str:
         if name not in table:
             lines += [f"# {printable(note or '')}"] if name else []
         elif not _tables(value):
-            setting = f"{name} = {_value(value)}"
+            setting = f"{json.dumps(name) if '.' in name else name} = {_value(value)}"
             lines.append(f"{setting:<39} # {printable(note)}" if note else setting)
     for name, value in table.items():
         inner = f"{path}.{name}" if path else name

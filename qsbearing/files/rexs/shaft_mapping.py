@@ -93,6 +93,12 @@ def loads(reader: Reader, shaft: Component) -> list[Load]:
     return found
 
 
+def _ever(reader: Reader, shaft: Component) -> NDArray:
+    """Which components of each external load there are in any load case; (load, component)."""
+    cases = [Reader(reader.model, case, []) for case in reader.model.load_cases] or [reader]
+    return np.any([[load.values != 0.0 for load in loads(each, shaft)] for each in (reader, *cases)], axis=0)
+
+
 def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
     """[shaft] with its sections and loads; without sections it is rigid."""
     table = Table()
@@ -103,15 +109,15 @@ def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
     else:
         table.note("", "without sections: rigid")
     listed = []
-    for load in given:
+    for load, ever in zip(given, _ever(reader, shaft), strict=True):
         one = Table()
         one.put(SHAFT_LOAD[0], load.position)
-        for key, value in zip(_LOAD.values(), load.values, strict=True):
-            one.put(key, value or None)
+        for key, value, acts in zip(_LOAD.values(), load.values, ever, strict=True):
+            one.put(key, value if acts else None)
         if reader.number(load.component, "torque_around_u_axis"):
             one.note("", "its torque about the axis is no part of the model")
         one.note("", str(load.component))
-        listed += [one] if load.values.any() else []
+        listed += [one] if ever.any() else []
     if listed:
         table["loads"] = listed
     return table

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from io import BytesIO
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile, ZipFile, ZipInfo
-from zlib import error as ZlibError  # noqa: N812 - as it is used
 
 from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.limits import LARGEST_MODEL
 from qsbearing.files.raw import decoded, read_bytes
 from qsbearing.files.rexs import json_form, xml_form
 from qsbearing.files.rexs.model import Model, Span, model_of
+from qsbearing.files.zip_file import pieces, rezipped, unzipped
 
 ENDINGS = (".rexs", ".rexsj", ".xml", ".json")
 MOST_PARTS = 1000
+LARGEST_FOLDER = 10 * LARGEST_MODEL
+"""Bytes of all files of a ZIP together, unpacked."""
 _MARK = b"\xef\xbb\xbf"
 
 
@@ -52,7 +52,7 @@ class Source:
         for (start, end), new in sorted(edits, key=lambda each: each[0], reverse=True):
             text = text[:start] + new + text[end:]
         data = self.mark + (text.encode("utf-8") if self.is_json else text)
-        return data if not self.part else _packed(self.packed, self.part, data)
+        return data if not self.part else rezipped(self.packed, self.path, self.part, data)
 
 
 def opened(path: Path) -> Source:
@@ -63,10 +63,7 @@ def opened(path: Path) -> Source:
     """
     data = read_bytes(path, LARGEST_MODEL, "a REXS model")
     if data.startswith(b"PK\x03\x04"):
-        try:
-            part, text = _unpacked(data, path)
-        except (BadZipFile, NotImplementedError, RuntimeError, ZlibError, EOFError) as error:
-            raise refused(path, f"cannot be unpacked: {error}") from None
+        part, text = _unpacked(data, path)
         return replace(_plain(path, text), part=part, packed=data)
     return _plain(path, data)
 
@@ -99,28 +96,14 @@ def _plain(path: Path, data: bytes) -> Source:
 
 
 def _unpacked(data: bytes, path: Path) -> tuple[str, bytes]:
-    with ZipFile(BytesIO(data)) as folder:
+    """Name and text of the one model; the other files are tested, since results are put back beside them."""
+    with unzipped(data, path) as folder:
         parts = folder.infolist()
         models = [each for each in parts if Path(each.filename).suffix.lower() in ENDINGS]
         if len(parts) > MOST_PARTS or len(models) != 1:
             raise refused(path, f"is a ZIP with {len(models)} models in {len(parts)} files; one is read")
-        return models[0].filename, _bounded(folder, models[0], path)
-
-
-def _packed(data: bytes, part: str, text: bytes) -> bytes:
-    """The ZIP with one of its files replaced; the others, and all dates, as they were."""
-    made = BytesIO()
-    with ZipFile(BytesIO(data)) as old, ZipFile(made, "w") as new:
-        for each in old.infolist():
-            same = ZipInfo(each.filename, each.date_time)
-            same.compress_type, same.external_attr = each.compress_type, each.external_attr
-            new.writestr(same, text if each.filename == part else _bounded(old, each, Path(part)))
-    return made.getvalue()
-
-
-def _bounded(folder: ZipFile, part: ZipInfo, path: Path) -> bytes:
-    with folder.open(part) as file:
-        found = file.read(LARGEST_MODEL + 1)  # the size that it states may be wrong
-    if len(found) > LARGEST_MODEL:
-        raise refused(path, f"unpacks to more than {LARGEST_MODEL / 1e6:g} MB")
-    return found
+        text = b"".join(pieces(folder, models, path, LARGEST_MODEL))
+        others = (each for each in parts if each is not models[0])
+        for _ in pieces(folder, others, path, LARGEST_FOLDER):
+            pass
+        return models[0].filename, text

@@ -17,6 +17,7 @@ from qsbearing.files.rexs.shaft_mapping import sides
 from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.rexs.units import unit_named
 from qsbearing.files.table_checks import Errors
+from qsbearing.systems.sets.system_life import system_life
 
 CONTACT = "rolling_element_contact"
 SINCE_CONTACTS = (1, 3)
@@ -112,15 +113,18 @@ class WriteBack:
         return self._edited()
 
     def put_life(self, readings: Any) -> bytes:
-        """The file with the life under all load cases together, as what they accumulate to.
+        """The file with the life of each bearing under all load cases together, as what they accumulate to.
 
         Args:
-            readings: of a scene over a spectrum.
+            readings: of a scene over a spectrum, or of each row of a set.
         """
         self.case = self.model.accumulation or LoadCase(0, {})
-        kind = "nominal" if readings["life"].modified_reference_rating_life is None else "modified"
-        life = {f"{kind}_reference_rating_life_time_iso_16281_2008": float(readings["spectrum"].duration)}
-        self._values(self.bearings[0], life)  # type: ignore[arg-type]
+        rows = readings if isinstance(readings, list) else [readings]
+        for bearing in {each.number: each for each in self.bearings}.values():
+            own = [row for row, each in zip(rows, self.bearings, strict=True) if each is bearing]
+            is_nominal = any(row["life"].modified_reference_rating_life is None for row in own)
+            name = f"{'nominal' if is_nominal else 'modified'}_reference_rating_life_time_iso_16281_2008"
+            self._values(bearing, {name: float(system_life([row["spectrum"].duration for row in own]))})
         return self._edited()
 
     def _contacts(self, part: Component, turn: Any, row: RowResult) -> None:

@@ -2,12 +2,12 @@
 
 Bulirsch's general complete integral (R. Bulirsch, Numerische Mathematik 13, 1969, 305-315), here with p = 1,
 
-    cel(kc; a, b) = int_0^{pi/2} (a cos^2 t + b sin^2 t) / sqrt(cos^2 t + kc^2 sin^2 t) dt,
+    cel(kc; a, b) = int_0^{pi/2} (a cos^2 t + b sin^2 t) / sqrt(cos^2 t + kc^2 sin^2 t) dt = a B + b D,
 
 holds all the integrals that point contact needs, each to full precision from the circle (kc = 1) to the
 most slender ellipse, since for a, b >= 0 all its terms are positive:
 
-    K = cel(1, 1)    E = cel(1, kc^2)    B = cel(1, 0)    D = cel(0, 1) = (K - E)/m,    m = 1 - kc^2.
+    B = cel(1, 0)    D = cel(0, 1) = (K - E)/m,    m = 1 - kc^2,    K = B + D    E = B + kc^2 D.
 """
 
 from __future__ import annotations
@@ -22,44 +22,27 @@ _MEANS_AGREE = 1e-8
 
 
 @kernel
-def complete_integral(kc: float, a: float, b: float) -> float:
-    """Bulirsch's cel with p = 1 for complementary modulus 0 < kc <= 1."""
-    geometric = kc
-    arithmetic = 1.0
-    product = kc
-    weight = 1.0
+def both_parts(kc: float) -> tuple[float, float]:
+    """(B, D) for complementary modulus 0 < kc <= 1: Bulirsch's cel with p = 1, of (1, 0) and (0, 1) at once."""
+    geometric, arithmetic, product, weight = kc, 1.0, kc, 1.0
+    a, b, c, d = 1.0, 0.0, 0.0, 1.0
     while True:
-        a_before = a
-        a += b / weight
-        b = 2.0 * (b + a_before * product / weight)
-        weight += product / weight
+        inverse = 1.0 / weight
+        ratio = product * inverse
+        a, b = a + b * inverse, 2.0 * (b + a * ratio)
+        c, d = c + d * inverse, 2.0 * (d + c * ratio)
+        weight += ratio
         mean_before = arithmetic
         arithmetic += geometric
         if not abs(mean_before - geometric) > _MEANS_AGREE * mean_before:  # so put, it also ends what is not a number
-            return 0.5 * pi * (b + a * arithmetic) / (arithmetic * (arithmetic + weight))
+            factor = 0.5 * pi / (arithmetic * (arithmetic + weight))
+            return factor * (b + a * arithmetic), factor * (d + c * arithmetic)
         geometric = 2.0 * sqrt(product)
         product = geometric * arithmetic
 
 
 @formula
-def first_kind(kc: float) -> float:
-    """K, the complete elliptic integral of the first kind, by its complementary modulus kc."""
-    return complete_integral(kc, 1.0, 1.0)
-
-
-@formula
 def second_kind(kc: float) -> float:
     """E, the complete elliptic integral of the second kind, by its complementary modulus kc."""
-    return complete_integral(kc, 1.0, kc * kc)
-
-
-@formula
-def cosine_part(kc: float) -> float:
-    """B = int cos^2 t / Delta dt."""
-    return complete_integral(kc, 1.0, 0.0)
-
-
-@formula
-def sine_part(kc: float) -> float:
-    """D = int sin^2 t / Delta dt = (K - E)/m, without the subtraction."""
-    return complete_integral(kc, 0.0, 1.0)
+    B, D = both_parts(kc)
+    return B + kc * kc * D

@@ -2,7 +2,9 @@
 
 Source        linear thermal expansion
 Equation      D' = D (1 + alpha dT); clearance, pitch circle and free contact angle follow
-Assumes       all balls at one temperature, dimensions given at the reference temperature; masses do not change
+Assumes       all balls at one temperature, dimensions given at the reference temperature; masses do not change. Between
+              rings that are given temperatures, balls without one are as warm as the mean of both (chosen: it leaves a
+              bearing that is warm throughout its preload, and no ball is outside its rings' temperatures)
 When not      a ball as warm as its rings, of the same material: then only their difference counts, and ring expansion
               must be asked for as well
 Parameters    ball_temperature, reference_temperature
@@ -13,19 +15,20 @@ Example       BallExpansion(ball_temperature=70 + zero_celsius)
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.effects.body_temperature import assumed_of_balls
 from qsbearing.model.effects.changed_geometry import change_by, geometry_errors
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in, given
+from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.operation import Operation
 from qsbearing.model.units import zero_celsius
-from qsbearing.model.validation import ErrorDetail, Field, Sentence, raise_if_any
+from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 
 @dataclass(frozen=True)
@@ -53,8 +56,7 @@ class BallExpansion:
             return []
         cause = "12e-6 per kelvin for bearing steel, 3.2e-6 for silicon nitride"
         field = "bearing.ball_material.thermal_expansion"
-        detail = Sentence("{given} is given", given=Field("ball_expansion.ball_temperature"))
-        return [ErrorDetail(field, "missing", cause=cause, detail=detail)]
+        return [ErrorDetail(field, "missing", cause=cause, detail="temperatures are given")]
 
     def at_rest(self, fitted: bool) -> None:
         """What of it a bearing has at rest and cold: nothing."""
@@ -68,6 +70,29 @@ class BallExpansion:
         return bearing.with_changed_lengths(ball_diameter=strain * np.asarray(bearing.ball_diameter, float))
 
 
+DOUBT = 10.0
+"""By how much balls whose temperature is assumed may be colder or warmer [K] (chosen: 10 K, by which a ball of 12.7 mm
+grows 1.5 µm)."""
+
+
+def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
+    """Colder and warmer than assumed, where something is."""
+    if all(assumed_of_balls(there) is None for _, there in bearings_of(of)):
+        return []
+
+    def than_assumed(warmer: float) -> Any:
+        def made(bearing: BallBearing, there: tuple[Any, ...]) -> BallExpansion | None:
+            known = assumed_of_balls(there)
+            return None if known is None else BallExpansion(known[0] + warmer, known[1])
+
+        return with_ring_effect(of, BallExpansion, made)
+
+    return [
+        Assumed(f"{DOUBT:g} K {word}", f"balls {DOUBT:g} K {word} than assumed", than_assumed(warmer))
+        for word, warmer in (("colder", -DOUBT), ("warmer", DOUBT))
+    ]
+
+
 def _errors(point: OperatingPoint) -> Errors:
     return geometry_errors(point, change_by(ENTRY, point))
 
@@ -79,4 +104,6 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs=given(BallExpansion, " with the balls' temperature"),
+    without_it=f"The balls are assumed as warm as the mean of their rings; {DOUBT:g} K more or less",
+    assume=_usual,
 )

@@ -384,6 +384,7 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs=given(ElasticRings, " with the rings' widths and diameters and how they are held"),
+    needs_beside_size=given(ElasticRings, " with how the rings are held", housing=FREE),
     without_it="rings and their seats are taken as rigid; their deflection",
     assume=_usual,
 )

@@ -34,6 +34,27 @@ Change = Callable[[Any], Any]
 """From a scene to a scene."""
 
 
+class Assumed(NamedTuple):
+    """A scene or set with an effect whose parameters it does not give, under assumptions about them; or with another
+    member of a choice."""
+
+    under: str
+    """Which of several assumptions or members, in words that follow a number in brackets; empty for the only one."""
+    what: str
+    """What is assumed, in words that follow "solved with"."""
+    of: Any
+    """The scene or set with it; the very same object where it would change nothing."""
+
+
+class Members(NamedTuple):
+    """What a choice is among."""
+
+    others: Callable[[Any], list[Assumed]]
+    """The scene or set with every other member, to be judged against; none where the choice does not apply."""
+    finest: Any = None
+    """By which all are judged; None for a choice among hypotheses, of which the scene's own is."""
+
+
 class Switch(NamedTuple):
     """How an effect or choice is put into a scene and taken out."""
 
@@ -43,17 +64,8 @@ class Switch(NamedTuple):
     """The scene's field: a tuple of effects, or a choice."""
     effect_type: Any = None
     """The effect's class; None for a choice."""
-
-
-class Assumed(NamedTuple):
-    """A scene or set with an effect whose parameters it does not give, under assumptions about them."""
-
-    under: str
-    """Which of several assumptions, in words that follow a number in brackets; empty for the only one."""
-    what: str
-    """What is assumed, in words that follow "solved with"."""
-    of: Any
-    """The scene or set with it; the very same object where it would change nothing."""
+    members: Members | None = None
+    """Of a choice."""
 
 
 def nothing_assumed(of: Any, points: Any) -> list[Assumed]:
@@ -75,6 +87,8 @@ class Entry:
     errors: Callable[[OperatingPoint], Errors]
     needs: str = ""
     """Parameters without which it cannot be added, in words that follow "give"; empty for what needs none."""
+    needs_beside_size: str = ""
+    """Likewise in a file whose [bearing] has bore, outside diameter and width; empty where that is the same."""
     without_it: str = ""
     """What the model assumes without it, as a sentence's beginning that "would change ..." follows; empty where that
     goes without saying."""
@@ -135,9 +149,13 @@ def effect(slot: str, effect_type: Any, make: Callable[[], Any] | None = None) -
     return Switch(finer, coarser, slot, effect_type)
 
 
-def given(effect_type: Any, what: str) -> Sentence:
-    """What a ring effect needs: the effect, with this of its own."""
-    return Sentence("{effect}{what}", effect=Setting("ring_effects", effect_type), what=what)
+def given(effect_type: Any, what: str, **settings: Any) -> Sentence:
+    """What a ring effect needs: the effect, with this of its own, and a setting that is one, as an example."""
+    named = [Setting(name, value) for name, value in settings.items()]
+    example = ", such as {example}" if named else ""
+    return Sentence(
+        f"{{effect}}{{what}}{example}", effect=Setting("ring_effects", effect_type), what=what, example=tuple(named)
+    )
 
 
 def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
@@ -158,11 +176,17 @@ def bearings_of(of: Any) -> list[tuple[Any, tuple[Any, ...]]]:
     return [(row.bearing, of.effects_of(row)) for row in of.rows]
 
 
+def has_size(of: Any) -> bool:
+    """Whether bore, outside diameter and width of every bearing are known."""
+    outlines = [bearing.outline for bearing, _ in bearings_of(of)]
+    return all(each and None not in (each.bore_diameter, each.outside_diameter, each.width) for each in outlines)
+
+
 def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, ...]], Any]) -> Any:
     """The scene, or every row of a set, with a ring effect, where it lacks one of this type.
 
     Args:
-        made: the effect, from the bearing and its other ring effects.
+        made: the effect, from the bearing and its other ring effects; None where these leave it out.
     """
     known: dict[tuple[int, ...], tuple[Any, ...]] = {}  # rows alike keep the very same, so that they are solved once
 
@@ -170,7 +194,8 @@ def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, 
         key = (id(bearing), *map(id, there))
         if key not in known:
             has_it = any(isinstance(one, effect_type) for one in there)
-            known[key] = there if has_it else (*there, made(bearing, there))
+            more = None if has_it else made(bearing, there)
+            known[key] = there if more is None else (*there, more)
         return known[key]
 
     found = [effects(*each) for each in bearings_of(of)]
@@ -187,7 +212,7 @@ def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_ba
         of_balls: whether only scenes with a ball effect have this choice.
     """
 
-    def towards(member: Any) -> Change:
+    def towards(member: Any, kept: tuple[Any, ...] = ()) -> Change:
         def change(scene: Any) -> Any:
             now = getattr(scene, field)
             idle = of_balls and not scene.ball_effects
@@ -195,7 +220,20 @@ def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_ba
 
         return change
 
-    return Switch(towards(fine), towards(coarse), field)
+    def others(scene: Any) -> list[Assumed]:
+        return other_than(scene, [(as_setting(field, each), towards(each)(scene)) for each in type(fine)])
+
+    return Switch(towards(fine, kept), towards(coarse, kept), field, members=Members(others, fine))
+
+
+def as_setting(field: str, member: Any) -> str:
+    """A member of a choice as files have it."""
+    return f'{field} = "{member}"'
+
+
+def other_than(scene: Any, every: list[tuple[str, Any]]) -> list[Assumed]:
+    """Those that are not the scene as it stands."""
+    return [Assumed(under, under, each) for under, each in every if each is not scene]
 
 
 def part_of_effect(slot: str, field: str, coarse: Any, fine: Any = None) -> Switch:

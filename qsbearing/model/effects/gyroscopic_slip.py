@@ -20,34 +20,41 @@ from qsbearing.model.effects.entry import Assumed, Entry, largest, part_of_effec
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
 
-TYPICAL = 0.1
-"""Most of what lubricated steel contacts offer: where no coefficient is given, it stands for it."""
+TYPICAL = (0.1, 0.03)
+"""What lubricated steel contacts offer, from the most to the least: where no coefficient is given, both are tried."""
+
+
+def _needed(point: OperatingPoint) -> NDArray:
+    """The friction that each ball that counts needs (*cases, ball)."""
+    found = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
+    needed = [np.nan_to_num(each) for each in found if each is not None]
+    return np.where(point.is_heavy, np.max(needed, axis=0), 0.0) if needed else np.zeros_like(point.load)
 
 
 def _excess(point: OperatingPoint) -> NDArray:
-    """Of the friction that each ball needs over mu (*cases, ball)."""
+    """What that is over mu, the least of the typical ones where none is given."""
     given = [getattr(one, "friction_coefficient", None) for one in point.full_scene.ball_effects]
-    bound = next((np.asarray(one, float)[..., None] for one in given if one is not None), np.asarray(TYPICAL))
-    found = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
-    needed = [np.nan_to_num(each) for each in found if each is not None]
-    if not needed:
-        return np.zeros_like(point.load)
-    return np.where(point.is_heavy, np.maximum(np.max(needed, axis=0) - bound, 0.0), 0.0)
+    bound = next((np.asarray(one, float)[..., None] for one in given if one is not None), np.asarray(min(TYPICAL)))
+    return np.maximum(_needed(point) - bound, 0.0)
 
 
 def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
-    """That coefficient; no contact slips under it that needs less."""
-    found = part_of_effect("ball_effects", "friction_coefficient", None, TYPICAL).finer(of)
-    if found is of:
-        return []
-    slips = any(np.any(_excess(point) > 0.0) for point in points)
-    return [Assumed("", f"a coefficient of {TYPICAL:g}", found if slips else of)]
+    """Those coefficients; no contact slips under one that needs less."""
+    found = []
+    for bound in TYPICAL:
+        slipping = part_of_effect(*_FIELD, None, bound).finer(of)
+        if slipping is not of:
+            slips = any(np.any(_needed(point) > bound) for point in points)
+            found.append(Assumed(f"µ = {bound:g}", f"a coefficient of {bound:g}", slipping if slips else of))
+    return found
 
+
+_FIELD = "ball_effects", "friction_coefficient"
 
 ENTRY = Entry(
     "gyroscopic_slip",
     "the slip of contacts that cannot carry the gyroscopic moment",
-    part_of_effect("ball_effects", "friction_coefficient", None),
+    part_of_effect(*_FIELD, None),
     indicator=largest(_excess),
     errors=by_friction(_excess),
     needs="friction_coefficient, together with the gyroscopic moment",

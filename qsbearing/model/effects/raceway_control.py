@@ -26,6 +26,7 @@ Assumes       traction in proportion to slip, with one factor for both raceways;
 Shares        of the gyroscopic moment go with the weights: full w on the inner raceway, 2 - full w on the outer one;
               full is what inner control puts there, 2 ("controlling") or 1 ("harris")
 When not      balls that slip grossly, dry contacts
+Indicator     y = 2 |Mg|/(D Q): the friction that the other raceway may carry instead
 """
 
 from __future__ import annotations
@@ -36,7 +37,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import inlined, kernel
-from qsbearing.model.effects.entry import Entry, choice, largest
+from qsbearing.model.effects.entry import Entry, Members, choice, largest
+from qsbearing.model.effects.hypotheses import other_controls
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
 
@@ -56,10 +58,6 @@ class RacewayControl(StrEnum):
 
 CONTROL_CODES = {control: code for code, control in enumerate(RacewayControl)}
 OUTER, INNER, PER_BALL, MINIMUM_DISSIPATION = 0, 1, 2, 3
-
-CLEARLY_OUTER = 1.2
-"""Above this ratio of the two sides of Jones's criterion, spin constants taken as equal, the outer raceway controls
-(measured: 98 % of random scenes)."""
 
 
 @inlined
@@ -136,29 +134,27 @@ def outer_controls(
     return outer_load ** (4.0 / 3.0) * outer_spin_constant * cos_difference > inner
 
 
-def _undecided_friction(point: OperatingPoint) -> NDArray:
-    """y = 2 |Mg|/(D Q) of each ball whose contacts Jones's criterion may call inner-controlled (*cases, ball): the
-    friction that one raceway carries or the other. Zero without the gyroscopic moment, whose friction it is."""
-    inner, outer = point.solution.inner, point.solution.outer
-    if inner.required_friction is None or outer.required_friction is None:
-        return np.zeros_like(point.load)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        favours = (outer.load / inner.load) ** (4.0 / 3.0) * np.cos(inner.angle - outer.angle)
-    friction = np.maximum(inner.required_friction, outer.required_friction)
-    return np.where(point.is_heavy & (favours < CLEARLY_OUTER), friction, 0.0)
+def _friction(point: OperatingPoint) -> NDArray:
+    """y of each ball (*cases, ball), which one raceway carries or the other; zero without the moment, whose friction it
+    is."""
+    found = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
+    needed = [np.nan_to_num(each) for each in found if each is not None]
+    return np.where(point.is_heavy, np.max(needed, axis=0), 0.0) if needed else np.zeros_like(point.load)
 
+
+_SWITCH = choice(
+    "raceway_control",
+    RacewayControl.OUTER,
+    RacewayControl.PER_BALL,
+    kept=(RacewayControl.INNER, RacewayControl.MINIMUM_DISSIPATION),
+)
 
 ENTRY = Entry(
     "raceway_control",
-    "raceway control by each ball (the outer raceway for all instead)",
-    choice(
-        "raceway_control",
-        RacewayControl.OUTER,
-        RacewayControl.PER_BALL,
-        kept=(RacewayControl.INNER, RacewayControl.MINIMUM_DISSIPATION),
-    ),
-    indicator=largest(_undecided_friction),
-    errors=by_friction(_undecided_friction),
+    "the hypothesis of raceway control and moment shares (any other instead)",
+    _SWITCH._replace(members=Members(other_controls)),
+    indicator=largest(_friction),
+    errors=by_friction(_friction),
     hypothesis="which raceway controls a ball is a hypothesis, which the model cannot test",
     saves_time=False,
 )

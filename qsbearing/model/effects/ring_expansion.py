@@ -33,6 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
+from qsbearing.model.effects.body_temperature import GIVEN, REFERENCE, BodyTemperature
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
@@ -69,15 +70,6 @@ class Body(NamedTuple):
         """Displacement there by such pressures alone, per pascal [m/Pa]."""
         stress = stress_by_pressure(radius, self.a, self.b, bore_pressure, outside_pressure)
         return displacement(radius, stress, self.elastic)
-
-
-class BodyTemperature(NamedTuple):
-    """A temperature, and where it comes from."""
-
-    value: Any
-    """[K]"""
-    taken_from: str
-    """given, as the inner ring, as the outer ring, or reference temperature."""
 
 
 RING_IN = {"shaft": "inner_ring", "housing": "outer_ring"}
@@ -251,7 +243,7 @@ class RingExpansion:
     @property
     def is_warm(self) -> bool:
         """Whether any temperature is given."""
-        return any(each.taken_from == "given" for each in self.temperatures.values())
+        return not all(each.is_assumed for each in self.temperatures.values())
 
     @property
     def temperatures(self) -> dict[str, BodyTemperature]:
@@ -261,9 +253,9 @@ class RingExpansion:
     def _temperature(self, body: str) -> BodyTemperature:
         own = getattr(self, f"{body}_temperature")
         if own is not None:
-            return BodyTemperature(own, "given")
+            return BodyTemperature(own, GIVEN)
         if body not in RING_IN:
-            return BodyTemperature(self.reference_temperature, "reference temperature")
+            return BodyTemperature(self.reference_temperature, REFERENCE)
         return BodyTemperature(self._temperature(RING_IN[body]).value, f"as the {RING_IN[body].replace('_', ' ')}")
 
     def _warmer(self, body: str) -> Any:
@@ -368,6 +360,7 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs=given(RingExpansion, " with bore, outside diameter, and fits or temperatures"),
+    needs_beside_size=given(RingExpansion, " with fits or temperatures"),
     assume=_usual,
     tells_without=True,
 )

@@ -140,12 +140,25 @@ def is_carried_round(case: recarray, work: recarray, ball: recarray) -> bool:
     positive.
 
     Under outer control they are. Under inner control u = cos(ai - ao) - g cos ao vanishes where the contact lines are
-    nearly a right angle apart: a ball without orbit has no inertia either, and any such place is an equilibrium.
+    nearly a right angle apart: a ball without orbit has no inertia either, and any such place is an equilibrium. So it
+    is, under any control, of a ball that the inner raceway does not press between rings that turn against each other,
+    at the angle of the outer groove where its orbit vanishes; at the groove's bottom it would be carried round.
     """
-    if control_of(case, ball) == OUTER:
+    may_hover = case.centrifugal and case.inner_speed * case.outer_speed < 0.0
+    may_hover = may_hover and ball.inner_approach <= POSITION_ROUNDING
+    is_outer = control_of(case, ball) == OUTER
+    if is_outer and not may_hover:
         return True
     radius, _, s, c, axis = axis_where_it_is(case, work, ball)
-    terms = rolling_terms(0.5 * ball.diameter / radius, s, c, ball.outer_sine, ball.outer_cosine, axis)
+    g = 0.5 * ball.diameter / radius
+    terms = rolling_terms(g, s, c, ball.outer_sine, ball.outer_cosine, axis)
+    if may_hover:
+        orbit, _, _ = orbital_speed(terms, case.inner_speed, case.outer_speed)
+        at_bottom = 0.5 * ((1.0 - g) * case.inner_speed + (1.0 + g) * case.outer_speed)
+        if abs(orbit) < LEAST_PART * abs(at_bottom):
+            return False
+    if is_outer:
+        return True
     by_outer, by_inner, total = terms[0], terms[3], terms[0] + terms[3]
     least = LEAST_ORBIT if case.outer_speed == 0.0 else LEAST_PART
     return bool(by_inner > least * total and by_outer > LEAST_PART * total)

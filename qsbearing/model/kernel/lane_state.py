@@ -70,13 +70,13 @@ _Ball = _tuple_of("_Ball", *_EQUAL, "give", *_OF_BALL)
 
 
 @inlined
-def case_in(ring: recarray, lane: int) -> Any:
-    """A lane's case."""
+def case_in(ring: recarray, lane: int, gyroscopic: bool = True) -> Any:
+    """A lane's case; whether it has a gyroscopic moment matters to `evaluated` alone, which a constant tells."""
     return _Case(
         ring.pitch_diameter[lane], ring.inner_coefficient[lane], ring.outer_coefficient[lane], ring.sin_free[lane],
         ring.cos_free[lane], ring.interference[lane], ring.tilt_lever[lane], ring.inner_stiffness[lane],
         ring.outer_stiffness[lane], ring.series_stiffness[lane], ring.inner_speed[lane], ring.outer_speed[lane],
-        True, True, 0, 0, False, False, False, False,
+        True, gyroscopic, 0, 0, False, False, False, False,
     )  # fmt: skip
 
 

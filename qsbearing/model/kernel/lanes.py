@@ -4,10 +4,11 @@ Each ball is evaluated, and takes its step, in a loop over lanes which LLVM pack
 ring, or seldom, is done lane by lane. A case that has converged makes room for the next. The digits are those of
 `solve_cases`, whatever stands in the other lanes.
 
-Lanes know equal balls with both inertia effects under outer control, on the pitch circle, contacts of constant
-stiffness, rigid rings and friction without a bound, at speed under loads that are mainly axial. At one time lanes hold
-cases with the same balls and channels to solve. Left to `solve_cases` are all others, and what does not converge at
-once to an admissible equilibrium, so that all that is said of it is said there.
+Lanes know equal balls with centrifugal force, with or without gyroscopic moment, under outer control, which per-ball
+control tries first, on the pitch circle, contacts of constant stiffness, rigid rings and friction without a bound, at
+speed under loads that are mainly axial. At one time lanes hold cases with the same effects, balls and channels to
+solve. Left to `solve_cases` are all others, and what does not converge at once to an admissible equilibrium that no
+ball's control contradicts, so that all that is said of it is said there.
 """
 
 from __future__ import annotations
@@ -20,14 +21,13 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry, inlined, kernel
 from qsbearing.model.effects.gyroscopic_moment import NO_BOUND
-from qsbearing.model.effects.raceway_control import OUTER
-from qsbearing.model.kernel.admissibility import inadmissibility
+from qsbearing.model.effects.raceway_control import OUTER, PER_BALL
+from qsbearing.model.kernel.admissibility import contradicted_controls, inadmissibility
 from qsbearing.model.kernel.assembly import assembled_residual, close_loops, least_load
-from qsbearing.model.kernel.ball import evaluated
 from qsbearing.model.kernel.ball_inertia import is_moving
 from qsbearing.model.kernel.initial_guess import guess_thrust, is_thrust_like
-from qsbearing.model.kernel.kinematics import inner_line, is_seen_itself
-from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, lane_memory, work_in
+from qsbearing.model.kernel.lane_assembly import evaluate_lanes
+from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, lane_memory
 from qsbearing.model.kernel.linear import solve_in_place
 from qsbearing.model.kernel.loop_closure import inner_length, inner_span, outer_length, set_inner_line, set_outer_line
 from qsbearing.model.kernel.newton import CLOSINGS, NEAR, NEARLY, OPEN_ITERATIONS, SOLVED, UNSOLVED, verdict
@@ -43,8 +43,9 @@ from qsbearing.model.kernel.newton_step import (
     turned_line,
 )
 from qsbearing.model.kernel.ring import inner_groove_step
-from qsbearing.model.kernel.solve_case import SOUND, UNFINISHED, deliver_solved, prepare, solve_cases
+from qsbearing.model.kernel.solve_case import SOUND, UNFINISHED, deliver_solved, prepare, set_controls, solve_cases
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
+from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 NONE = -1
 """In place of the number of a lane's case."""
@@ -53,92 +54,6 @@ WAITING = 4
 MOST_FEW = 4
 """So often cases may be too few of a kind to fill the lanes; then what is left is done one by one. A choice: with one
 lane filled a case takes four times as long."""
-
-
-@kernel
-def evaluate_lanes(ring: recarray, lane_balls: ndarray, count: int) -> None:
-    """`assemble_balls` of all lanes, in all five channels."""
-    for lane in range(LANES):
-        ring.worst[lane], ring.worst_own[lane], ring.total[lane] = 0.0, 0.0, 0.0
-        ring.is_open[lane] = 0.0
-        ring.inertial[lane], ring.contact[lane], ring.largest_approach[lane] = 0.0, 0.0, 0.0
-        for p in range(5):
-            ring.imbalance[p, lane] = -ring.load[p, lane]
-            ring.right_side[p, lane] = -ring.load[p, lane]
-            for q in range(5):
-                ring.matrix[p, q, lane] = 0.0
-    for n in range(count):
-        see_lines(lane_balls[n])
-        evaluate_ball_lanes(ring, lane_balls[n])
-
-
-@kernel
-def see_lines(ball: recarray) -> None:
-    """`rolling_line` of all lanes: nearly always the contact line itself."""
-    others = 0
-    for lane in range(LANES):
-        si, ci, approach = ball.inner_sine[lane], ball.inner_cosine[lane], ball.inner_approach[lane]
-        others += 0 if is_seen_itself(si, ci, ball.outer_sine[lane], ball.outer_cosine[lane], approach) else 1
-        ball.seen_sine[lane], ball.seen_cosine[lane] = si, ci
-        ball.seen_by_inner[lane], ball.seen_by_outer[lane], ball.seen_by_approach[lane] = 1.0, 0.0, 0.0
-    if others == 0:
-        return
-    for lane in range(LANES):
-        si, ci, so, co = ball.inner_sine[lane], ball.inner_cosine[lane], ball.outer_sine[lane], ball.outer_cosine[lane]
-        seen = inner_line(si, ci, so, co, ball.inner_approach[lane], ball.inner_length[lane])
-        ball.seen_sine[lane], ball.seen_cosine[lane] = seen[0], seen[1]
-        ball.seen_by_inner[lane], ball.seen_by_outer[lane], ball.seen_by_approach[lane] = seen[2], seen[3], seen[4]
-
-
-@kernel
-def evaluate_ball_lanes(ring: recarray, ball: recarray) -> None:
-    """`moving_ball` and `add_ball` of all lanes."""
-    cosine, sine, weight = ball.cosine, ball.sine, ball.weight
-    for lane in range(LANES):
-        case, work, here = case_in(ring, lane), work_in(ring, lane), ball_in(ball, lane, cosine, sine)
-        seen = (
-            ball.seen_sine[lane], ball.seen_cosine[lane], ball.seen_by_inner[lane], ball.seen_by_outer[lane],
-            ball.seen_by_approach[lane],
-        )  # fmt: skip
-        a1, a2 = groove_centre_in(ring, lane, here)
-        found = evaluated(case, work, here, seen, a1, a2)
-        least = max(found.lighter, ring.least[lane])
-        ring.worst[lane] = kept(max(ring.worst[lane], found.imbalance))
-        own = ring.worst_own[lane]
-        ring.worst_own[lane] = kept(found.imbalance / least if found.imbalance > own * least else own)
-        ring.total[lane] += found.imbalance
-        ring.inertial[lane] = kept(max(ring.inertial[lane], max(found.fc, found.friction)))
-        ring.contact[lane] = kept(max(ring.contact[lane], found.load))
-        ring.largest_approach[lane] = kept(max(ring.largest_approach[lane], here.inner_approach))
-        ball.y1[lane], ball.y2[lane], ball.y11[lane], ball.y12[lane] = found.y1, found.y2, found.y11, found.y12
-        ball.y21[lane], ball.y22[lane] = found.y21, found.y22
-        ball.follows_inertia[lane] = 1.0 if found.follows_inertia else 0.0
-        ball.outer_inverse[lane], ball.inner_inverse[lane] = found.outer_inverse, found.inner_inverse
-        ball.closure1[lane], ball.closure2[lane] = found.closure1, found.closure2
-        is_closed = found.closure1 == 0.0 and found.closure2 == 0.0
-        ring.is_open[lane] = kept(ring.is_open[lane] if is_closed else 1.0)
-        levers = cosine, sine, case.tilt_lever * sine, case.tilt_lever * -cosine
-        add_row(ring, 0, lane, weight, found.h1, found.c1, found.k11, found.k12, levers)
-        add_row(ring, 1, lane, weight * cosine, found.h2, found.c2, found.k21, found.k22, levers)
-        add_row(ring, 2, lane, weight * sine, found.h2, found.c2, found.k21, found.k22, levers)
-        add_row(ring, 3, lane, weight * sine, found.h3, found.c3, found.k31, found.k32, levers)
-        add_row(ring, 4, lane, weight * -cosine, found.h3, found.c3, found.k31, found.k32, levers)
-
-
-@inlined
-def add_row(
-    ring: recarray, row: int, lane: int, factor: float, force: float, condensed: float, by_a1: float, by_a2: float,
-    levers: tuple[float, float, float, float],
-) -> None:  # fmt: skip
-    """A channel's row of `add_ball`."""
-    ring.imbalance[row, lane] += factor * force
-    ring.right_side[row, lane] += factor * condensed
-    by_a1, by_a2 = factor * by_a1, factor * by_a2
-    ring.matrix[row, 0, lane] += by_a1
-    ring.matrix[row, 1, lane] += levers[0] * by_a2
-    ring.matrix[row, 2, lane] += levers[1] * by_a2
-    ring.matrix[row, 3, lane] += levers[2] * by_a1
-    ring.matrix[row, 4, lane] += levers[3] * by_a1
 
 
 @kernel
@@ -273,20 +188,33 @@ def copy_ball(lane_ball: recarray, lane: int, ball: recarray) -> None:
 def lanes_know(cases: NDArray) -> NDArray:
     """Of each case, whether lanes know all that it names: balls may be equal in some cases only."""
     named = [~cases[name] for name in ("displaced_orbit", "actual_angle", "unequal_balls", "elastic_rings")]
-    known = cases["centrifugal"] & cases["gyroscopic"] & (cases["control"] == OUTER)
+    known = cases["centrifugal"] & ((cases["control"] == OUTER) | (cases["control"] == PER_BALL))
     known &= (cases["friction_coefficient"] == NO_BOUND) & (cases["displacement_given"][:, 0] == 0)
     return np.logical_and.reduce([known, *named])
 
 
 @kernel
 def is_alike(case: recarray, like: recarray) -> bool:
-    """Whether a case has the balls and channels to solve of another."""
+    """Whether a case has the effects, balls and channels to solve of another."""
     for i in range(5):
         if (case.prescribed[i] == 0.0) != (like.prescribed[i] == 0.0):
             return False
         if case.displacement_given[i] != like.displacement_given[i]:
             return False
-    return bool(case.ball_count == like.ball_count and case.first_azimuth == like.first_azimuth)
+    is_same = case.ball_count == like.ball_count and case.first_azimuth == like.first_azimuth
+    return bool(is_same and case.gyroscopic == like.gyroscopic)
+
+
+@kernel
+def is_sound(case: recarray, work: recarray, balls: ndarray) -> bool:
+    """Whether an equilibrium is admissible and no ball's control contradicts it."""
+    if inadmissibility(case, work, balls) != 0:
+        return False
+    if case.control != PER_BALL:
+        return True
+    wrong, _ = contradicted_controls(case, work, balls)
+    set_controls(case, work, balls, OUTER)  # what the criterion has changed; balls of other lanes are placed with these
+    return bool(wrong == 0)
 
 
 @kernel
@@ -393,12 +321,12 @@ def solve_alike(
             running += 1 if ring.case[lane] != NONE else 0
         if running == 0:
             return entered
-        evaluate_lanes(ring, lane_balls, work.ball_count)
+        evaluate_lanes(ring, lane_balls, work.ball_count, cases[like].gyroscopic)
         for lane in range(LANES):
             ring.steps[lane], ring.is_unusual[lane], k = 0.0, 0.0, ring.case[lane]
             if k != NONE and judge(ring, lane_balls, lane, cases[k], work, balls, tolerance):
                 ring.case[lane] = NONE
-                if inadmissibility(cases[k], work, balls) == 0:
+                if is_sound(cases[k], work, balls):
                     deliver_solved(cases[k], work, balls, SOUND, results[k], positions[k], controls[k])
         propose_lanes(ring, lane_balls, work.ball_count)
         take_step_lanes(cases, ring, lane_balls, work, balls)
@@ -407,7 +335,7 @@ def solve_alike(
                 ring.case[lane] = NONE
 
 
-@entry
+@entry(*GIVEN, *lane_memory.kinds, float, *FOUND)
 def solve_in_lanes(
     cases: ndarray, workspaces: ndarray, balls: ndarray, own: ndarray, rings: ndarray, lane_balls: ndarray,
     tolerance: float, results: ndarray, positions: ndarray, controls: ndarray,
@@ -434,7 +362,7 @@ def solve_batch(
     cases: NDArray, workspaces: NDArray, balls: NDArray, own: NDArray, tolerance: float, budget: int,
     is_warm: bool, results: NDArray, positions: NDArray, controls: NDArray,
 ) -> int:  # fmt: skip
-    """As `solve_cases`, from no start; in lanes what they can, whose kernel is compiled only where they know a case."""
+    """As `solve_cases`, from no start; in lanes what they can."""
     known = lanes_know(cases)
     if not known.any():
         return int(solve_cases(cases, workspaces, balls, own, tolerance, budget, is_warm, results, positions, controls))

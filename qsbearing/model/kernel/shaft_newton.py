@@ -7,7 +7,7 @@ from math import inf
 from numpy import ndarray
 
 from qsbearing.model.compiler.compiled import kernel
-from qsbearing.model.kernel.assembly import close_loops, has_closure_residual
+from qsbearing.model.kernel.assembly import close_loops, has_closure_residual, set_at_rest
 from qsbearing.model.kernel.newton import (
     CLOSINGS,
     MOST_ITERATIONS,
@@ -19,7 +19,10 @@ from qsbearing.model.kernel.newton import (
     verdict,
 )
 from qsbearing.model.kernel.newton_step import is_far, take_step
-from qsbearing.model.kernel.shaft import Shafts, ShaftSystem, assemble_rows, propose_shaft_step
+from qsbearing.model.kernel.shaft import Shafts, ShaftSystem, assemble_rows, move_rows, propose_shaft_step
+
+# A step is halved so often at most.
+MOST_HALVINGS = 20
 
 
 @kernel
@@ -72,5 +75,45 @@ def shaft_newton(
             take_step(cases[r, k], works[r], balls[r], fraction, iterations < OPEN_ITERATIONS, residual < NEAR)
             if is_far(works[r]):
                 return False
+        iterations += 1
+        shaft.iterations += 1
+
+
+@kernel
+def shaft_descent(
+    cases: ndarray, works: ndarray, balls: ndarray, matrices: ndarray, offsets: ndarray, shafts: Shafts,
+    system: ShaftSystem, k: int,
+) -> None:  # fmt: skip
+    """From the shaft's displacement to near an equilibrium at rest, across gaps where nothing resists.
+
+    Loops are held closed, and each step is halved until the imbalance falls or still points back, R . step <= 0: the
+    energy, which is convex, has then fallen all along. Across a gap R is the load, and just beyond larger.
+    """
+    shaft = shafts.found[k]
+    unknowns = shafts.q.shape[1]
+    before, fraction, halvings, iterations = inf, 0.0, 0, 0
+    while True:
+        move_rows(cases, works, matrices, offsets, shafts, k)
+        for r in range(cases.shape[0]):
+            set_at_rest(cases[r, k], works[r], balls[r])
+        residual, _ = assemble_rows(cases, works, balls, matrices, shafts, system, k)
+        slope = 0.0
+        for a in range(shaft.count):
+            slope += system.imbalance[a] * system.step[system.channel[a]]
+        if not (fraction == 0.0 or residual < before or (slope <= 0.0 and residual < inf)):
+            fraction, halvings = 0.5 * fraction, halvings + 1
+            for j in range(unknowns):
+                shafts.q[k, j] -= fraction * system.step[j]
+            if halvings > MOST_HALVINGS:
+                return
+            continue
+        if residual <= NEAR or iterations >= MOST_ITERATIONS:
+            return
+        fraction = propose_shaft_step(cases, works, balls, matrices, shafts, system, k)
+        if fraction < 0.0:
+            return
+        before, halvings = residual, 0
+        for j in range(unknowns):
+            shafts.q[k, j] += fraction * system.step[j]
         iterations += 1
         shaft.iterations += 1

@@ -5,9 +5,11 @@ What does not end in a sound equilibrium is left to `qsbearing.systems.sets`, wh
 
 from __future__ import annotations
 
+import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.effects.raceway_control import OUTER, PER_BALL
 from qsbearing.model.kernel.admissibility import (
     CONVERGED,
@@ -18,12 +20,14 @@ from qsbearing.model.kernel.admissibility import (
 )
 from qsbearing.model.kernel.assembly import set_at_rest
 from qsbearing.model.kernel.ball_inertia import is_moving
+from qsbearing.model.kernel.case import CASE, OWN_BALL, RESULT
 from qsbearing.model.kernel.initial_guess import split_contacts, thrust_at_rest
 from qsbearing.model.kernel.newton_step import is_far
 from qsbearing.model.kernel.ring import couple_channels
-from qsbearing.model.kernel.shaft import Shafts, ShaftSystem, move_rows
-from qsbearing.model.kernel.shaft_newton import shaft_newton
+from qsbearing.model.kernel.shaft import SHAFT_SYSTEM, SHAFTS, Shafts, ShaftSystem, move_rows
+from qsbearing.model.kernel.shaft_newton import shaft_descent, shaft_newton
 from qsbearing.model.kernel.solve_case import UNFINISHED, deliver_positions, prepare, set_controls
+from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 
 
 @kernel
@@ -45,24 +49,36 @@ def prepare_row(
 
 
 @kernel
+def count_carrying(cases: ndarray, matrices: ndarray, k: int, load: float) -> int:
+    """Rows that carry an axial load of this sign in their own direction."""
+    carrying = 0
+    for r in range(cases.shape[0]):
+        if matrices[r, k, 0, 0] * load > 0.0:
+            carrying += 1
+    return carrying
+
+
+@kernel
 def guess_shaft(cases: ndarray, offsets: ndarray, matrices: ndarray, shafts: Shafts, k: int) -> None:
     """First axial displacement of the shaft, unless it is held: at least so far that the rows that carry its load could
     carry it alone."""
     load = shafts.load[k, 0]
     if shafts.held[k, 0] or load == 0.0:
         return
-    carrying = 0
-    for r in range(cases.shape[0]):
-        if matrices[r, k, 0, 0] * load > 0.0:
-            carrying += 1
+    side = 1.0  # of rows whose grooves carry both ways the other one, where none carries in the load's direction
+    carrying = count_carrying(cases, matrices, k, load)
+    if carrying == 0:
+        side = -1.0
+        for r in range(cases.shape[0]):
+            carrying += 0 if cases[r, k].one_sided or matrices[r, k, 0, 0] == 0.0 else 1
     if carrying == 0:
         return
     least = 1.0
     for r in range(cases.shape[0]):
-        if matrices[r, k, 0, 0] * load > 0.0:
+        if matrices[r, k, 0, 0] * load * side > 0.0 and (side > 0.0 or not cases[r, k].one_sided):
             case = cases[r, k]
-            alone = thrust_at_rest(case, abs(load) / (carrying * case.force)) * case.length
-            least = min(least, alone - offsets[r, k])
+            alone = thrust_at_rest(case, side * abs(load) / (carrying * case.force)) * case.length
+            least = min(least, side * (alone - offsets[r, k]))
     if least > 0.0:
         shafts.q[k, 0] = least if load > 0.0 else -least
 
@@ -110,11 +126,22 @@ def solve_set_case(
             system.channel[shaft.count] = j
             shaft.count += 1
     guess_shaft(cases, offsets, matrices, shafts, k)
-    move_rows(cases, works, matrices, offsets, shafts, k)
-    for r in range(cases.shape[0]):
-        set_at_rest(cases[r, k], works[r], balls[r])
+    for j in range(shafts.q.shape[1]):
+        system.start[j] = shafts.q[k, j]
     moves = is_moving(cases[0, k])
-    converged = moves or shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
+    converged, descends = False, shaft.is_loose
+    while True:
+        if descends:
+            shaft_descent(cases, works, balls, matrices, offsets, shafts, system, k)
+        move_rows(cases, works, matrices, offsets, shafts, k)
+        for r in range(cases.shape[0]):
+            set_at_rest(cases[r, k], works[r], balls[r])
+        converged = moves or shaft_newton(cases, works, balls, matrices, shafts, system, k, tolerance)
+        if converged or descends:
+            break
+        descends = True
+        for j in range(shafts.q.shape[1]):
+            shafts.q[k, j] = system.start[j]
     for r in range(cases.shape[0]):
         if is_far(works[r]):
             return False
@@ -144,7 +171,10 @@ def deliver_row(
         result.load[work.channel[p]] = work.imbalance[p]
 
 
-@entry
+@entry(
+    array_of(CASE, 2), array_of(WORKSPACE), array_of(BALL, 2), array_of(OWN_BALL, 3), array_of(float, 4),
+    array_of(float, 2), SHAFTS, SHAFT_SYSTEM, float, array_of(RESULT, 2), array_of(float, 4), array_of(np.int8, 3),
+)  # fmt: skip
 def solve_set_cases(
     cases: ndarray,
     works: ndarray,

@@ -18,6 +18,7 @@ from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
+    BallExpansion,
     CentrifugalForce,
     ElasticRings,
     GyroscopicMoment,
@@ -27,6 +28,7 @@ from qsbearing.model.effects import (
     as_made,
     types_in,
 )
+from qsbearing.model.effects.body_temperature import BodyTemperature, assumed_of_balls, body_temperatures
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -127,7 +129,7 @@ class Scene(InNotebooks):
             SceneError: they leave no bearing.
         """
         bearing = self.bearing
-        for effect in self.ring_effects:
+        for effect in _with_balls(self.ring_effects):
             try:
                 bearing = effect.reshape(bearing, self.operation)
             except SceneError as error:
@@ -172,6 +174,11 @@ class Scene(InNotebooks):
     def ring_expansion(self) -> RingExpansion | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ring_effects if isinstance(effect, RingExpansion)), None)
+
+    @property
+    def temperatures(self) -> dict[str, BodyTemperature]:
+        """Of shaft, rings, housing and balls, and where each comes from; empty where the scene gives none."""
+        return body_temperatures(self.ring_effects)
 
     @property
     def elastic_rings(self) -> ElasticRings | None:
@@ -252,10 +259,16 @@ def ring_effect_errors(ring_effects: tuple[RingEffect, ...], bearing: BallBearin
         cause = "Write (qs.RingExpansion(...), qs.BallExpansion(...)): a tuple of effects"
         return [ErrorDetail("ring_effects", "is not a tuple of ring effects", ring_effects, cause=cause)]
     names = [effect.name for effect in ring_effects]
-    errors = [error for effect in ring_effects for error in effect.errors(bearing)]
+    errors = [error for effect in _with_balls(ring_effects) for error in effect.errors(bearing)]
     if len(set(names)) < len(names):
         errors.append(ErrorDetail("ring_effects", "names an effect twice", names))
     return errors
+
+
+def _with_balls(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
+    """These, and the expansion of balls that are assumed to be as warm as their rings."""
+    known = assumed_of_balls(ring_effects)
+    return ring_effects if known is None else (*ring_effects, BallExpansion(*known))
 
 
 def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail]:

@@ -1,7 +1,8 @@
-"""What an effect would change of a solution that lacks it: found by solving the scene or set with it.
+"""What an effect would change of a solution that lacks it, and the other members of a choice: found by solving the
+scene or set with each.
 
-Where its parameters are not known, usual ones are assumed (`Entry.assume`). A solve takes about as long as the first
-one did, and is right where an estimate is not: under radial loads bent rings share the load anew.
+Where an effect's parameters are not known, usual ones are assumed (`Entry.assume`). A solve takes about as long as the
+first one did, and is right where an estimate is not: under radial loads bent rings share the load anew.
 """
 
 from __future__ import annotations
@@ -28,9 +29,14 @@ class Change:
     what: str
     """Likewise."""
     errors: dict[str, NDArray]
-    """What leaving it out changes, by quantity, relative to the solution with it."""
+    """What leaving it out changes, by quantity, relative to the solution with it; of a choice what another member
+    changes, relative to the solution that it is judged by."""
     is_solved: NDArray
     """Whether there is a solution with it."""
+    displacement: NDArray | None = None
+    """With it; shape (*cases, 5), as of a solution. None where nothing was solved."""
+    stiffness: NDArray | None = None
+    """Likewise: the diagonal."""
 
     @property
     def largest(self) -> NDArray:
@@ -56,6 +62,33 @@ def changes(entry: Entry, solution: Any) -> list[Change]:
     return known[entry.name]
 
 
+def alternatives(entry: Entry, solution: Any) -> list[Change]:
+    """What the other members of a choice change; empty where it does not apply.
+
+    Of a hypothesis, and of a scene with the finest member, every other one relative to the solution; else the scene's
+    own, relative to the finest.
+
+    Args:
+        solution: of a scene or set, and not of a row of a set.
+    """
+    known = _KNOWN.setdefault(solution, {})
+    if entry.name not in known:
+        known[entry.name] = _against_others(entry, solution)
+    return known[entry.name]
+
+
+def _against_others(entry: Entry, solution: Any) -> list[Change]:
+    members = entry.switch.members
+    others = [] if members is None else members.others(asked(solution))
+    finest = None if members is None else members.finest
+    by_it = [each for each in others if finest is not None and getattr(each.of, entry.switch.slot) == finest]
+    found = [(each, solution.solve_alike(each.of)) for each in by_it or others]
+    return [
+        _made(each, by_quantity(solution, other) if by_it else by_quantity(other, solution), other)
+        for each, other in found
+    ]
+
+
 def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
     of = asked(solution)
     finer = entry.finer(of)
@@ -69,7 +102,12 @@ def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
 
 def _change(assumed: Assumed, solution: Any) -> Change:
     full = solution if assumed.of is asked(solution) else solution.solve_alike(assumed.of)
-    return Change(assumed.under, assumed.what, by_quantity(solution, full), np.asarray(full.converged))
+    return _made(assumed, by_quantity(solution, full), full)
+
+
+def _made(assumed: Assumed, errors: dict[str, NDArray], found: Any) -> Change:
+    tangent = np.diagonal(found.stiffness, axis1=-2, axis2=-1)
+    return Change(assumed.under, assumed.what, errors, np.asarray(found.converged), found.displacement, tangent)
 
 
 def asked(solution: Any) -> Any:

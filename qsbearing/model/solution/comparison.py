@@ -49,8 +49,7 @@ def read(solution: Any) -> Results:
     rows = getattr(solution, "rows", (solution,))
     for row in rows:
         row.read_at_once((*CONTACT, "approach"))
-    pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
-    lever = 0.5 * np.mean(pitch, axis=0)[..., None]
+    lever = lever_of(solution)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
     found: Results = {
         "axial_displacement": displacement[..., :1],
@@ -67,6 +66,13 @@ def read(solution: Any) -> Results:
             found[f"{side}_{name}"] = np.concatenate(of_rows, axis=-1)
     found["approach"] = sum(np.maximum(found.pop(f"{side}_approach"), 0.0) for side in RACEWAYS)
     return found
+
+
+def lever_of(solution: Any) -> NDArray:
+    """dm/2, which makes tilts lengths and moments forces."""
+    rows = getattr(solution, "rows", (solution,))
+    pitch = np.broadcast_arrays(*(np.asarray(row.scene.bearing.pitch_diameter, float) for row in rows))
+    return np.asarray(0.5 * np.mean(pitch, axis=0))
 
 
 def errors(found: Results, full: Results) -> dict[str, NDArray]:

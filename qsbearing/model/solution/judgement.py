@@ -82,10 +82,10 @@ ANOTHER_RESULT = "> 100"
 """Per cent; by how much more does not matter."""
 
 
-def percent(error: float, unit: str = " %") -> str:
-    """A relative error in as many digits as it is good for, which are two."""
-    digits = f"{100.0 * error:.2g}"
-    return f"{digits}{unit}" if error < 0.99 else f"{float(digits):.0f}{unit}"
+def percent(error: float, unit: str = " %", digits: int = 2) -> str:
+    """A relative error in as many digits as it is good for, which are two; a share in more."""
+    text = f"{100.0 * error:.{digits}g}"
+    return f"{text}{unit}" if error < 0.99 else f"{float(text):g}{unit}"
 
 
 def changed(error: float, unit: str = " %") -> str:

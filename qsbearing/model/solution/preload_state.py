@@ -1,4 +1,4 @@
-"""What has become of a preload, of a bearing or of a row of a set: maintained, lost or excessive."""
+"""What has become of a preload, of a bearing or of a row of a set: maintained, reduced, lost or excessive."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from qsbearing.model.solution.rounding import without_rounding
 
 LOST = 0.01
 """A bearing that carries less than this part of its preload has lost it (chosen: in practice nothing)."""
@@ -22,6 +24,8 @@ class PreloadState(StrEnum):
     """What has become of a preload."""
 
     MAINTAINED = "maintained"
+    REDUCED = "reduced"
+    """In operation, external loads included, the bearing carries less than half of it."""
     LOST = "lost"
     """In operation, external loads included, the bearing carries next to nothing."""
     EXCESSIVE = "excessive"
@@ -37,29 +41,29 @@ class PreloadLoads(NamedTuple):
     """In operation, without external loads."""
     carried: Any
     """In operation, with them."""
+    rounding: Any = 0.0
+    """Up to this size they are none: `qsbearing.model.solution.rounding`."""
+
+    @property
+    def arrays(self) -> tuple[NDArray, NDArray, NDArray]:
+        """Given, alone and carried, of one shape; what is rounding as zero."""
+        given, alone, carried, rounding = np.broadcast_arrays(*self)
+        return tuple(without_rounding(each, rounding) for each in (given, alone, carried))  # type: ignore[return-value]
 
 
 def states(of: PreloadLoads) -> NDArray:
-    """`PreloadState` by its word; empty where not solved."""
-    given, alone, carried = np.broadcast_arrays(*of)
+    """`PreloadState` by its word; empty where not solved, and where nothing is given."""
+    given, alone, carried = of.arrays
     out = np.full(given.shape, str(PreloadState.MAINTAINED), dtype=f"<U{max(map(len, PreloadState))}")
     with np.errstate(invalid="ignore"):
-        pressed = given > 0.0
-        out[pressed & (alone > EXCESSIVE * given)] = PreloadState.EXCESSIVE
-        out[pressed & (carried < LOST * given)] = PreloadState.LOST
-    out[np.isnan(carried) | np.isnan(given)] = ""
+        out[carried < REDUCED * given] = PreloadState.REDUCED
+        out[alone > EXCESSIVE * given] = PreloadState.EXCESSIVE
+        out[carried < LOST * given] = PreloadState.LOST
+        out[np.isnan(carried) | ~(given > 0.0)] = ""
     return out
 
 
 def share(of: PreloadLoads) -> NDArray:
-    """What is carried over what is given; NaN where nothing is given, or next to nothing."""
-    given, _, carried = np.broadcast_arrays(*of)
-    with np.errstate(over="ignore"):
-        found = np.divide(carried, given, out=np.full(given.shape, np.nan), where=given > 0.0)
-    return np.where(np.isinf(found), np.nan, found)
-
-
-def is_reduced(of: PreloadLoads) -> NDArray:
-    """Where a preload is maintained, but for less than half."""
-    with np.errstate(invalid="ignore"):
-        return np.asarray((states(of) == PreloadState.MAINTAINED) & (share(of) < REDUCED))
+    """What of the given preload is there in operation without external loads; NaN where nothing is given."""
+    given, alone, _ = of.arrays
+    return np.divide(alone, given, out=np.full(given.shape, np.nan), where=given > 0.0)

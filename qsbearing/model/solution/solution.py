@@ -24,6 +24,7 @@ from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
+from qsbearing.model.solution.rounding import least_force, rounding_of
 from qsbearing.model.solution.solved_cases import SolvedCases
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.model.units import deg
@@ -337,7 +338,9 @@ class Solution(SolutionOfCases):
         """What is given, left without radial loads and moments, and carried; fields (*cases); None likewise."""
         if self.preload_at_rest is None:
             return None
-        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.load[..., 0])
+        loads = self.preload_at_rest, self.preload_in_operation, self.load[..., 0]
+        largest = np.abs(self.load[..., :3]).max(axis=-1)
+        return PreloadLoads(*loads, rounding_of(largest, least_force(self.scene.bearing)))
 
     @cached_property
     def inner_ring(self) -> RingState | None:

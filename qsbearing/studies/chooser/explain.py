@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,11 +13,13 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, changes
+from qsbearing.model.solution.changes import Change, alternatives, asked, changes
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.solution.judgement import ANOTHER_RESULT, judge, settings_to_add
+from qsbearing.model.solution.ranges import KEYS, ranges
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
+from qsbearing.model.validation import Setting
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 
@@ -54,13 +56,27 @@ class Row:
     assumed: list[dict[str, Any]]
     """What solving with usual parameters finds where its own are not known: `actual` under each assumption, with words
     for it; empty else."""
+    alternatives: list[dict[str, Any]]
+    """Likewise of a choice, by each other member that the scene's is judged against, with all displacements and
+    stiffnesses; `actual` of the row is the largest of them. Empty for an effect."""
+    range: dict[str, dict[str, Any]]
+    """From where to where displacement and locked stiffness go by all that was solved, and by which; see
+    `qsbearing.model.solution.ranges`."""
+
+    @property
+    def solved(self) -> list[dict[str, float | None]]:
+        """What it changes: in all, or else under each assumption."""
+        found = [self.actual, *(each["actual"] for each in self.assumed)]
+        return [each for each in found if each is not None]
+
+    def size(self, quantity: str) -> float:
+        """The largest change of one of `QUANTITIES`."""
+        return max((each[quantity] or 0.0 for each in self.solved), default=0.0)
 
     @property
     def largest(self) -> str:
         """The one of `QUANTITIES` that it changes most; empty where nothing was solved."""
-        solved = [each for each in (self.actual, *(each["actual"] for each in self.assumed)) if each]
-        sizes = {name: max((each[name] or 0.0 for each in solved), default=0.0) for name in QUANTITIES}
-        return max(sizes, key=lambda name: sizes[name]) if solved else ""
+        return max(QUANTITIES, key=self.size) if self.solved else ""
 
     def change(self, quantity: str) -> str:
         """What leaving it out changes of one of `QUANTITIES`, in per cent; after ≈ where its parameters are assumed,
@@ -102,25 +118,87 @@ def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Sol
 
 def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Row:
     scene = solution.scene
-    is_in = entry.is_in(scene)
     finer, coarser = entry.finer(scene), entry.coarser(scene)
-    judged, actual, ratio, error, assumed = None, None, None, None, list[Change]()
-    if solution.converged and finer is not coarser:
-        judged = judge(entry, solution)
-        actual, ratio = _solved(finer, coarser)
-        error = float(max(actual.values()))
-    elif solution.converged:
-        assumed = changes(entry, solution)
-        error = largest_of(assumed)
-    (indicator,) = (as_floats({"": judged.indicator}) or {}).values() if judged else (None,)
-    predicted = as_floats(None if judged is None else judged.errors)
-    found, why = verdict(entry, "scene", bool(solution.converged), is_in, error, tolerance, assumed, words)
-    lines, under = lines_to_add(scene, entry), under_assumptions(assumed)
-    return Row(entry.name, entry.what, is_in, indicator, predicted, as_floats(actual), ratio, found, why, lines, under)
+    ratio, found = None, Compared()
+    if solution.converged:
+        found = against_others(entry, solution)
+        is_timed = bool(found.alternatives) and is_compiled(solve_cases)
+        if finer is not coarser and (entry.switch.members is None or is_timed):
+            actual, ratio = _solved(finer, coarser)
+            found = found if is_timed else Compared(actual)
+    row = row_of(entry, solution, entry.is_in(scene), found, tolerance, words)
+    if found.actual is None:
+        return row
+    judged = judge(entry, solution)
+    (indicator,) = (as_floats({"": judged.indicator}) or {}).values()
+    return replace(row, indicator=indicator, predicted=as_floats(judged.errors), time_with_over_without=ratio)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """What solving finds of one effect or choice."""
+
+    actual: dict[str, Any] | None = None
+    """The largest change of each quantity; None where its parameters are not known, or nothing is compared."""
+    assumed: list[Change] = field(default_factory=list)
+    alternatives: list[Change] = field(default_factory=list)
+    beyond: str = ""
+    """Why a change has no number."""
+
+
+def against_others(entry: Entry, solution: Any) -> Compared:
+    """A choice against its other members, an effect that there is no solution with under assumptions about it."""
+    if entry.switch.members is None:
+        return Compared(assumed=changes(entry, solution))
+    found = alternatives(entry, solution)
+    counted = [each.errors for each in found if each.is_solved or not entry.hypothesis]
+    actual = {name: np.max([each[name] for each in counted], axis=0) for name in QUANTITIES} if counted else None
+    without = [each.under for each in found if not each.is_solved]
+    return Compared(actual, alternatives=found, beyond=f"without a solution: {'; '.join(without)}" if without else "")
+
+
+def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance: float, words: Words = IN_FILE) -> Row:
+    """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
+    error = largest_of(found.assumed) if found.actual is None else float(max(found.actual.values()))
+    judged, why = verdict(entry, solution, is_in, error, tolerance, found.assumed, words)
+    several = found.alternatives or found.assumed
+    spans = ranges(solution, several)
+    is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
+    said = [each.text for each in spans.values() if is_open and each.moves]
+    others = [told | _channels(each) for told, each in zip(_told(found.alternatives), found.alternatives, strict=True)]
+    return Row(
+        effect=entry.name,
+        what=entry.what,
+        in_scene=is_in,
+        indicator=None,
+        predicted=None,
+        actual=as_floats(found.actual),
+        time_with_over_without=None,
+        verdict=judged,
+        why="; ".join(filter(None, (why, ", ".join(said), found.beyond))),
+        add=lines_to_add(asked(solution), entry),
+        assumed=_told(found.assumed),
+        alternatives=others,
+        range={name: vars(each) for name, each in spans.items()},
+    )
+
+
+def _channels(of: Change) -> dict[str, dict[str, float | None] | None]:
+    """Displacements and stiffnesses by their keys; null without a solution."""
+    if not of.is_solved:
+        return dict.fromkeys(KEYS)
+    return {
+        name: as_floats({key: value / size for (key, size), value in zip(keys, getattr(of, name), strict=True)})
+        for name, keys in KEYS.items()
+    }
 
 
 def lines_to_add(of: Any, entry: Entry) -> list[str]:
-    """What the file of a scene or set says under [effects] to ask for it besides."""
+    """What the file of a scene or set says under [effects] to ask for it besides, or for the finest of a choice."""
+    members = entry.switch.members
+    if members is not None and members.finest is not None and members.others(of):
+        now = getattr(of, entry.switch.slot)
+        return [] if now == members.finest else [line(Setting(entry.switch.slot, members.finest))]
     return [line(each) for each in settings_to_add(of, [entry])]
 
 
@@ -130,7 +208,7 @@ def largest_of(found: list[Change]) -> float | None:
     return max(solved) if solved else None
 
 
-def under_assumptions(found: list[Change]) -> list[dict[str, Any]]:
+def _told(found: list[Change]) -> list[dict[str, Any]]:
     """As a row has them."""
     return [
         {"under": each.under, "what": each.what, "actual": as_floats(each.errors) if each.is_solved else None}
@@ -145,8 +223,7 @@ def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
 
 def verdict(
     entry: Entry,
-    of: str,
-    is_solved: bool,
+    solution: Any,
     is_in: bool,
     error: float | None,
     tolerance: float,
@@ -156,11 +233,12 @@ def verdict(
     """Whether it is needed, and why not so where that cannot be judged.
 
     Args:
-        of: what has it or not, in a word.
+        solution: of the scene or set that has it or not.
         error: the largest change of all reported results; None where there is none.
         assumed: from which it is, where the parameters are not known.
     """
-    if not is_solved:
+    of = "set" if hasattr(solution, "set") else "scene"
+    if not solution.converged:
         return NOT_ASSESSED, f"the {of} has no solution to judge by"
     if entry.needs and not is_in:
         whats, needs = " and ".join(dict.fromkeys(each.what for each in assumed)), words.of(entry.needs)

@@ -7,9 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from qsbearing.model.effects import EFFECTS, Entry
-from qsbearing.model.solution.changes import Change, changes
 from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.studies.chooser.explain import Row, as_floats, largest_of, lines_to_add, under_assumptions, verdict
+from qsbearing.studies.chooser.explain import Compared, Row, against_others, row_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
@@ -50,21 +49,16 @@ def coarser(entry: Entry, of: BearingSet) -> BearingSet:
 
 
 def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
-    of, is_solved = solution.set, bool(solution.converged)
+    of, found = solution.set, Compared()
     fine, coarse = finer(entry, of), coarser(entry, of)
-    is_in = fine is of and coarse is not of
-    actual, error, beyond, assumed = None, None, "", list[Change]()
-    if is_solved and fine is not coarse:
-        without, full = solve_set(coarse), solve_set(fine)
-        actual = by_quantity(without, full)
-        error, beyond = float(max(actual.values())), _beyond(without, full, actual)
-    elif is_solved:
-        assumed = changes(entry, solution)
-        error = largest_of(assumed)
-    judged, why = verdict(entry, "set", is_solved, is_in, error, tolerance, assumed)
-    found, under = as_floats(actual), under_assumptions(assumed)
-    lines = lines_to_add(of, entry)
-    return Row(entry.name, entry.what, is_in, None, None, found, None, judged, why or beyond, lines, under)
+    if solution.converged:
+        if entry.switch.members is None and fine is not coarse:
+            without, full = solve_set(coarse), solve_set(fine)
+            actual = by_quantity(without, full)
+            found = Compared(actual, beyond=_beyond(without, full, actual))
+        else:
+            found = against_others(entry, solution)
+    return row_of(entry, solution, fine is of and coarse is not of, found, tolerance)
 
 
 def _beyond(without: SetSolution, full: SetSolution, found: dict[str, np.ndarray]) -> str:

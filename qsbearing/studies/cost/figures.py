@@ -64,6 +64,34 @@ def levels(record: dict[str, Any]) -> Figure:
     return figure
 
 
+def accuracy(record: dict[str, Any]) -> Figure:
+    """One scene's levels: error against the time of a case, alone and among the most that were measured."""
+    figure, axes = _sheet(record, 1, 1, (11.0, 6.2), "What accuracy costs")
+    place, listed = axes[0, 0], record["levels"]
+    worst = [None if None in (known := list(row["errors"].values())) else max(known) for row in listed]
+    elements = record["elements"]
+    _error_axis(place, [*worst, elements["error"] if elements else None])
+    for k, (row, error) in enumerate(zip(listed, worst, strict=True)):
+        times = [1e6 * cost["seconds"] / cost["cases"] for cost in row["costs"]]
+        look = {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)]}
+        words = row["text"] + (" (this scene)" if row["is_asked"] else "")
+        height = np.array([error] * 2, float)
+        place.plot([min(times), max(times)], height, color=look["color"], linewidth=0.8)
+        place.plot([max(times)], height[:1], linewidth=0, label=words, **look)
+        place.plot([min(times)], height[:1], linewidth=0, fillstyle="none", **look)
+    if elements:
+        words = f"one contact by finite elements ({elements['contact']}), against Hertz"
+        place.plot([1e6 * elements["seconds"]], [elements["error"]], "kX", markersize=8, linewidth=0, label=words)
+    place.set(
+        xscale="log",
+        xlabel="processor time of a case, µs: filled alone, open in a large batch",
+        ylabel="error of the worst result",
+    )
+    figure.legend(*place.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=8, frameon=False)
+    return figure
+
+
+OF_ONE_SCENE = {"accuracy": accuracy}
 PICTURES = {"speeds": speeds, "levels": levels}
 
 

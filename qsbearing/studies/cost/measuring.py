@@ -27,7 +27,7 @@ ROUND = 0.01
 else the machine did meanwhile drops out."""
 
 # Some systems count a thread's time in ticks of milliseconds; there the clock must do.
-_now = time.thread_time if time.get_clock_info("thread_time").resolution < 1e-6 else time.perf_counter
+now = time.thread_time if time.get_clock_info("thread_time").resolution < 1e-6 else time.perf_counter
 
 LOW, HIGH = 0.05, 0.95
 """Quantiles of the rounds that are stated as spread."""
@@ -41,23 +41,24 @@ def interleaved(calls: dict[Any, Callable[[], Any]], rounds: int) -> Times:
     repeats = {}
     for name, call in calls.items():
         call()  # machine code is loaded
-        repeats[name] = max(1, round(ROUND / max(_seconds(call), 1e-7)))
+        repeats[name] = max(1, round(ROUND / max(seconds_of(call), 1e-7)))
     times: Times = {name: [] for name in calls}
     order = list(calls)
     gc.disable()
     for turn in range(rounds):
         first = turn * len(order) // max(rounds, 1)
         for name in order[first:] + order[:first]:
-            times[name].append(statistics.median(_seconds(calls[name]) for _ in range(repeats[name])))
+            times[name].append(statistics.median(seconds_of(calls[name]) for _ in range(repeats[name])))
         gc.collect()
     gc.enable()
     return times
 
 
-def _seconds(call: Callable[[], Any]) -> float:
-    began = _now()
+def seconds_of(call: Callable[[], Any]) -> float:
+    """Processor time of one call."""
+    began = now()
     call()
-    return _now() - began
+    return now() - began
 
 
 def in_fresh_process(function: Callable[..., Any], *arguments: Any) -> Any:
@@ -97,5 +98,5 @@ def machine() -> dict[str, Any]:
 
 def in_a_line(found: dict[str, Any]) -> str:
     """The machine for the foot of a figure."""
-    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES))
+    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES) if name in found)
     return f"{found['processor']}, {found['cores']} cores, load average {found['load_average']}; {versions}"

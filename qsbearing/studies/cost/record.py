@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import always_compiled
 from qsbearing.model.effects import EFFECTS
+from qsbearing.model.effects.entry import Entry
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import comparison
@@ -56,10 +57,18 @@ class Level:
         return scene
 
 
+BASE = "the coarsest of all"
+
+
+def added(entry: Entry) -> str:
+    """What a level adds to the one before, in words."""
+    return f"+ {entry.what.partition(' (')[0]}"
+
+
 LEVELS = (
-    Level("coarsest", "the coarsest of all", 0),
+    Level("coarsest", BASE, 0),
     *(
-        Level(entry.name, f"+ {entry.what.partition(' (')[0]}", count)
+        Level(entry.name, added(entry), count)
         for count, entry in enumerate(EFFECTS, start=1)
         if not entry.needs and not entry.hypothesis
     ),
@@ -100,7 +109,7 @@ class Call:
 
     def prepared(self) -> Callable[[], Solution | SetSolution]:
         """All but the call itself done."""
-        return partial(_solve, speeds.batch(self.scene, self.cases), threads=1)
+        return partial(solve_one, speeds.batch(self.scene, self.cases), threads=1)
 
     def memory(self) -> float:
         """Peak memory of this process once it has made the call, results kept [MB]."""
@@ -110,7 +119,8 @@ class Call:
         return float(f"{peak:.4g}")
 
 
-def _solve(of: Any, threads: int | None = None) -> Solution | SetSolution:
+def solve_one(of: Any, threads: int | None = None) -> Solution | SetSolution:
+    """Whichever it is, as it stands."""
     return solve(of, threads=threads) if isinstance(of, Scene) else solve_set(of, threads=threads)
 
 
@@ -156,7 +166,7 @@ def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = 
                 progress(f"memory of {call.name} cases")
                 row["memory_MB"] = measuring.in_fresh_process(call.memory)
             else:
-                row["error"] = _short(np.max(comparison.largest(call.prepared()(), last)))
+                row["error"] = short_number(np.max(comparison.largest(call.prepared()(), last)))
             rows.append(row)
     return {
         "kind": "qsbearing cost",
@@ -164,8 +174,8 @@ def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = 
         "machine": where,
         "settings": asdict(settings),
         "definition": comparison.__doc__,
-        "bearing": scene.bearing.name if isinstance(scene, Scene) else scene.name,
-        "scene": _text(scene),
+        "bearing": name_of(scene),
+        "scene": text_of_loads(scene),
         "measured": rows,
         "errors": along,
     }
@@ -182,23 +192,29 @@ def errors(scene: Asked, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, A
     """Error of each quantity that people read at every level against the last, along the speeds."""
     names, swept = speeds.along_speeds(scene)
     parameter = speeds.dm_n(swept)
-    full = _solve(levels[-1].of(swept))
+    full = solve_one(levels[-1].of(swept))
     rows = []
     for level in levels:
-        found = comparison.by_quantity(_solve(level.of(swept)), full)
+        found = comparison.by_quantity(solve_one(level.of(swept)), full)
         rows += [
             {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
-            | {quantity: _short(values[k]) for quantity, values in found.items()}
+            | {quantity: short_number(values[k]) for quantity, values in found.items()}
             for k, name in enumerate(names)
         ]
     return rows
 
 
-def _short(value: NDArray) -> float | None:
+def short_number(value: NDArray | float) -> float | None:
+    """To four digits; None for what has no number."""
     return float(f"{value:.4g}") if np.isfinite(value) else None
 
 
-def _text(scene: Asked) -> str:
+def name_of(scene: Asked) -> str | None:
+    """The bearing's, or the set's."""
+    return scene.bearing.name if isinstance(scene, Scene) else scene.name
+
+
+def text_of_loads(scene: Asked) -> str:
     """The scene's or set's loads in a line."""
     said = []
     for channel in CHANNELS:

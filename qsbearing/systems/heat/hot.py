@@ -28,6 +28,8 @@ RING_NODES = ("inner_ring", "outer_ring", "shaft", "housing")
 class HotSystem(Protocol):
     """A bearing or a set that can be solved at temperatures."""
 
+    of: Any
+    """The scene or set."""
     thermal: Thermal
     readings: Sequence[Mapping[str, Any]]
     scenes: Sequence[Scene]
@@ -35,6 +37,10 @@ class HotSystem(Protocol):
     operation: Operation
     shape: tuple[int, ...]
     """Of its cases."""
+
+    def alike(self, of: Any) -> HotSystem:
+        """Another scene or set of the same cases, solved in the same way."""
+        ...
 
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Any:
         """Its solution at these temperatures and this multiple of its speeds.
@@ -58,16 +64,19 @@ class HotBearing:
 
     def __init__(self, scene: Scene, shape: tuple[int, ...], solve: Callable[[Scene], Solution]) -> None:
         assert scene.thermal is not None
-        self.scene, self.shape, self._solve = scene, shape, solve
+        self.of, self.shape, self._solve = scene, shape, solve
         self.thermal, self.operation = scene.thermal, scene.operation
         self.readings: Sequence[Mapping[str, Any]] = (scene.readings,)
         self.scenes: Sequence[Scene] = (scene,)
 
+    def alike(self, of: Scene) -> HotBearing:
+        return HotBearing(of, self.shape, self._solve)
+
     def solve(self, temperatures: Temperatures, factor: NDArray) -> Solution:
-        effects, readings = hot_row(self.scene.ring_effects, self.scene.readings, self.thermal, temperatures, 0, 1)
-        operation = at_speed(self.scene.operation, factor)
+        effects, readings = hot_row(self.of.ring_effects, self.of.readings, self.thermal, temperatures, 0, 1)
+        operation = at_speed(self.of.operation, factor)
         own: dict[str, Any] = {"ring_effects": effects, "readings": readings, "operation": operation}
-        return self._solve(replace(self.scene, **own, thermal=None))
+        return self._solve(replace(self.of, **own, thermal=None))
 
     def rows(self, solution: Solution) -> Sequence[Solution]:
         return (solution,)
@@ -90,7 +99,15 @@ def hot_row(
     heated = dict(readings)
     if thermal.oil_node in own and LUBRICANT in readings:
         heated[LUBRICANT] = {**readings[LUBRICANT], "oil_temperature": own[thermal.oil_node]}
-    return tuple(_heated(effect, own) for effect in effects), heated
+    return _with_balls(tuple(_heated(effect, own) for effect in effects), own), heated
+
+
+def _with_balls(effects: tuple[RingEffect, ...], own: Temperatures) -> tuple[RingEffect, ...]:
+    """A node of the balls is that of the balls between expanding rings too, though nothing names their expansion."""
+    rings = next((each for each in effects if isinstance(each, RingExpansion)), None)
+    if rings is None or "balls" not in own or any(isinstance(each, BallExpansion) for each in effects):
+        return effects
+    return (*effects, BallExpansion(own["balls"], rings.reference_temperature))
 
 
 def _heated(effect: RingEffect, own: Temperatures) -> RingEffect:

@@ -13,11 +13,13 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import solver
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import SceneError
 from qsbearing.systems.heat.hot import HotBearing, HotSystem
 from qsbearing.systems.heat.speeds import follow_speeds
-from qsbearing.systems.heat.state import Part, SpeedCurve, ThermalState, Verdict
+from qsbearing.systems.heat.state import Part, SpeedCurve, ThermalState, Verdict, WholeBearing
 from qsbearing.systems.heat.steady import Heated, Steady, feedback, find_steady
 from qsbearing.systems.heat.transient import heat_up
+from qsbearing.systems.heat.whole_bearing import with_whole_friction
 
 FARTHEST = 1.5
 """Times the scene's speed: how far steady states are followed in speed."""
@@ -72,8 +74,17 @@ def at_steady_temperatures(system: HotSystem) -> Any:
         speed=_speed(system),
         heat_up=partial(heat_up, system),
         follow=partial(_followed, curve, system),
+        with_whole_friction=partial(_whole_bearing, system),
     )
     return solution
+
+
+def _whole_bearing(system: HotSystem) -> WholeBearing:
+    try:
+        whole, assumed = with_whole_friction(system.of)
+        return WholeBearing(at_steady_temperatures(system.alike(whole)).thermal, assumed, ())
+    except SceneError as error:
+        return WholeBearing(None, [], tuple(error.errors))
 
 
 def _followed(known: SpeedCurve | None, system: HotSystem) -> SpeedCurve:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.units import rpm, zero_celsius
+from qsbearing.model.validation import ErrorDetail
 from qsbearing.systems.heat.network import Thermal
 
 
@@ -62,6 +63,11 @@ class SpeedCurve:
     """Where a node reaches the limit; None: the curve was not followed so far."""
     crossing: State | None
     """The first state at or above the scene's own speed, if the curve gets there."""
+
+    @property
+    def end(self) -> State | None:
+        """Beyond whose speed there is no steady state: the fold, else where the limit of temperature is reached."""
+        return self.at_limit if self.fold is None else self.fold
 
 
 class Verdict(StrEnum):
@@ -120,6 +126,17 @@ def _digits(load: float) -> str:
     return f"{float(f'{load:.4g}'):.15g}"
 
 
+class WholeBearing(NamedTuple):
+    """The same with the friction of the whole bearing, where the friction model leaves heat out."""
+
+    state: ThermalState | None
+    """None where it cannot be computed."""
+    assumed: list[str]
+    """What it takes that nobody gave, in words."""
+    errors: tuple[ErrorDetail, ...]
+    """Why it cannot be computed."""
+
+
 @dataclass(frozen=True)
 class ThermalState:
     """Temperatures and heats of a solution; arrays of shape (*cases), NaN where there is no steady state."""
@@ -146,6 +163,7 @@ class ThermalState:
     speed: NDArray
     """The larger one of both rings [rad/s]."""
     follow: Callable[[], SpeedCurve]
+    with_whole_friction: Callable[[], WholeBearing]
     heat_up: Callable[..., Course]
     """`heat_up(duration, start=None)`: the course of temperatures and preload of a single case, so many seconds at full
     speed from the first instant; from the lowest of the given temperatures, or from `start` [K]. It needs the heat
@@ -161,6 +179,11 @@ class ThermalState:
         if self.verdict.shape:
             raise ValueError("steady states are followed in speed for one case; this solution has several")
         return self.follow()
+
+    @cached_property
+    def whole_bearing(self) -> WholeBearing | None:
+        """With Palmgren's friction; None where the friction model leaves nothing out. Of a single case."""
+        return self.with_whole_friction() if self.thermal.bound else None
 
     def message(self, index: Index = None) -> str:
         """A sentence or two on whether a case is steady.

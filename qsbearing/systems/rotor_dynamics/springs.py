@@ -13,10 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.tilt_lever import TiltLever
+from qsbearing.model.solution.rounding import NOISE
 from qsbearing.model.solution.solution import Solution
-
-LEAST = 1e-12
-"""Of the largest eigenvalue, and of a unit vector's length: what is less is rounding."""
 
 
 def from_shaft(solution: Solution, sign: float, arm: float = 0.0) -> NDArray:
@@ -44,8 +42,8 @@ def combined_springs(stiffness: NDArray, length: float) -> tuple[NDArray, NDArra
     """
     scale = np.array([1.0, 1.0, 1.0, 1.0 / length, 1.0 / length])
     constants, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.T) * scale[:, None] * scale)
-    vectors = np.where(np.abs(vectors) > LEAST, vectors, 0.0)
-    some = np.abs(constants) > LEAST * np.abs(constants).max()
+    vectors = np.where(np.abs(vectors) > NOISE, vectors, 0.0)
+    some = np.abs(constants) > NOISE * np.abs(constants).max()
     return constants[some], (vectors / scale[:, None]).T[some]
 
 

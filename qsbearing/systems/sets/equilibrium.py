@@ -4,8 +4,8 @@
 
 with F and K, the row's exact tangent stiffness, from the kernel, and S of all else that is elastic. At rest each
 row's energy is convex and q enters it affinely, so that the set's energy is convex too: there is one equilibrium at
-most. Steps are limited, and shortened until the imbalance falls. Cases that this does not solve are followed from the
-unloaded set at rest.
+most. Steps are limited, and shortened until the imbalance falls, or until the energy does. Cases that this does not
+solve are followed from the unloaded set at rest.
 """
 
 from __future__ import annotations
@@ -180,6 +180,8 @@ def _take(
 ) -> tuple[NDArray, NDArray, NDArray]:
     """Take each step, or the longest part of it, by halves, that lessens the imbalance; cases without one are left.
 
+    A step is taken too at whose end the imbalance still points back, R(new) . step <= 0: at rest, where the energy is
+    convex, it has then fallen all along. Across a gap R is the load, and just beyond larger: no step would lessen it.
     By quarters where some row is not solved.
     """
     size, fraction = np.linalg.norm(imbalance, axis=1), np.ones(which.size)
@@ -191,7 +193,8 @@ def _take(
         found, good = s.solve_rows(q, cases, is_trial=True)
         new, relative = s.imbalance(cases, q, found)
         # The limit of rounding: an imbalance as small as any may stay as it is.
-        better = good & ((np.linalg.norm(new, axis=1) < size[left]) | (relative <= STALLED))
+        downhill = np.einsum("kj,kj->k", new, step[left]) <= 0.0
+        better = good & ((np.linalg.norm(new, axis=1) < size[left]) | downhill | (relative <= STALLED))
         s.keep(cases[better], q[better], [each.part(np.flatnonzero(better)) for each in found], relative[better])
         imbalance[left[better]] = new[better]
         taken[left[better]] = True

@@ -154,6 +154,7 @@ def _solved(of: BearingSet, threads: int | None) -> SetSolution:
 def _words(solution: SetSolution) -> NDArray[Any]:
     words = solution.preload_state
     assert words is not None  # the set is opposed
+    words = np.where(words == PreloadState.REDUCED, str(PreloadState.MAINTAINED), words)  # a share, not a limit
     labels = np.concatenate([words, np.full((len(words), 1), "")], axis=1).astype(object)
     unsolved = np.flatnonzero(~solution.converged)
     labels[unsolved] = ""

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.compiler.kinds import in_c_order
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.model.kernel.case import OWN_BALL
 from qsbearing.model.kernel.shaft import SHAFT, Shafts, shaft_system
@@ -19,11 +20,12 @@ from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.elastic_shaft import PLANES, START_DEFLECTION, structure_of
+from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.rigid_shaft import SLIDE
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.row_cases import Found, RowCases, empty
+from qsbearing.systems.sets.start import begin
 
 
 @dataclass
@@ -43,6 +45,8 @@ class Outcome:
     """The part of loads and speeds up to which an equilibrium was followed."""
     axial: NDArray
     """Load of each row in the direction that it carries; shape (row, case) [N]."""
+    largest: NDArray
+    """Of the forces on rows, in any direction; shape (case,) [N]."""
 
     @classmethod
     def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
@@ -50,11 +54,13 @@ class Outcome:
         numbers = np.zeros(count, np.int32), np.full(count, -1, np.int16)
         return cls(
             np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
-            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)),
+            np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)), np.zeros(count),
         )  # fmt: skip
 
 
-def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, found: Found) -> None:
+def solve_directly(
+    s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, loose: NDArray, found: Found
+) -> None:
     """Solve all cases of a stretch that this method solves; they are marked as solved there.
 
     Args:
@@ -63,11 +69,17 @@ def solve_directly(s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, 
     """
     rows, _, balls = found.controls.shape
     shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
+    shafts.found["is_loose"] = loose
     # Of displacements that are prescribed, the kernel looks at which ones vanish.
     moving = ~s.held | (s.place != 0.0)
     cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
     memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
-    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *found)
+    filled = in_c_order(*found)  # a stretch of several is in another
+    matrices, offsets = in_c_order(matrices, offsets)
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *filled)
+    for whole, part in zip(found, filled, strict=True):
+        if part is not whole:
+            whole[...] = part
     which = shafts.found["solved"]
     s.solved[:] = which
     s.q[which], s.residual[which] = shafts.q[which], shafts.found["residual"][which]
@@ -171,14 +183,16 @@ class Problem:
             for r in range(len(alike))
         ]
         o = self.outcome
+        given = self._load[part], self._held[part], self._place[part], self._lever[part]
+        place, loose = begin(self.structure, part, cases, offsets - shift, *given)
         s = Stretch(
-            rows, self._load[part], self._held[part], self._begin(cases, part), self.structure.elasticity[part],
+            rows, self._load[part], self._held[part], place, self.structure.elasticity[part],
             self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
             o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
             np.zeros_like(o.q[part]), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
-        solve_directly(s, cases, own, matrices, offsets - shift, found)
+        solve_directly(s, cases, own, matrices, offsets - shift, loose, found)
         rest = np.flatnonzero(carried[part] & ~s.solved)
         if rest.size:
             is_lost = is_beyond_springs(s, rest)
@@ -199,33 +213,13 @@ class Problem:
             refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
             o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
             o.reached[part][rest] = reached[rest]
-        o.axial[:, part] = found.results["load"][..., 0] * cases["force"]
+        forces = found.results["load"][..., :3] * cases["force"][..., None]
+        o.axial[:, part], o.largest[part] = forces[..., 0], np.abs(forces).max(axis=(0, 2))
         failed = o.status[part] != CONVERGED
         if failed.any():
             for row in rows:
                 codes = row.found.results["status"]
                 codes[failed & (codes != NO_EQUILIBRIUM)] = NOT_CONVERGED
-
-    def _begin(self, cases: NDArray, part: slice) -> NDArray:
-        """Values of what is held, and a start of the rest: where loads of the shaft bend it, on rows as stiff as balls
-        are at a small deflection, so that no row starts far from its equilibrium."""
-        place = self._place[part].copy()
-        if self.structure.given == place.shape[1]:
-            return place
-        held, matrix = self._held[part], self.structure.elasticity[part].copy()
-        for own, of_row in zip(self.matrices[:, part], cases, strict=True):
-            contact = of_row["series_stiffness"] * of_row["force"] / of_row["length"]
-            stiffness = 0.5 * of_row["ball_count"] * contact * START_DEFLECTION**0.5
-            springs = np.zeros((place.shape[0], 5))
-            springs[:, 1:3] = stiffness[:, None]
-            springs[:, 3:] = (stiffness * self._lever[part] ** 2)[:, None]
-            matrix += np.einsum("kia,ki,kib->kab", own, springs, own)
-        force = self._load[part] - np.einsum("kij,kj->ki", matrix, np.where(held, place, 0.0))
-        held = held.copy()
-        held[:, [0, *range(SLIDE, self.structure.rigid), *self.structure.unknowns_in(0)]] = True
-        matrix[held[:, :, None] | held[:, None, :]] = 0.0
-        matrix[:, range(place.shape[1]), range(place.shape[1])] += np.where(held, 1.0, 0.0)
-        return place + np.linalg.solve(matrix, np.where(held, 0.0, force)[..., None])[..., 0]
 
     def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
         """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""

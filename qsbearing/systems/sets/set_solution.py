@@ -17,6 +17,7 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.ring_stiffness import inverse
+from qsbearing.model.solution.rounding import least_force, rounding_of, without_rounding
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
@@ -194,9 +195,16 @@ class SetSolution(SolutionOfCases):
         return np.asarray(load)
 
     @cached_property
+    def rounding(self) -> NDArray:
+        """Up to which size forces on its rows are rounding; shape (*cases) [N]."""
+        least = [np.broadcast_to(least_force(row.bearing), self.shape) for row in self.set.rows]
+        return rounding_of(self._shaped(self.outcome.largest), np.max(least, axis=0))
+
+    @cached_property
     def axial_loads(self) -> NDArray:
-        """Of each row in the direction that it carries; shape (*cases, row) [N]."""
-        return np.asarray(self._shaped(self._known(self.outcome.axial.T), len(self.set.rows)))
+        """Of each row in the direction that it carries, what is rounding as zero; shape (*cases, row) [N]."""
+        found = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
+        return without_rounding(found, self.rounding[..., None])
 
     @cached_property
     def stiffness(self) -> NDArray:
@@ -340,7 +348,10 @@ class SetSolution(SolutionOfCases):
         """What is given, left and carried, of each row; None likewise."""
         if not self.set.is_opposed:
             return None
-        return PreloadLoads(self.preload_given, self.preload_in_operation, self.axial_loads)
+        together = [each for each in (self, self.mounted, self.without_load) if each is not None]
+        rounding = np.max([np.broadcast_to(each.rounding, self.shape) for each in together], axis=0)
+        loads = self.preload_given, self.preload_in_operation, self.axial_loads
+        return PreloadLoads(*loads, np.broadcast_to(rounding[..., None], self.axial_loads.shape))
 
     @cached_property
     def free_channels(self) -> NDArray:

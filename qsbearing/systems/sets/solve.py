@@ -182,6 +182,10 @@ class HotSet:
             of.readings if row.readings is None else row.readings for row in of.rows
         )
 
+    def alike(self, of: BearingSet) -> HotSet:
+        """Another set of the same cases, solved in the same way."""
+        return HotSet(of, self.shape, self._solve)
+
     def solve(self, temperatures: Temperatures, factor: NDArray) -> SetSolution:
         """The set's solution at these temperatures of its nodes."""
         from qsbearing.systems.heat.hot import (  # not above: it loads every reading, and scipy with them

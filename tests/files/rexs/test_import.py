@@ -13,8 +13,10 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.rexs import importing
 from qsbearing.files.rexs.importing import Imported, import_model
 from qsbearing.files.rexs.names import _histories, current, version_of
+from qsbearing.files.rexs.scene_text import text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from tests.files.rexs.models import ROLLING, b218, gearbox, json_text, part, xml, zipped
 
@@ -105,8 +107,8 @@ def test_a_gearbox_of_catalogue_and_concept_bearings_lists_what_it_lacks(importe
     ]
     assert "radial_tapered_roller_bearing" in found.not_ours[2]
     lacks = {each.name: each.lacks for each in found.files}
-    assert {name for name, each in lacks.items() if not each} == {"bearing_13_case_1.toml", "bearing_13_case_2.toml"}
-    assert [each.partition(": missing")[0] for each in lacks["bearing_10_case_1.toml"][:2]] == [
+    assert all(lacks.values())
+    assert [each.partition(": missing")[0] for each in lacks["bearing_10_case_1.toml"][-2:]] == [
         "bearing.dynamic_load_rating_N", "bearing.static_load_rating_N",
     ]  # fmt: skip
     said = "\n".join(lacks["shaft_3_case_2.toml"])
@@ -219,6 +221,57 @@ def test_loads_that_stand_as_results_are_taken_where_the_shaft_has_others_to_car
     assert (operation["axial_load_N"], operation["radial_load_y_N"], operation["tilt_z_mrad"]) == (2500, -500, 0.1)
 
 
+def beside(model: dict[str, Any], kind: str, role: str, **attributes: Any) -> dict[str, Any]:
+    """The model with one more component on its shaft."""
+    model["components"].append(part(9, kind, **attributes))
+    kinds = {"part": ("assembly", 0, {"assembly": 3, "part": 9})}
+    model["relations"].append(kinds.get(role) or ("side", 0, {"assembly": 9, role: 3, "outer_part": 2}))
+    return model
+
+
+BALLS = {"bearing_type": "angular_contact_ball_bearing", "catalogue_designation": "7210C"}
+ROLLERS = {"bearing_type": "radial_tapered_roller_bearing"}
+OTHERS: dict[str, Any] = {
+    "another ball bearing": (ROLLING, "inner_part", BALLS), "rollers": (ROLLING, "inner_part", ROLLERS),
+    "a spring": ("concept_bearing", "inner_part", {}), "a gear": ("cylindrical_gear", "part", {}),
+    "a coupling": ("coupling", "part", {}), "a mass": ("additional_mass", "part", {}),
+    "what nobody knows": ("custom_thing", "part", {}),
+}  # fmt: skip
+"""What may bear on a shaft beside a bearing of it."""
+
+
+@pytest.mark.parametrize("preload", [{}, {"preload_force": ("N", 500)}])
+@pytest.mark.parametrize("other", OTHERS)
+def test_a_bearing_that_shares_its_shaft_is_not_solved_without_its_load(
+    imported: Any, other: str, preload: dict[str, Any]
+) -> None:
+    """With a preload it would run and have a life, which is not that of the system."""
+    kind, role, attributes = OTHERS[other]
+    model = beside(b218(), kind, role, **attributes)
+    bearing = next(each for each in model["components"] if each["id"] == 6)
+    bearing["attributes"] |= preload
+    found = imported(xml(model))
+    own = tables(found, "bearing_6.toml")
+    (lacks,) = (each.lacks for each in found.files if each.name == "bearing_6.toml")
+    assert lacks == own["rexs"]["missing"]
+    assert "which shares component 3" in lacks[0] and "`qsbearing run shaft_3.toml` prints it" in lacks[0]
+    assert "preload" not in own and set(own["operation"]) == {"speed_rpm"}
+    with pytest.raises(SceneFileError):
+        scene_or_set_of(own, "")
+
+
+@pytest.mark.parametrize("given", [True, False])
+def test_a_preload_is_all_where_nothing_else_bears_on_the_shaft(imported: Any, given: bool) -> None:
+    model = b218()
+    bearing = next(each for each in model["components"] if each["id"] == 6)
+    bearing["attributes"] |= {"preload_force": ("N", 500)} if given else {}
+    model["components"] = [each for each in model["components"] if each["type"] != "external_load"]
+    model["relations"] = [each for each in model["relations"] if 5 not in each[2].values()]
+    (file,) = (each for each in imported(xml(model)).files if each.name == "bearing_6.toml")
+    assert tomllib.loads(file.text).get("preload") == ({"rigid_N": 500.0} if given else None)
+    assert "missing" not in tomllib.loads(file.text)["rexs"] and bool(file.lacks) != given
+
+
 def test_the_table_of_the_origin_is_read_as_strictly_as_others(imported: Any) -> None:
     wanted = tables(imported(xml(b218())), "bearing_6.toml")
     for wrong, said in (
@@ -246,6 +299,71 @@ def test_load_cases_have_files_of_their_own_and_with_shares_a_spectrum(imported:
     assert scene.readings["spectrum"]["time_share"].tolist() == [0.2, 0.8]
     model["load_cases"][0][1] = {}
     assert "bearing_6_spectrum.toml" not in texts(imported(xml(model)))
+
+
+def loaded_spindle() -> dict[str, Any]:
+    """The spindle under two load cases, in which one external load changes and the other has its own directions."""
+    model = spindle()
+    model["components"] += [part(9, "gear_unit"), part(10, "external_load", u_coordinate_on_shaft=("mm", 250))]
+    model["relations"].append(("assembly", 0, {"assembly": 2, "part": 10}))
+    model["load_cases"] = [
+        {9: {"operating_time_fraction": ("%", 25)}, 2: {"rotational_speed": ("1 / min", 6000)},
+         10: {"force_u_direction": ("N", 300)}},
+        {9: {"operating_time_fraction": ("%", 75)}, 7: {"force_v_direction": ("N", 100)}},
+    ]  # fmt: skip
+    return model
+
+
+def test_the_load_cases_of_a_shaft_are_points_of_its_set(imported: Any) -> None:
+    found = imported(xml(loaded_spindle()))
+    whole = tables(found, "shaft_2_spectrum.toml")
+    assert "load_case" not in whole["rexs"] and "bearing_5_spectrum.toml" not in texts(found)
+    solved = qs.solve_set(scene_or_set_of(whole, ""))  # type: ignore[arg-type]
+    for number, share in ((1, 0.25), (2, 0.75)):
+        own = qs.solve_set(scene_or_set_of(tables(found, f"shaft_2_case_{number}.toml"), ""))  # type: ignore[arg-type]
+        at = number - 1
+        assert whole["spectrum"][at]["share"] == share
+        for row, alone in zip(solved.rows, own.rows, strict=True):
+            assert np.allclose(row.load[at], alone.load, rtol=1e-9, atol=1e-6)
+
+
+def test_load_cases_that_differ_in_what_no_point_can_have_are_told(imported: Any) -> None:
+    """The distance of a support makes another set, and a shaft that is turned in one case alone has another key."""
+    model = loaded_spindle()
+    model["load_cases"][0][10] |= {"u_coordinate_on_shaft": ("mm", 260)}
+    found = imported(xml(model))
+    assert "shaft_2_spectrum.toml" not in texts(found)
+    (told,) = [each for each in found.remarks if "no load spectrum" in each]
+    assert "its load cases differ in shaft.loads.2.position_mm" in told
+
+
+CONTROLS = [chr(code) for code in (*range(1, 32), 0x7F, 0x85, 0x2028, 0x2029, 0x202E)]
+
+
+def test_no_name_writes_lines_of_the_model(imported: Any) -> None:
+    """Of every component, with every control character that JSON can hold; all is read back as it is written."""
+    wanted = imported(json_text(loaded_spindle()))
+    model = loaded_spindle()
+    for each in model["components"]:
+        if "catalogue_designation" in each["attributes"]:
+            each["attributes"]["radial_clearance_class"] = ("none", "C3" + CONTROLS[0])
+        each["name"] = "".join(f"{control}[note]{control}#" for control in CONTROLS) + "\"'\\"
+    found = imported(json_text(model))
+    assert [each.name for each in found.files] == [each.name for each in wanted.files]
+    for each, same in zip(found.files, wanted.files, strict=True):
+        plain, other = tomllib.loads(each.text), tomllib.loads(same.text)
+        for one in (plain, other):
+            one["rexs"].pop("missing", None)
+        assert plain == other
+        assert not any(control in each.text for control in CONTROLS if control != "\n")
+
+
+def test_a_text_that_is_read_as_something_else_is_not_written(imported: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        importing, "text_of", lambda table: text_of(table).replace("ball_count = 16", "ball_count = 15")
+    )
+    with pytest.raises(SceneFileError, match="its text is read as something else"):
+        imported(xml(b218()))
 
 
 def double_row(version: str = "1.4") -> dict[str, Any]:

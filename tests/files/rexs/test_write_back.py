@@ -26,7 +26,7 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.results.readings_record import taken
 from tests.files.rexs.models import b218, gearbox, json_text, xml, zipped
-from tests.files.rexs.test_import import double_row, spindle
+from tests.files.rexs.test_import import double_row, loaded_spindle, spindle
 
 Result = tuple[dict[str, Any], Any, Any]
 RADIAL = {"radial_load_y_N": 3000.0, "tilt_y_mrad": 0.1}
@@ -202,6 +202,20 @@ def test_the_life_of_a_spectrum_is_what_the_load_cases_accumulate_to(tmp_path: P
     assert [len(each.components) for each in model_in(opened(file)).load_cases] == [2, 2]
 
 
+def test_the_lives_of_a_set_over_its_load_cases_go_to_each_bearing(tmp_path: Path) -> None:
+    file, scene = tmp_path / "model.rexs", tmp_path / "spectrum.toml"
+    file.write_bytes(xml(loaded_spindle()))
+    (text,) = (each.text for each in import_model(file).files if each.name == "shaft_2_spectrum.toml")
+    scene.write_text(text, encoding="utf-8")
+    call = ["run", str(scene), "--into", str(file)]
+    assert CliRunner().invoke(cli, call, catch_exceptions=False).exit_code == 0
+    found = model_in(opened(file)).accumulation
+    assert found is not None
+    for number, row in zip((5, 6), qs.solve_set(qs.load_set(scene)).rows, strict=True):
+        [life] = found.components[number].attributes.values()
+        assert float(life.value) == pytest.approx(taken(row)["spectrum"].duration / 3600.0, rel=1e-12)
+
+
 def lines_of(file: Path) -> list[bytes]:
     source = opened(file)
     return (source.text.encode() if isinstance(source.text, str) else source.text).splitlines()
@@ -293,7 +307,7 @@ def test_the_commands(tmp_path: Path) -> None:
     done = call("import", gears, "--shaft", "input", "--out", out)
     assert done.exit_code == 1  # nothing of it can be solved as it is
     assert "shaft_3_case_1.toml, shaft_3_case_2.toml: missing" in done.stdout
-    assert call("import", gears, "--out", out).exit_code == 0
+    assert call("import", gears, "--out", out).exit_code == 1
     model.write_bytes(xml(b218()).replace(b'unit="kN">17.8', b'unit="kN">-17.8'))
     before = model.read_bytes()
     call("import", model, "--out", out)

@@ -205,7 +205,7 @@ def test_a_seat_is_looked_at_only_where_fit_and_balls_both_move_it(monkeypatch: 
     """Either alone is solved once, whatever an earlier solve of both has found of the seats: that is no input."""
     both = in_housing(-100 * qs.um)
     assert qs.stiffness(replace(both.scene, ring_effects=(both.scene.ring_expansion, PRESSED_RINGS)), both) is not None
-    with pytest.raises(ValueError, match="housing_touches"):
+    with pytest.raises((ValueError, TypeError), match="housing_touches"):  # the latter from Python 3.13 on
         replace(PRESSED_RINGS, housing_touches=0.0)
     alone = replace(both.scene, ring_effects=(both.scene.elastic_rings,))
     expected = qs.solve(qs.Scene(B218, qs.Operation(**THRUST), ring_effects=(PRESSED_RINGS,)))

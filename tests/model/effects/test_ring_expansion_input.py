@@ -134,15 +134,16 @@ def test_results_say_which_temperatures_were_taken(tmp_path: Path) -> None:
     file.write_text(HEAD + GOOD, encoding="utf-8")
     found = json.loads(CliRunner().invoke(cli, ["run", str(file), "--json"]).stdout)["temperatures"]
     assert found == {
-        "shaft": {"temperature_C": 70.0, "from": "as the inner ring"},
-        "inner_ring": {"temperature_C": 70.0, "from": "given"},
-        "outer_ring": {"temperature_C": 20.0, "from": "reference temperature"},
-        "housing": {"temperature_C": 20.0, "from": "as the outer ring"},
+        "shaft": {"temperature_C": 70.0, "from": "as the inner ring", "assumed": True},
+        "inner_ring": {"temperature_C": 70.0, "from": "given", "assumed": False},
+        "outer_ring": {"temperature_C": 20.0, "from": "reference temperature", "assumed": True},
+        "housing": {"temperature_C": 20.0, "from": "as the outer ring", "assumed": True},
+        "balls": {"temperature_C": 60.0, "from": "given", "assumed": False},
     }
     shown = [line.split() for line in CliRunner().invoke(cli, ["run", str(file)]).stdout.splitlines()]
-    assert ["shaft", "70", "as", "the", "inner", "ring"] in shown
+    assert ["shaft", "70", "assumed:", "as", "the", "inner", "ring"] in shown
     lines = effect_lines(qs.load_scene(file).ring_effects)
-    assert ("ring_expansion.shaft_temperature_C", "70", "°C", "left out: as the inner ring") in lines
+    assert ("ring_expansion.shaft_temperature_C", "70", "°C", "assumed: as the inner ring") in lines
     assert json.loads(CliRunner().invoke(cli, ["run", "b218", "--json"]).stdout)["temperatures"] is None
     of_set = tmp_path / "set.toml"
     ring = GOOD.partition("[effects.ball")[0].replace("90", "50").replace("160", "90")
@@ -150,7 +151,7 @@ def test_results_say_which_temperatures_were_taken(tmp_path: Path) -> None:
     record = json.loads(CliRunner().invoke(cli, ["run", str(of_set), "--json"]).stdout)
     assert [row["temperatures"]["shaft"] for row in record["rows"]] == [found["shaft"]] * 2
     shown = [line.split() for line in CliRunner().invoke(cli, ["run", str(of_set)]).stdout.splitlines()]
-    assert shown.count(["shaft", "70", "as", "the", "inner", "ring"]) == 1, "once for rows alike"
+    assert shown.count(["shaft", "70", "assumed:", "as", "the", "inner", "ring"]) == 1, "once for rows alike"
 
 
 def test_a_table_in_the_wrong_place(tmp_path: Path) -> None:

@@ -12,13 +12,13 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
-from qsbearing.model.compiler.compiled import _functions as kinds
+from qsbearing.model.compiler.compiled import HAS_NUMBA, functions, has_fast_code
 from qsbearing.model.kernel import lanes
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
+from qsbearing.model.kernel.lane_assembly import evaluate_ball_lanes
 from qsbearing.model.kernel.lane_state import BALL_LANES, LANES, RING_LANES, lane_memory
-from qsbearing.model.kernel.lanes import evaluate_ball_lanes, propose_lanes, step_ball_lanes
+from qsbearing.model.kernel.lanes import propose_lanes, step_ball_lanes
 from qsbearing.model.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.model.kernel.workspace import working_memory
 from qsbearing.model.solution import solver
@@ -26,7 +26,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from tests.verification.benchmarks import scenes
 from tests.verification.campaign.envelope import chunk_groups
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="plain Python solves no batches in lanes")
+pytestmark = pytest.mark.skipif(not has_fast_code(), reason="plain Python solves no batches in lanes")
 
 Found = tuple[NDArray, NDArray, NDArray]
 
@@ -87,9 +87,31 @@ def held(count: int) -> qs.Scene:
     return scenes.at_speed(qs.Operation(**loads, **upright))
 
 
+def without_moment(count: int) -> qs.Scene:
+    """Centrifugal force alone."""
+    return replace(scenes.random_general_points(count), ball_effects=scenes.BOTH[:1])
+
+
+def per_ball(count: int) -> qs.Scene:
+    """Jones's criterion: the outer raceway controls nearly all balls of nearly all cases."""
+    return replace(scenes.random_general_points(count), raceway_control=qs.RacewayControl.PER_BALL)
+
+
+def per_ball_without_moment(count: int) -> qs.Scene:
+    return replace(per_ball(count), ball_effects=scenes.BOTH[:1])
+
+
 @pytest.mark.parametrize(
     ("make", "least"),
-    [(scenes.random_points, 0.99), (scenes.random_general_points, 0.99), (held, 0.99), (mixed, 0.75)],
+    [
+        (without_moment, 0.99),
+        (per_ball, 0.7),
+        (per_ball_without_moment, 0.7),
+        (scenes.random_points, 0.99),
+        (scenes.random_general_points, 0.99),
+        (held, 0.99),
+        (mixed, 0.75),
+    ],
 )
 def test_lanes_give_the_digits_of_the_scalar_kernel(make: Any, least: float) -> None:
     """`least`: the part of the cases that lanes solve without it."""
@@ -137,9 +159,10 @@ def test_only_batches_from_no_start_are_solved_in_lanes(monkeypatch: pytest.Monk
 @pytest.mark.parametrize(
     "change",
     [
-        {"ball_effects": (qs.CentrifugalForce(),)},
         {"ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.07))},
-        {"raceway_control": qs.RacewayControl.PER_BALL},
+        {"raceway_control": qs.RacewayControl.INNER},
+        {"raceway_control": qs.RacewayControl.MINIMUM_DISSIPATION},
+        {"ball_effects": (qs.GyroscopicMoment(),)},
         {"hertz_angle": qs.HertzAngle.ACTUAL},
         {"orbit_radius": qs.OrbitRadius.DISPLACED},
     ],
@@ -151,9 +174,8 @@ def test_lanes_know_what_they_do_not_know(change: dict[str, Any]) -> None:
 
 
 def test_lanes_are_left_out_where_they_know_no_case(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Their kernel would be compiled for nothing."""
     monkeypatch.setattr(lanes, "solve_in_lanes", None)
-    maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.PER_BALL))
+    maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.INNER))
     assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
 
 
@@ -166,12 +188,16 @@ PACKED = {
 
 @pytest.mark.heavy
 @pytest.mark.skipif(platform.machine() not in PACKED, reason="no instruction known of this processor")
+@pytest.mark.skipif(not HAS_NUMBA, reason="numba is not installed, or switched off")
 def test_loops_over_lanes_are_packed() -> None:
     """A compiler that packs none makes lanes slower than one case at a time."""
     from qsbearing.model.compiler import numba_kernel
 
     def evaluate(rings: NDArray, balls: NDArray) -> None:
-        evaluate_ball_lanes(rings[0], balls[0])
+        evaluate_ball_lanes(rings[0], balls[0], True)
+
+    def evaluate_without_moment(rings: NDArray, balls: NDArray) -> None:
+        evaluate_ball_lanes(rings[0], balls[0], False)
 
     def step(rings: NDArray, balls: NDArray) -> None:
         step_ball_lanes(rings[0], balls[0])
@@ -179,8 +205,8 @@ def test_loops_over_lanes_are_packed() -> None:
     def propose(rings: NDArray, balls: NDArray) -> None:
         propose_lanes(rings[0], balls, 1)
 
-    for function, least in ((evaluate, 200), (step, 50), (propose, 10)):
-        compiled = numba_kernel.filled(function, kinds)
+    for function, least in ((evaluate, 200), (evaluate_without_moment, 100), (step, 50), (propose, 10)):
+        compiled = numba_kernel.njit(**numba_kernel.OPTIONS)(numba_kernel.Dispatchers(functions).filled(function))
         compiled(np.ones(1, RING_LANES), np.ones(1, BALL_LANES))
         (text,) = compiled.inspect_asm().values()
         found = len(re.findall(PACKED[platform.machine()], text))

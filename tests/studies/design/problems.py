@@ -23,6 +23,9 @@ SPINDLE: dict[str, Any] = {
     "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
 }
 
+PRINTED_RATING = 47_500.0
+"""C in N: GMN, catalogue 4000 0813 EN, row HY S 6210 C TA."""
+
 
 def scene(
     rigid: Any = 300.0, speed: Any = 18000.0, balls: Any = 15, diameter: Any = 12.7, f: Any = 6.58 / 12.7,
@@ -60,6 +63,12 @@ def least_load(solution: qs.Solution) -> NDArray:
 
 
 def life(solution: qs.Solution) -> NDArray:
+    """With the rating that the catalogue prints of the bearing."""
+    return np.asarray(qs.readings.life(solution, dynamic_load_rating=PRINTED_RATING).basic_duration / 3600.0)
+
+
+def life_of_geometry(solution: qs.Solution) -> NDArray:
+    """Of a bearing that no catalogue has."""
     return np.asarray(qs.readings.life(solution).basic_duration / 3600.0)
 
 
@@ -137,11 +146,11 @@ PROBLEMS = {
     ),
     "ball count": Problem(
         RIGID | {"ball_count": "10:16"}, ["rigid", "balls"],
-        least={STIFF: (stiffness, 230.0)}, maximise=(LIFE, life),
+        least={STIFF: (stiffness, 230.0)}, maximise=(LIFE, life_of_geometry),
     ),
     "ball from a list": Problem(
         RIGID | {"ball_diameter_mm": BALLS, "groove_radius_coefficient": "0.515:0.54"}, ["rigid", "diameter", "f"],
-        most={PRESSURE: (pressure, 1500.0)}, least={LIFE: (life, 3e4)}, maximise=(STIFF, stiffness),
+        most={PRESSURE: (pressure, 1500.0)}, least={LIFE: (life_of_geometry, 3e4)}, maximise=(STIFF, stiffness),
     ),
     "loaded balls": Problem(
         {"rigid_N": "10:2500:log", "free_contact_angle_deg": "12:30", "groove_radius_coefficient": "0.515:0.54"},

@@ -257,7 +257,7 @@ def test_temperatures_of_the_heat_balance_are_not_called_given() -> None:
     found = set_record(qs.solve_set(pair()), [{}, {}])
     for row in found["rows"]:
         of = origins(row["temperatures"])
-        assert of == dict.fromkeys(("inner_ring", "outer_ring", "shaft"), "heat balance") | {
+        assert of == dict.fromkeys(("inner_ring", "outer_ring", "shaft", "balls"), "heat balance") | {
             "housing": "as the outer ring"
         }
     thermal = tables()["thermal"]

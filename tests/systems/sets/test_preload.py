@@ -233,19 +233,20 @@ def test_life_of_a_set() -> None:
 @pytest.mark.parametrize("inner, outer", [(20.0, 20.0), (60.0, 20.0), (20.0, 45.0)])
 def test_a_rigid_pair_is_twice_a_bearing_with_rigid_preload(speed: float, inner: float, outer: float) -> None:
     """By symmetry the shaft of a pair stays: each row, loose on a shaft and in a housing that do not grow, is the
-    single bearing held where its preload took it, hot or cold, still or turning; and rings that grow apart take the
-    preload away, from both."""
+    single bearing held where its preload took it, hot or cold, still or turning; and rings that grow apart from cold
+    balls take the preload away, from both."""
     temperatures = {"inner_ring_temperature": inner, "outer_ring_temperature": outer}
     temperatures |= {"shaft_temperature": 20.0, "housing_temperature": 20.0}
     hot = {name: value + qs.zero_celsius for name, value in temperatures.items()}
     loose = {"shaft_interference": -0.1 * qs.mm, "housing_interference": -0.1 * qs.mm, "housing_outside_diameter": 0.15}
     growth = qs.RingExpansion(50 * qs.mm, 90 * qs.mm, **loose, **hot)  # type: ignore[arg-type]
-    effects = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
+    effects: dict[str, Any] = {"ball_effects": BOTH, "raceway_control": OUTER} if speed else {}
     preload = qs.Preload(rigid=720.0)
-    steel = replace(S6210C.ring_material, thermal_expansion=12e-6)
-    bearing = replace(S6210C, ring_material=steel)
-    alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), ring_effects=(growth,), preload=preload, **effects))
-    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, ring_effects=(growth,), **effects))
+    ring, ball = (replace(each, thermal_expansion=12e-6) for each in (S6210C.ring_material, S6210C.ball_material))
+    bearing = replace(S6210C, ring_material=ring, ball_material=ball)
+    effects["ring_effects"] = (growth, qs.BallExpansion(20.0 + qs.zero_celsius))
+    alone = qs.solve(qs.Scene(bearing, qs.Operation(speed), preload=preload, **effects))
+    found = solved(qs.BearingSet(rows("DB", bearing), qs.Operation(speed), preload, **effects))
     np.testing.assert_allclose(found.axial_loads, alone.load[0], rtol=1e-8, atol=1e-9)
     np.testing.assert_allclose(found.rows[0].displacement, alone.displacement, rtol=1e-9, atol=1e-15)
     assert found.preload_at_rest == pytest.approx(720.0, rel=1e-9)
@@ -295,21 +296,22 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
 
 
 def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
-    """Where a load relieves a row: its share, and how its stiffness fell."""
+    """Where a load relieves a row: what it leaves, and how its stiffness fell; the share is that without the load."""
     found = solved(pair("DB", 720.0, axial_load=1300.0))
     share = found.axial_loads[1] / 720.0
-    assert list(found.preload_state) == ["maintained", "maintained"]
-    assert found.preload_share[1] == pytest.approx(share, rel=1e-9)
+    assert list(found.preload_state) == ["maintained", "reduced"]
+    assert found.preload_share == pytest.approx([1.0, 1.0], rel=1e-9)
     assert 0.01 < share < 0.5
     (said,) = (each for each in found.warnings() if each.startswith("Preload"))
-    assert said.startswith(f"Preload reduced: row 2 (S 6210 C, carries -x) carries {found.axial_loads[1]:.4g} N")
+    row = "row 2 (S 6210 C, carries -x)"
+    assert said.startswith(f"Preload reduced: the loads leave {row} only {found.axial_loads[1]:.4g} N of its preload")
     before, now = (each.rows[1].stiffness[0, 0] / 1e6 for each in (found.mounted, found))
-    part = f"{100 * share:.2g} % of its preload of 720 N before fitting"
+    part = f"of 720 N before fitting ({100 * share:.3g} %)"
     assert f"{part}; its axial stiffness fell from {before:.4g}" in said
     assert f"to {now:.4g} N/µm" in said
     many = solved(pair("DB", 720.0, axial_load=np.array([0.0, 1300.0])))
     (said,) = (each for each in many.warnings() if "Preload" in each)
-    assert said.startswith("1 of 2 cases, the first 1: Preload reduced: row 2 (S 6210 C, carries -x) carries ")
+    assert said.startswith(f"1 of 2 cases, the first 1: Preload reduced: the loads leave {row} only ")
 
 
 # Heat -----------------------------------------------------------------------------------------------------------------

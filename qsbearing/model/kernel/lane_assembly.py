@@ -1,0 +1,110 @@
+"""The equations of balls and ring assembled in lanes: `moving_ball` and `assemble_balls` of sixteen cases at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy import ndarray, recarray
+
+from qsbearing.model.compiler.compiled import inlined, kernel
+from qsbearing.model.kernel.ball import evaluated
+from qsbearing.model.kernel.kinematics import inner_line, is_seen_itself
+from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, work_in
+
+
+@kernel
+def evaluate_lanes(ring: recarray, lane_balls: ndarray, count: int, gyroscopic: bool) -> None:
+    """`assemble_balls` of all lanes, in all five channels."""
+    for lane in range(LANES):
+        ring.worst[lane], ring.worst_own[lane], ring.total[lane] = 0.0, 0.0, 0.0
+        ring.is_open[lane] = 0.0
+        ring.inertial[lane], ring.contact[lane], ring.largest_approach[lane] = 0.0, 0.0, 0.0
+        for p in range(5):
+            ring.imbalance[p, lane] = -ring.load[p, lane]
+            ring.right_side[p, lane] = -ring.load[p, lane]
+            for q in range(5):
+                ring.matrix[p, q, lane] = 0.0
+    for n in range(count):
+        see_lines(lane_balls[n])
+        evaluate_ball_lanes(ring, lane_balls[n], gyroscopic)
+
+
+@kernel
+def see_lines(ball: recarray) -> None:
+    """`rolling_line` of all lanes: nearly always the contact line itself."""
+    others = 0
+    for lane in range(LANES):
+        si, ci, approach = ball.inner_sine[lane], ball.inner_cosine[lane], ball.inner_approach[lane]
+        others += 0 if is_seen_itself(si, ci, ball.outer_sine[lane], ball.outer_cosine[lane], approach) else 1
+        ball.seen_sine[lane], ball.seen_cosine[lane] = si, ci
+        ball.seen_by_inner[lane], ball.seen_by_outer[lane], ball.seen_by_approach[lane] = 1.0, 0.0, 0.0
+    if others == 0:
+        return
+    for lane in range(LANES):
+        si, ci, so, co = ball.inner_sine[lane], ball.inner_cosine[lane], ball.outer_sine[lane], ball.outer_cosine[lane]
+        seen = inner_line(si, ci, so, co, ball.inner_approach[lane], ball.inner_length[lane])
+        ball.seen_sine[lane], ball.seen_cosine[lane] = seen[0], seen[1]
+        ball.seen_by_inner[lane], ball.seen_by_outer[lane], ball.seen_by_approach[lane] = seen[2], seen[3], seen[4]
+
+
+@kernel
+def evaluate_ball_lanes(ring: recarray, ball: recarray, gyroscopic: bool) -> None:
+    """`moving_ball` and `add_ball` of all lanes."""
+    cosine, sine, weight = ball.cosine, ball.sine, ball.weight
+    if gyroscopic:  # a loop for each: a branch within one would forbid to pack it
+        for lane in range(LANES):
+            evaluate_in_lane(ring, ball, lane, case_in(ring, lane, True), cosine, sine, weight)
+    else:
+        for lane in range(LANES):
+            evaluate_in_lane(ring, ball, lane, case_in(ring, lane, False), cosine, sine, weight)
+
+
+@inlined
+def evaluate_in_lane(
+    ring: recarray, ball: recarray, lane: int, case: Any, cosine: float, sine: float, weight: float
+) -> None:
+    """The same of one lane."""
+    work, here = work_in(ring, lane), ball_in(ball, lane, cosine, sine)
+    seen = (
+        ball.seen_sine[lane], ball.seen_cosine[lane], ball.seen_by_inner[lane], ball.seen_by_outer[lane],
+        ball.seen_by_approach[lane],
+    )  # fmt: skip
+    a1, a2 = groove_centre_in(ring, lane, here)
+    found = evaluated(case, work, here, seen, a1, a2)
+    least = max(found.lighter, ring.least[lane])
+    ring.worst[lane] = kept(max(ring.worst[lane], found.imbalance))
+    own = ring.worst_own[lane]
+    ring.worst_own[lane] = kept(found.imbalance / least if found.imbalance > own * least else own)
+    ring.total[lane] += found.imbalance
+    ring.inertial[lane] = kept(max(ring.inertial[lane], max(found.fc, found.friction)))
+    ring.contact[lane] = kept(max(ring.contact[lane], found.load))
+    ring.largest_approach[lane] = kept(max(ring.largest_approach[lane], here.inner_approach))
+    ball.y1[lane], ball.y2[lane], ball.y11[lane], ball.y12[lane] = found.y1, found.y2, found.y11, found.y12
+    ball.y21[lane], ball.y22[lane] = found.y21, found.y22
+    ball.follows_inertia[lane] = 1.0 if found.follows_inertia else 0.0
+    ball.outer_inverse[lane], ball.inner_inverse[lane] = found.outer_inverse, found.inner_inverse
+    ball.closure1[lane], ball.closure2[lane] = found.closure1, found.closure2
+    is_closed = found.closure1 == 0.0 and found.closure2 == 0.0
+    ring.is_open[lane] = kept(ring.is_open[lane] if is_closed else 1.0)
+    levers = cosine, sine, case.tilt_lever * sine, case.tilt_lever * -cosine
+    add_row(ring, 0, lane, weight, found.h1, found.c1, found.k11, found.k12, levers)
+    add_row(ring, 1, lane, weight * cosine, found.h2, found.c2, found.k21, found.k22, levers)
+    add_row(ring, 2, lane, weight * sine, found.h2, found.c2, found.k21, found.k22, levers)
+    add_row(ring, 3, lane, weight * sine, found.h3, found.c3, found.k31, found.k32, levers)
+    add_row(ring, 4, lane, weight * -cosine, found.h3, found.c3, found.k31, found.k32, levers)
+
+
+@inlined
+def add_row(
+    ring: recarray, row: int, lane: int, factor: float, force: float, condensed: float, by_a1: float, by_a2: float,
+    levers: tuple[float, float, float, float],
+) -> None:  # fmt: skip
+    """A channel's row of `add_ball`."""
+    ring.imbalance[row, lane] += factor * force
+    ring.right_side[row, lane] += factor * condensed
+    by_a1, by_a2 = factor * by_a1, factor * by_a2
+    ring.matrix[row, 0, lane] += by_a1
+    ring.matrix[row, 1, lane] += levers[0] * by_a2
+    ring.matrix[row, 2, lane] += levers[1] * by_a2
+    ring.matrix[row, 3, lane] += levers[2] * by_a1
+    ring.matrix[row, 4, lane] += levers[3] * by_a1

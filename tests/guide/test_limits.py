@@ -1,0 +1,45 @@
+"""What the page of limits says of inner control, beside the solves that it states."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.model.effects import MomentShares
+from qsbearing.model.effects.raceway_control import RacewayControl
+from tests.guide.pages import GUIDE
+
+SPEEDS = np.arange(1000.0, 15_001.0, 1000.0) * qs.rpm
+THRUSTS = np.array([1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 17.8, 25.0]) * qs.kN
+ROW = re.compile(r"^\| ([\d.]+) \| (\d+) % \| (\d+) % \| (\d+) % \|$", flags=re.MULTILINE)
+ROWS = [tuple(map(float, found)) for found in ROW.findall((GUIDE / "limits.md").read_text(encoding="utf-8"))]
+OTHERS = [control for control in RacewayControl if control is not RacewayControl.INNER]
+
+
+def refused(ratio: float, control: RacewayControl, shares: MomentShares) -> float:
+    """The part of the page's grid that has no solution, in whole per cent."""
+    side = {"radial_load_y": ratio * THRUSTS, "moment_y": 0.0, "moment_z": 0.0} if ratio else {}
+    operation = qs.Operation(speed=SPEEDS[:, None], axial_load=THRUSTS, **side)
+    effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(shares))
+    scene = replace(qs.load_scene("b218"), operation=operation, ball_effects=effects, raceway_control=control)
+    return float(np.round(100.0 * np.mean(~np.asarray(qs.solve(scene).converged))))
+
+
+@pytest.mark.parametrize("row", ROWS, ids=[str(row[0]) for row in ROWS])
+def test_how_often_inner_control_has_no_solution(row: tuple[float, ...]) -> None:
+    """Up to one case of 120."""
+    ratio, all_inner, half, others = row
+    assert SPEEDS.size * THRUSTS.size == 120
+    assert refused(ratio, RacewayControl.INNER, MomentShares.CONTROLLING) == pytest.approx(all_inner, abs=1.0)
+    assert refused(ratio, RacewayControl.INNER, MomentShares.HARRIS) == pytest.approx(half, abs=1.0)
+    found = max(refused(ratio, *each) for each in product(OTHERS, MomentShares))
+    assert found == pytest.approx(others, abs=1.0)
+
+
+def test_the_page_has_the_table() -> None:
+    assert [row[0] for row in ROWS] == [0.0, 0.3, 0.5, 1.0]
