@@ -7,6 +7,7 @@ file, with units in its keys) translates names and units and nothing else.
 from __future__ import annotations
 
 import dataclasses
+import os
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
@@ -228,6 +229,47 @@ def comma_advice(text: object) -> str:
     return f"Write {whole} (thousands take no comma) or {meant} (decimals take a point)"
 
 
+_REMEDIES = {
+    ("BallBearing", "Scene"): "qs.{call}(qs.Scene(bearing, qs.Operation(...)))",
+    ("BearingSet", "Scene"): "qs.solve_set(...)",
+    ("Study", "Scene"): "qs.sweep(...)",
+    ("Scene", "BearingSet"): "qs.solve(...) solves it",
+    ("Scene", "Solution"): "qs.{call}(qs.solve(...))",
+    ("BearingSet", "SetSolution"): "qs.{call}(qs.solve_set(...))",
+    ("BearingSet", "Solution"): "give a row of its solution, qs.solve_set(...).rows[0]",
+    ("SetSolution", "Solution"): "give one of its rows, solution.rows[0]",
+    ("Solution", "BearingSet"): "give the set that was solved",
+    ("SetSolution", "BearingSet"): "give solution.set",
+    ("Scene", "Study"): "qs.Study.of(FILE, {{KEY: VALUES}}) makes one of a scene's file",
+    ("BearingSet", "Study"): "qs.Study.of(FILE, {{KEY: VALUES}}) makes one of a set's file",
+}
+"""What to do with one kind of object where another is taken."""
+_LOADED = {"Scene": "qs.load_scene({0!r})", "BearingSet": "qs.load_set({0!r})", "Study": "qs.Study.of({0!r}, ...)"}
+"""How each kind is made of a file's name."""
+
+
+def check_kind(call: str, given: object, *kinds: str) -> None:
+    """See that a public function was given what it takes.
+
+    Args:
+        call: the function's name.
+        kinds: the classes, by their names, for most of them lie above; the one whose remedy fits best last.
+
+    Raises:
+        TypeError: it was not; what to call instead.
+    """
+    names = [each.__name__ for each in type(given).__mro__]
+    if any(kind in names for kind in kinds):
+        return
+    takes = f"{call} takes a {' or a '.join(kinds)}"
+    loaded = next((_LOADED[kind] for kind in kinds if kind in _LOADED), "")
+    if isinstance(given, str | os.PathLike) and loaded:
+        raise TypeError(f"{takes}, not the name of one: qs.{call}({loaded.format(str(given))})")
+    remedies = (_REMEDIES.get((name, kind), "") for kind in reversed(kinds) for name in names)
+    remedy = next(filter(None, remedies), "").format(call=call)
+    raise TypeError(f"{takes}, not {names[0]}{f': {remedy}' if remedy else ''}")
+
+
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:
     """The value as a float array, or the error that says why it is none: not a number, NaN, infinite.
 
@@ -236,6 +278,9 @@ def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None,
     if hasattr(value, "m_as") or hasattr(value, "to_value"):
         cause = "Python takes plain numbers in SI, such as 10 * qs.kN; of pint value.to_base_units().magnitude"
         return None, [ErrorDetail(field, "is a quantity with a unit", str(value), quantity, cause=cause)]
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        cause = "Leave those cases out, such as value.compressed(), or give them a number with value.filled(...)"
+        return None, [ErrorDetail(field, "has masked elements, which are no numbers", quantity=quantity, cause=cause)]
     try:
         if value is None or isinstance(value, str | bytes | bool) or np.iscomplexobj(value):
             raise TypeError

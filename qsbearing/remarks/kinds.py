@@ -401,6 +401,9 @@ _ALL = (
          "factors of this reduction differ by {spread_percent:.0f} %"),
     Kind("film_thin", NOTE, CHOICES,
          "a film parameter is below 1: asperities touch over much of {raceways:that} contact"),
+    # Bearings compared
+    Kind("job_of_another", NOTE, "how_to#five-bearings-or-two-machines-compared",
+         "{tables} of its file {verb} not used: all are solved with operating point, effects and readings of {job}"),
     # A bearing from its data sheet
     Kind("sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"),
     Kind("sheet_not_solved", CHECK, "data_sheet",

@@ -26,11 +26,15 @@ WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
 of two)."""
 
 
-def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
-    """Of a scene or set; a row of a set has nothing to say of itself."""
+def missing_effects(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
+    """Of a scene or set; a row of a set has nothing to say of itself.
+
+    Args:
+        may_solve: whether few cases may be solved again.
+    """
     if solution.solve_alike is None:
         return
-    are_few = int(np.prod(solution.shape)) <= MOST_CASES
+    are_few = may_solve and int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)
     yield from _of_assumed(solution, part, are_few)
 
@@ -52,6 +56,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     if not found:
         return
     matters = np.stack([_matters(change, part) for _, change in found])
+    by = np.max([change.largest.reshape(-1)[part] for _, change in found], axis=0)
 
     def missing(i: int) -> Remark:
         here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
@@ -70,7 +75,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
             },
         )
 
-    yield matters.any(axis=0), missing
+    yield np.where(matters.any(axis=0), by, 0.0), missing
 
 
 def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
@@ -85,8 +90,9 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
         if found:
             of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
             matters = np.any([_matters(each, part) for each in found], axis=0)
+            by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
             size = all(has_size(rows[number - 1].scene) for number in lacking)
-            yield matters, partial(_lacks, solution, entry, of, found, size, part.start)
+            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, found, size, part.start)
 
 
 def _lacks(solution: Any, entry: Entry, of: Of, found: list[Change], size: bool, start: int, i: int) -> Remark:

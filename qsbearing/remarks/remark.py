@@ -186,7 +186,8 @@ def some_balls(which: ArrayLike) -> Balls:
 
 
 Found = tuple[ArrayLike, Remark | Callable[[int], Remark]]
-"""Where a remark holds, and the remark; or what makes that of a case by its number along the flattened axes."""
+"""Where a remark holds, or by how much (0: not at all), and the remark; or what makes that of a case by its number
+along the flattened axes."""
 Remarks = tuple[tuple[NDArray, Remark | Callable[[int], Remark]], ...]
 """Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
 
@@ -229,7 +230,7 @@ def in_case(solution: Any, found: Callable[[Any, slice], Iterable[Found]], index
     solved = np.ravel(solution.converged)
     if index is None and solution.shape:
         every = found(solution, slice(0, solved.size))
-        return told(((np.reshape(where & solved, solution.shape), each) for where, each in every), None)
+        return told(((np.reshape(np.where(solved, where, 0), solution.shape), each) for where, each in every), None)
     k = solution.flat_index(index)
     one = found(solution, slice(k, k + 1)) if solved[k] else ()
     return told(((np.asarray(where)[0], each) for where, each in one), None)

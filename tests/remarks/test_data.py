@@ -218,7 +218,9 @@ def reached() -> dict[str, Remark]:
     """A remark of each code."""
     said = [each for solution in of_solutions() for each in qs.warnings(solution)]
     said += [each for reading in of_readings() for each in reading.warnings]
-    return {each.remark.code: each.remark for each in (*said, *of_a_data_sheet())}
+    other = {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 1.0}}
+    compared = [each.said() for each in compare(["b218", other]).remarks]
+    return {each.remark.code: each.remark for each in (*said, *of_a_data_sheet(), *compared)}
 
 
 def test_every_code_is_reached(reached: dict[str, Remark]) -> None:

@@ -44,7 +44,7 @@ def described(topic: str) -> dict[str, Any]:
         return {"text": skill_text()}
     if topic == RESULTS:
         every = {name: each.attributes for name, each in quantities.ALL.items()}
-        every |= {name: found for name, (_, found) in of_readings().items()}
+        every |= {name: each.attributes for name, each in of_readings().items()}
         return {name: f"{each['long_name']} [{printed_unit(each['units'])}]" for name, each in every.items()}
     if topic in tables:
         return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}

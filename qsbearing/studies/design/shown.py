@@ -15,6 +15,7 @@ from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
+from qsbearing.studies.results import SIZE, stem_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,6 +51,16 @@ def _at_one_point(found: Found) -> str:
     return f"{are} met at one point, between those sampled{best * bool(found.wanted.objective)}."
 
 
+def sizes(found: Found) -> list[str]:
+    """What counts of results whose sign is a direction."""
+    stems = {name: stem_of(name) for name in found.results}
+    return [
+        f"{name}: the size of {stem}, of the ball where it is largest"
+        for name, (stem, end) in stems.items()
+        if end == SIZE
+    ]
+
+
 def found_remarks(found: Found) -> list[Remark]:
     """On the scene or set with the values found, those of its readings among them: as `run` gives them."""
     return every_remark(solve_any(found.scene))
@@ -74,6 +85,7 @@ def tables(found: Found) -> list[Block]:
         within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
         change = f" and {within} stays within 1 %" if within else ""
         lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
+    lines += [f"{each}." for each in sizes(found)]
     lines += [f"Binding: {each}" for each in found.binding]
     lines += [f"Not met: {each}" for each in found.failed]
     more = found.evaluations - found.sampled
@@ -97,6 +109,7 @@ def record(found: Found) -> dict[str, Any]:
         "values": found.values,
         "results": found.results,
         "units": found.units,
+        "sizes": sizes(found),
         "binding": list(found.binding),
         "failed": list(found.failed),
         **remarks_record(found_remarks(found)),
