@@ -4,28 +4,39 @@ from __future__ import annotations
 
 import gc
 import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 # Before numpy is loaded: with matrices of some hundred rows the other threads only wait, which costs processor time.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-# Tests solve more than plain Python pays for; those of the plain way start processes of their own.
-os.environ.setdefault("QSBEARING_COMPILED", "1")
 # Tables are as wide as in a file, whatever the terminal; pytest-xdist sets it in its processes.
 os.environ.pop("COLUMNS", None)
 
 import pytest
 from hypothesis import settings
 
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler import compiled, library
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests import durations
 from tests.drawing import blank, drawing
 
 settings.register_profile(
-    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=30 if COMPILED else 4
+    "qsbearing", derandomize=True, deadline=None, database=None, max_examples=30 if has_fast_code() else 4
 )
 settings.load_profile("qsbearing")
+
+
+def _make_machine_code(config: pytest.Config) -> None:
+    """Whoever works on the kernel leaves its machine code behind: for this platform it is made anew, some minutes, once
+    for all of pytest's processes."""
+    is_to_be = compiled.HAS_NUMBA and (library.ROOT / ".git").exists() and "QSBEARING_LIBRARY" not in os.environ
+    if is_to_be and library.found() is None and not hasattr(config, "workerinput"):
+        root = Path(__file__).parents[1]
+        subprocess.run([sys.executable, "-m", "tests.verification.kernel_library"], cwd=root, check=True)
+        library.forget()
 
 
 _approx = pytest.approx
@@ -45,6 +56,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    _make_machine_code(config)
     if config.option.record_durations:
         config.pluginmanager.register(durations.Recorder())
     given = getattr(config, "workerinput", None)

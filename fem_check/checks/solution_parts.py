@@ -25,18 +25,17 @@ from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
 from fem_check.rows.compared import compared
 from qsbearing.files import catalogue
-from qsbearing.model.compiler.compiled import can_compile
-from qsbearing.model.solution.solver import LEAST_BATCH
 from qsbearing.readings import kinematics, stress
 
 SPEED = 8000.0 * qs.rpm
 LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0)
-FEW = 64
+FEW, MANY = 64, 1000
 
 
 def batch_rows() -> Iterator[Row]:
-    """Cases in one call against calls of their own: 64, and as many as the compiled solver takes side by side."""
-    for count in (FEW, LEAST_BATCH) if can_compile() else (FEW,):
+    """Cases in one call against calls of their own: as many as are solved one by one, and side by side where there is
+    machine code."""
+    for count in (FEW, MANY):
         yield from batch_of(count)
 
 

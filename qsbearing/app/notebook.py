@@ -11,7 +11,6 @@ import numpy as np
 from qsbearing import pictures
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.model.compiler.compiled import compile_in_background
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.columns import scene_numbers
 from qsbearing.model.solution.solution import Solution
@@ -39,7 +38,6 @@ def html_of(shown: Any) -> str | None:
     """The tables of an object as HTML; None where there are none, or what makes them is not installed."""
     if importlib.util.find_spec("jinja2") is None:
         return None
-    compile_in_background()  # whoever is shown tables goes on solving
     try:
         return part(_blocks(shown))
     except TypeError:  # numbers that span cases where a table has one

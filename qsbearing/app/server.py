@@ -29,7 +29,6 @@ from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.file_errors import MOST_SHOWN, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_FILE, MOST_KEYS
-from qsbearing.model.compiler.compiled import compile_in_background
 from qsbearing.model.validation import SceneError
 
 PAGE = Path(__file__).parent / "page"
@@ -70,7 +69,6 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     """
     first = answers.start(source)
     warm = {"document": first["document"], "label": first["label"]}
-    compile_in_background()
     answers.solved(**warm)  # the drawing is loaded before somebody waits
 
     async def start(request: Request) -> Response:

@@ -61,7 +61,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
         found["transient"] = None
         if transient is None:
-            with solving(loaded):
+            with solving():
                 found["speeds"] = speeds_record(state)
             found["whole_bearing"] = whole_bearing_record(state)
         else:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -79,20 +78,18 @@ def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
     if not isinstance(asked, Scene):
         from qsbearing.studies.chooser.choose_set import solve_set
 
-        with solving(asked):
+        with solving():
             return solve_set(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
     from qsbearing.studies.chooser import choose
 
-    with solving(asked):
+    with solving():
         return choose.solve(asked, effects=None if tolerance is None else "auto", tolerance=tolerance)
 
 
 @contextmanager
-def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
+def solving() -> Iterator[None]:
     """Say on a terminal, once, that it takes longer than anybody waits in silence; ends with exit code 2 where what is
     asked turns out to be wrong."""
-    if asked is not None and asked.thermal is not None:  # friction is integrated on the way, which needs it
-        importlib.import_module("scipy.linalg")
     timer = threading.Timer(PATIENCE, note, ["still solving ..."])
     timer.daemon = True
     if sys.stderr.isatty():
@@ -100,8 +97,7 @@ def solving(asked: Scene | BearingSet | None = None) -> Iterator[None]:
     from qsbearing.model.validation import SceneError
 
     try:
-        with _out_of_reach("scipy.linalg"):
-            yield
+        yield
     except SceneError as error:  # what only a heat balance finds wrong
         refuse(in_keys(error))
     finally:
@@ -113,19 +109,3 @@ def in_keys(error: SceneError) -> str:
     from qsbearing.files.file_errors import translate
 
     return "\n".join(str(translate(each)) for each in error.errors)
-
-
-@contextmanager
-def _out_of_reach(module: str) -> Iterator[None]:
-    """Let a module count as not installed, unless it is loaded already.
-
-    The compiler's start-up loads scipy.linalg, only to see whether it is there: a sixth of the whole run.
-    """
-    known = module in sys.modules
-    if not known:
-        sys.modules[module] = None  # type: ignore[assignment]
-    try:
-        yield
-    finally:
-        if not known:
-            del sys.modules[module]

@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -91,6 +92,10 @@ def contact_arrays(contacts: RacewayContacts) -> list[NDArray]:
     """(load, sine, cosine, semi-major axis, pressure) of a raceway's contacts, as passes take them."""
     shape = contacts.semi_major_axis, contacts.max_pressure
     return of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
+
+
+MOTION = (bool, *[array_of(float)] * 3, *[array_of(float, 2)] * 6)
+"""The kinds of `motion_arrays`."""
 
 
 def motion_arrays(solution: Solution) -> tuple[Any, ...]:
@@ -166,7 +171,7 @@ def contact_motion(
     return abs(ring) * (inverse + side * cosine), side * ring * inverse, (along - ring) * sine - across * cosine
 
 
-@entry
+@entry(MOTION, float, array_of(float), *[array_of(float, 2)] * 5, int, int, array_of(float, 3))
 def _fill(
     motion: tuple[Any, ...], side: float, radius: NDArray, load: NDArray, sine: NDArray, cosine: NDArray,
     semi_major_axis: NDArray, max_pressure: NDArray, begin: int, stop: int, out: NDArray,

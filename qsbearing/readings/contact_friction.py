@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.elliptic import second_kind
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
@@ -24,6 +25,7 @@ from qsbearing.model.units import Nmm, kg_m3
 from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
 from qsbearing.readings.ball_motion import (
     AXIS,
+    MOTION,
     contact_motion,
     control_remarks,
     motion_arrays,
@@ -151,13 +153,15 @@ def _raceway(
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
     tables = 2 if loss is None else 3
-    found = filled(solution, tables, _fill, sliding_table(), motion_arrays(solution), side, *given, *arrays)
+    found = filled(solution, tables, _fill, motion_arrays(solution), sliding_table(), side, *given, *arrays)
     return RacewayFriction(found[0], found[1], None if loss is None else found[2])
 
 
-@entry
+@entry(
+    MOTION, array_of(float, 4), float, *[array_of(float)] * 3, *[array_of(float, 2)] * 5, int, int, array_of(float, 3)
+)  # fmt: skip
 def _fill(
-    table: NDArray, motion: tuple[Any, ...], side: float, radius: NDArray, mu: NDArray, loss: NDArray, load: NDArray,
+    motion: tuple[Any, ...], table: NDArray, side: float, radius: NDArray, mu: NDArray, loss: NDArray, load: NDArray,
     sine: NDArray, cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray,
     begin: int, stop: int, out: NDArray,
 ) -> None:  # fmt: skip

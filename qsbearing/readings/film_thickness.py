@@ -35,13 +35,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm, rpm, um
 from qsbearing.model.validation import LENGTH, ErrorDetail, Quantity, within
-from qsbearing.readings.ball_motion import AXIS, contact_motion, gamma, motion_arrays, ring_speeds
+from qsbearing.readings.ball_motion import AXIS, MOTION, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
@@ -177,7 +178,10 @@ def thermal_reduction(ln_L: float) -> float:
     return 1.0 / (1.0 + 0.1 * exp(0.64 * ln_L))
 
 
-@entry
+@entry(
+    MOTION, float, int, int, array_of(float), (array_of(float),) * 6, *[array_of(float, 2)] * 5, int, int,
+    array_of(float, 3),
+)  # fmt: skip
 def _fill(
     motion: tuple[Any, ...], side: float, at_reduction: int, at_ratio: int, gamma: NDArray,
     numbers: tuple[NDArray, ...], load: NDArray, sine: NDArray, cosine: NDArray, semi_major_axis: NDArray,

@@ -19,10 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.ball_motion import (
     AXIS,
+    MOTION,
     ball_orbit,
     gamma,
     motion_arrays,
@@ -86,7 +88,7 @@ def _set(
     return FrequencySet(*(np.broadcast_to(value / (2.0 * pi), shape) for value in turns))
 
 
-@entry
+@entry(MOTION, array_of(float, 2), array_of(float, 2), int, int, array_of(float, 2))
 def _add_orbits(
     motion: tuple[Any, ...], inner_load: NDArray, outer_load: NDArray, begin: int, stop: int, out: NDArray
 ) -> None:

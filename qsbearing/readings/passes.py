@@ -1,4 +1,4 @@
-"""What the compiled passes over all contacts take and fill: plain arrays over flattened cases.
+"""What the passes over all contacts take and fill: plain arrays over flattened cases.
 
 A reading has some twenty numbers of each contact. Array expressions would write and read again several temporary
 arrays for each of them, which takes as long as the solve; a pass works a contact out in one go. It is compiled for one
@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.compiler.kinds import in_c_order
 from qsbearing.model.compiler.threads import in_threads
 from qsbearing.model.solution.solution import Solution
 
@@ -29,7 +30,7 @@ def of_cases(solution: Solution, *values: ArrayLike) -> list[NDArray]:
 
 def of_balls(*arrays: NDArray) -> list[NDArray]:
     """Arrays over cases and balls, cases flattened."""
-    return [np.require(array.reshape(-1, array.shape[-1]), requirements=["C", "W"]) for array in arrays]
+    return in_c_order(*(array.reshape(-1, array.shape[-1]) for array in arrays))
 
 
 def filled(solution: Solution, tables: int, entry: Callable[..., None], *given: Any, of_cases: bool = False) -> NDArray:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
@@ -299,7 +300,7 @@ def _damage(solution: Solution, load: NDArray, rating: NDArray, turns: NDArray) 
     return np.asarray(filled(solution, 1, _add_damage, turning, count, of_balls(load)[0], ratings, of_cases=True)[0])
 
 
-@entry
+@entry(array_of(float), array_of(float), array_of(float, 2), array_of(float, 2), int, int, array_of(float, 2))
 def _add_damage(
     turns: NDArray, count: NDArray, load: NDArray, rating: NDArray, begin: int, stop: int, out: NDArray
 ) -> None:

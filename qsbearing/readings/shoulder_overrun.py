@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
@@ -205,7 +206,7 @@ def _raceway(
     return RacewayOverrun(edges, distance, load, share, loss, centre * a / ball_radius, intensity, pressure)
 
 
-@entry
+@entry(*[array_of(float)] * 3, *[array_of(float, 2)] * 4, int, int, array_of(float, 3))
 def _fill(
     radius: NDArray, edge: NDArray, far: NDArray, load: NDArray, sine: NDArray, cosine: NDArray,
     semi_major_axis: NDArray, begin: int, stop: int, out: NDArray,

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
@@ -209,7 +210,7 @@ def largest_pressure(solution: Solution) -> NDArray:
     return np.asarray(filled(solution, 1, _find_largest, *pressures, of_cases=True)[0])
 
 
-@entry
+@entry(array_of(float, 2), array_of(float, 2), int, int, array_of(float, 2))
 def _find_largest(inner: NDArray, outer: NDArray, begin: int, stop: int, out: NDArray) -> None:
     for k in range(begin, stop):
         largest = -inf

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry, formula
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import subsurface_shear
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
@@ -94,12 +95,14 @@ def _raceway(solution: Solution, contacts: RacewayContacts, side: float) -> Race
     given = of_cases(solution, gamma(solution)[..., 0], numbers.ball_diameter, f, which.reshape(poisson.shape))
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
     arrays = of_balls(contacts.load, contacts.cosine, *shape, contacts.max_pressure)
-    return RacewayStress(*filled(solution, 5, _fill, tables, side, *given, *arrays))
+    return RacewayStress(*filled(solution, 5, _fill, side, *given, tables, *arrays))
 
 
-@entry
+@entry(
+    float, *[array_of(float)] * 4, array_of(float, 4), *[array_of(float, 2)] * 5, int, int, array_of(float, 3)
+)  # fmt: skip
 def _fill(
-    shears: NDArray, side: float, gamma: NDArray, diameter: NDArray, groove: NDArray, kind: NDArray, load: NDArray,
+    side: float, gamma: NDArray, diameter: NDArray, groove: NDArray, kind: NDArray, shears: NDArray, load: NDArray,
     cosine: NDArray, semi_major_axis: NDArray, semi_minor_axis: NDArray, max_pressure: NDArray,
     begin: int, stop: int, out: NDArray,
 ) -> None:  # fmt: skip

@@ -28,7 +28,7 @@ from fem_check.report.files import write_book
 from fem_check.report.rows import as_read
 from fem_check.running import records_store
 from qsbearing.model import bearing as scene_bearing
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.model.effects import ring_compliance, ring_expansion
 from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
@@ -36,7 +36,7 @@ from qsbearing.studies.design import optimum
 from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.documents.page import Page
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of cases")
+pytestmark = pytest.mark.skipif(not has_fast_code(), reason="thousands of cases")
 
 
 LONG = ("bearing_design", "code_aster_spheres")

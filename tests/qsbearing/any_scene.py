@@ -14,17 +14,17 @@ from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.model.operation import CHANNELS
 
-LIMIT = 10.0 if COMPILED else 120.0
+LIMIT = 10.0 if has_fast_code() else 120.0
 """Seconds of the processor for one example: a solve takes a thousandth of one, the slowest refusals some tenths."""
 
 HANGING = 300.0
 """Seconds after which an example that has not come back ends everything: compiled code cannot be interrupted."""
 
-few = settings(max_examples=20 if COMPILED else 3, suppress_health_check=[HealthCheck.too_slow])
-many = settings(parent=few, max_examples=1000 if COMPILED else 10)
+few = settings(max_examples=20 if has_fast_code() else 3, suppress_health_check=[HealthCheck.too_slow])
+many = settings(parent=few, max_examples=1000 if has_fast_code() else 10)
 
 
 @functools.cache
@@ -65,7 +65,11 @@ def signed(most: float, least: float = 1e-12) -> st.SearchStrategy[float]:
 def bearings(draw: Any) -> dict[str, Any]:
     """Fields of a bearing that the door lets in, to its very ends."""
     diameter = draw(spread(6e-5, 0.9))
-    count = draw(st.one_of(st.integers(1, 40), st.sampled_from([1, 2, 1000]))) if COMPILED else draw(st.integers(1, 4))
+    count = (
+        draw(st.one_of(st.integers(1, 40), st.sampled_from([1, 2, 1000])))
+        if has_fast_code()
+        else draw(st.integers(1, 4))
+    )
     least = diameter / math.sin(math.pi / count) if count > 1 else diameter
     material = st.builds(qs.Material, spread(1e9, 2e12), st.floats(0.0, 0.499), spread(100.0, 25000.0))
     return {

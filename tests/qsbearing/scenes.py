@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 
 B218 = qs.BallBearing(
     ball_count=16,
@@ -223,4 +223,4 @@ def moment_shares(scene: qs.Scene, control: NDArray) -> tuple[NDArray, NDArray]:
 
 def fewer(compiled: int, plain: int) -> int:
     """A number of cases: the first with the compiled kernel, the second when it runs as plain Python."""
-    return compiled if COMPILED else plain
+    return compiled if has_fast_code() else plain

@@ -12,7 +12,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.version import Version
 
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 
 PROJECT = Path(__file__).parents[2]
 EVERYTHING = ("plot", "frame", "studies", "cluster", "report", "app")
@@ -47,7 +47,7 @@ def lowest(extras: tuple[str, ...]) -> dict[str, Version]:
 
 @pytest.mark.heavy
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="the lowest versions have no wheels for newer ones than 3.12")
-@pytest.mark.skipif(not COMPILED, reason="asked for plain Python")
+@pytest.mark.skipif(not has_fast_code(), reason="asked for plain Python")
 @pytest.mark.parametrize("extras", COMMANDS, ids=["core", "everything"])
 def test_the_lowest_versions_run(tmp_path: Path, extras: tuple[str, ...]) -> None:
     pinned = lowest(extras)

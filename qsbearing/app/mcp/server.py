@@ -19,15 +19,11 @@ from qsbearing.app.mcp.folder import Folder
 from qsbearing.app.mcp.tools import Tools
 from qsbearing.app.work import StoppedError, answered
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
-from qsbearing.model.compiler.background_compiler import begin
-from qsbearing.model.compiler.compiled import COMPILED, compile_in_background
-from qsbearing.model.kernel import solve_case
 from qsbearing.model.validation import SceneError
 from qsbearing.model.version import __version__
 
 LONGEST_ANSWER = 200_000
 """Characters; a bearing with all its balls takes 20,000."""
-WARM = "import qsbearing as qs; qs.solve(qs.load_scene('b218'))"
 WRITES = ("sweep", "report")
 INSTRUCTIONS = """\
 qsbearing computes ball bearings by the quasi-static (Jones-Harris) model. Units stand at the end of keys (speed_rpm,
@@ -35,7 +31,7 @@ axial_load_N). Say with every number what its remarks say: severity wrong_model 
 incomplete_model that an effect that is left out would change them, check_data that the input is unusual. A status other
 than converged is a result: there is no equilibrium, or none was found; give no numbers of it. Errors tell the key, its
 value, unit and allowed range, and the likely cause: correct the scene and ask again. Begin with describe; its topic
-"skill" tells how to work with all of it. The first find or sweep after an installation may wait a minute.
+"skill" tells how to work with all of it.
 """
 
 
@@ -51,16 +47,12 @@ def server(folder: Path) -> MCPServer:
 
 
 def serve(folder: Path) -> None:
-    """Serve until standard input ends; plain Python answers first, while another process compiles.
+    """Serve until standard input ends.
 
     Raises:
         OSError: there is no such folder.
     """
-    made = server(folder)
-    compile_in_background()
-    if COMPILED:
-        begin(f"{solve_case.__name__}.{solve_case.solve_cases.__name__}", WARM)
-    made.run("stdio")
+    server(folder).run("stdio")
 
 
 def _tool(question: Callable[..., dict[str, Any]]) -> Tool:

@@ -72,7 +72,7 @@ def _fields(of: np.dtype) -> tuple[np.dtype, list[str], list[str], Callable[[Any
     names = [name for name in fields if name not in several]
     formats, offsets = [fields[name][0] for name in names], [fields[name][1] for name in names]
     single = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": of.itemsize})
-    return single, several, names, attrgetter(*names)
+    return single, several, names, attrgetter(*names) if names else lambda _: ()
 
 
 def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:

@@ -6,8 +6,6 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from qsbearing.model.compiler import compiled
-
 VARIABLE = "QSBEARING_THREADS"
 CHUNK = 1024
 """Cases that one thread takes at a time: enough to hide Python, few enough to share out evenly."""
@@ -33,39 +31,15 @@ def thread_count(threads: int | None = None) -> int:
 
 
 def in_threads(work: Callable[[slice], Any], count: int, threads: int) -> None:
-    """Do a work, which releases the interpreter's lock where it is compiled, for so many cases: a stretch of them at a
-    time.
-
-    Where it may pay to run them plain, the first is done alone, which tells what the others would take, and then twice
-    as many each time.
-    """
-    if count == 1:
-        work(slice(0, 1))
-        return
-    done, plain = 0, 0.0
-    while done < count and compiled.may_run_plain(count):
-        part = slice(done, min(max(1, 2 * done), count))
-        before = compiled.plain_seconds()
-        with compiled.cases(part.stop - done, plain / done * (count - done) if done else 0.0):
-            work(part)
-        done, plain = part.stop, plain + compiled.plain_seconds() - before
-        if compiled.plain_seconds() == before:
-            break
-    stretches = [slice(begin, min(begin + CHUNK, count)) for begin in range(done, count, CHUNK)]
-
-    def do(stretch: slice) -> None:
-        with compiled.cases(count):
-            work(stretch)
-
+    """Do a work for so many cases, a stretch of them at a time; machine code releases the interpreter's lock."""
+    stretches = [slice(begin, min(begin + CHUNK, count)) for begin in range(0, count, CHUNK)]
     threads = min(threads, len(stretches))
-    if stretches:
-        do(stretches[0])  # compiled or loaded once, not by every thread
     if threads <= 1:
-        for stretch in stretches[1:]:
-            do(stretch)
+        for stretch in stretches:
+            work(stretch)
         return
     from concurrent.futures import ThreadPoolExecutor
 
     with ThreadPoolExecutor(threads) as pool:
-        for each in [pool.submit(do, stretch) for stretch in stretches[1:]]:
+        for each in [pool.submit(work, stretch) for stretch in stretches]:
             each.result()

@@ -158,7 +158,7 @@ def stiffness_at_angle(
     return stiffness, log_slope_x * (ratio_sign * shape_slope - 0.5 * rho_x / (rho_x + rho_y))
 
 
-@entry
+@entry(int, float, float, float)
 def _ellipse(form: int, curvature_x: float, curvature_y: float, effective_modulus: float) -> tuple[float, ...]:
     return ellipse_constants(form, curvature_x, curvature_y, effective_modulus)
 

@@ -12,30 +12,13 @@ Example       GyroscopicMoment(MomentShares.HARRIS)
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects.entry import Assumed, Entry, Members, as_setting, largest, other_than, part_of_effect
-from qsbearing.model.effects.gyroscopic_moment import MomentShares
+from qsbearing.model.effects.entry import Entry, Members, largest, part_of_effect
+from qsbearing.model.effects.hypotheses import other_shares
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
-
-
-def ways_of_sharing(of: Any) -> list[tuple[str, Any]]:
-    """A scene or set with the moment shared in every way that differs under its raceway control, each with its setting;
-    as it stands, without a setting, where none does."""
-    if of.raceway_control == "outer" or not any(hasattr(each, "moment_shares") for each in of.ball_effects):
-        return [("", of)]
-    field = "moment_shares"
-    return [
-        (as_setting(field, each), part_of_effect("ball_effects", field, None, each).finer(of)) for each in MomentShares
-    ]
-
-
-def _others(of: Any) -> list[Assumed]:
-    return other_than(of, ways_of_sharing(of))
 
 
 def _moving_friction(point: OperatingPoint) -> NDArray:
@@ -51,7 +34,7 @@ _SWITCH = part_of_effect("ball_effects", "moment_shares", "controlling", "harris
 ENTRY = Entry(
     "moment_shares",
     "the gyroscopic moment shared as Harris has it (all on the controlling raceway instead)",
-    _SWITCH._replace(members=Members(_others)),
+    _SWITCH._replace(members=Members(other_shares)),
     indicator=largest(_moving_friction, 2.0),
     errors=by_friction(_moving_friction),
     hypothesis="how the raceways share the moment is a hypothesis, which the model cannot test",

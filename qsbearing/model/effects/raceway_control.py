@@ -31,16 +31,14 @@ Indicator     y = 2 |Mg|/(D Q): the friction that the other raceway may carry in
 
 from __future__ import annotations
 
-from dataclasses import replace
 from enum import StrEnum
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import inlined, kernel
-from qsbearing.model.effects.entry import Assumed, Entry, Members, as_setting, choice, largest, other_than
-from qsbearing.model.effects.moment_shares import ways_of_sharing
+from qsbearing.model.effects.entry import Entry, Members, choice, largest
+from qsbearing.model.effects.hypotheses import other_controls
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
 
@@ -136,20 +134,6 @@ def outer_controls(
     return outer_load ** (4.0 / 3.0) * outer_spin_constant * cos_difference > inner
 
 
-def _others(of: Any) -> list[Assumed]:
-    """Under every other control, with the moment shared in every way that differs under it."""
-    if of.raceway_control is None:
-        return []
-    every = []
-    for control in RacewayControl:
-        under = of if of.raceway_control == control else replace(of, raceway_control=control)
-        shared = ways_of_sharing(under)
-        every += [
-            (", ".join(filter(None, (as_setting("raceway_control", control), how))), each) for how, each in shared
-        ]
-    return other_than(of, every)
-
-
 def _friction(point: OperatingPoint) -> NDArray:
     """y of each ball (*cases, ball), which one raceway carries or the other; zero without the moment, whose friction it
     is."""
@@ -168,7 +152,7 @@ _SWITCH = choice(
 ENTRY = Entry(
     "raceway_control",
     "the hypothesis of raceway control and moment shares (any other instead)",
-    _SWITCH._replace(members=Members(_others)),
+    _SWITCH._replace(members=Members(other_controls)),
     indicator=largest(_friction),
     errors=by_friction(_friction),
     hypothesis="which raceway controls a ball is a hypothesis, which the model cannot test",

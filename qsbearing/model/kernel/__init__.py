@@ -1,1 +1,1 @@
-"""The compiled solver: one case at a time, on plain numbers."""
+"""The solver: one case at a time, on plain numbers."""

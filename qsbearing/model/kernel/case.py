@@ -13,7 +13,7 @@ import numpy as np
 
 
 def record(*fields: tuple[Any, ...]) -> np.dtype:
-    """A record of these fields; plain Python reads them as the compiled kernel does."""
+    """A record of these fields; plain Python reads them as machine code does."""
     return np.dtype((np.record, np.dtype(list(fields), align=True)))
 
 

@@ -17,9 +17,11 @@ somewhere is not excluded.
 
 from __future__ import annotations
 
+import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.model.effects.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.model.kernel.admissibility import (
@@ -51,6 +53,7 @@ from qsbearing.model.kernel.solve_case import (
     set_controls,
     solve_with_controls,
 )
+from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 # The strategies at speed, in the order of trying.
 LIGHTER_LOADS, UP_IN_SPEED = 0, 1
@@ -184,7 +187,7 @@ def solve_by_fallback(case: recarray, work: recarray, balls: ndarray, tolerance:
     return NOT_CONVERGED, notes
 
 
-@entry
+@entry(array_of(np.int64), *GIVEN, float, int, bool, *FOUND)
 def solve_unfinished(
     which: ndarray,
     cases: ndarray,

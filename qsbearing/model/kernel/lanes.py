@@ -45,6 +45,7 @@ from qsbearing.model.kernel.newton_step import (
 from qsbearing.model.kernel.ring import inner_groove_step
 from qsbearing.model.kernel.solve_case import SOUND, UNFINISHED, deliver_solved, prepare, set_controls, solve_cases
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
+from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 NONE = -1
 """In place of the number of a lane's case."""
@@ -334,7 +335,7 @@ def solve_alike(
                 ring.case[lane] = NONE
 
 
-@entry
+@entry(*GIVEN, *lane_memory.kinds, float, *FOUND)
 def solve_in_lanes(
     cases: ndarray, workspaces: ndarray, balls: ndarray, own: ndarray, rings: ndarray, lane_balls: ndarray,
     tolerance: float, results: ndarray, positions: ndarray, controls: ndarray,
@@ -361,7 +362,7 @@ def solve_batch(
     cases: NDArray, workspaces: NDArray, balls: NDArray, own: NDArray, tolerance: float, budget: int,
     is_warm: bool, results: NDArray, positions: NDArray, controls: NDArray,
 ) -> int:  # fmt: skip
-    """As `solve_cases`, from no start; in lanes what they can, whose kernel is compiled only where they know a case."""
+    """As `solve_cases`, from no start; in lanes what they can."""
     known = lanes_know(cases)
     if not known.any():
         return int(solve_cases(cases, workspaces, balls, own, tolerance, budget, is_warm, results, positions, controls))

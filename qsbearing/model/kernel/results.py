@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from math import atan2, nan, pi, sqrt
 
+import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.ball import evaluate_ball
@@ -26,6 +28,7 @@ from qsbearing.model.kernel.raceway_stiffness import (
 )
 from qsbearing.model.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
 from qsbearing.model.kernel.ring_bending import choose_modes, eliminate_gives, set_compliances
+from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 # Quantities of a contact, at either raceway, and of a ball.
 ANGLE, SINE, COSINE, LOAD, APPROACH, SEMI_MAJOR_AXIS, SEMI_MINOR_AXIS, MAX_PRESSURE, REQUIRED_FRICTION = range(9)
@@ -154,7 +157,7 @@ def slips(case: recarray, work: recarray, ball: recarray) -> bool:
     return bool(asked_i > bound * inner + small or asked_o > bound * outer + small)
 
 
-@entry
+@entry(*GIVEN[:3], *FOUND, GIVEN[3], array_of(np.int64, 2), array_of(float, 3), int)
 def read_cases(
     cases: ndarray,
     workspaces: ndarray,
@@ -237,7 +240,7 @@ def restore_ball(case: recarray, ball: recarray, displacement: ndarray, position
     ball.control = control
 
 
-@entry
+@entry(*GIVEN[:3], *FOUND, GIVEN[3], array_of(float, 3))
 def stiffness_of_cases(
     cases: ndarray,
     workspaces: ndarray,

@@ -14,6 +14,7 @@ import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.kernel.assembly import assemble_balls, least_load, least_stiffness
 from qsbearing.model.kernel.case import record
 from qsbearing.model.kernel.linear import solve_in_place
@@ -62,11 +63,26 @@ class ShaftSystem(NamedTuple):
     """A row's stiffness times its matrix; shape (5, unknown)."""
 
 
+SHAFTS = Shafts._make(
+    [
+        array_of(float, 2),
+        array_of(bool, 2),
+        array_of(float, 2),
+        array_of(float, 3),
+        int,
+        array_of(float, 2),
+        array_of(SHAFT),
+    ]
+)
+SHAFT_SYSTEM = ShaftSystem._make([array_of(np.int64), array_of(float, 2), *[array_of(float)] * 4, array_of(float, 2)])
+"""The kinds of both."""
+
+
 def shaft_system(unknowns: int) -> ShaftSystem:
     """Working memory for so many unknowns."""
-    vectors = (np.zeros(unknowns) for _ in range(4))
+    vectors = [np.zeros(unknowns) for _ in range(4)]
     square = np.zeros((unknowns, unknowns))
-    return ShaftSystem(np.zeros(unknowns, np.int64), square, *vectors, np.zeros((5, unknowns)))
+    return ShaftSystem._make([np.zeros(unknowns, np.int64), square, *vectors, np.zeros((5, unknowns))])
 
 
 @kernel

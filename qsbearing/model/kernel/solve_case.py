@@ -1,8 +1,7 @@
 """One case, directly: Newton's method from two starts, and the admissibility of what it finds.
 
 The starts are closed forms and the equilibrium at rest; each converges in cases that the other does not. That is all
-for nearly every case. What does not end in an admissible equilibrium is left to the fallback, which is compiled only
-when a case first needs it.
+for nearly every case. What does not end in an admissible equilibrium is left to the fallback.
 """
 
 from __future__ import annotations
@@ -43,6 +42,7 @@ from qsbearing.model.kernel.ring import add_force, find_distinct_balls, inner_gr
 from qsbearing.model.kernel.ring_bending import set_compliances
 from qsbearing.model.kernel.snapshots import ADMISSIBLE, CONTROLS, INADMISSIBLE, restore_all, save
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
+from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 # So often standing balls are put elsewhere, and the equilibrium is sought again.
 MOST_REPLACEMENTS = 3
@@ -293,7 +293,7 @@ def deliver_solved(
     deliver(case, work, balls, result, position, control)
 
 
-@entry
+@entry(*GIVEN, float, int, bool, *FOUND)
 def solve_cases(
     cases: ndarray,
     workspaces: ndarray,

@@ -5,9 +5,11 @@ What does not end in a sound equilibrium is left to `qsbearing.systems.sets`, wh
 
 from __future__ import annotations
 
+import numpy as np
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import entry, kernel
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.effects.raceway_control import OUTER, PER_BALL
 from qsbearing.model.kernel.admissibility import (
     CONVERGED,
@@ -18,12 +20,14 @@ from qsbearing.model.kernel.admissibility import (
 )
 from qsbearing.model.kernel.assembly import set_at_rest
 from qsbearing.model.kernel.ball_inertia import is_moving
+from qsbearing.model.kernel.case import CASE, OWN_BALL, RESULT
 from qsbearing.model.kernel.initial_guess import split_contacts, thrust_at_rest
 from qsbearing.model.kernel.newton_step import is_far
 from qsbearing.model.kernel.ring import couple_channels
-from qsbearing.model.kernel.shaft import Shafts, ShaftSystem, move_rows
+from qsbearing.model.kernel.shaft import SHAFT_SYSTEM, SHAFTS, Shafts, ShaftSystem, move_rows
 from qsbearing.model.kernel.shaft_newton import shaft_descent, shaft_newton
 from qsbearing.model.kernel.solve_case import UNFINISHED, deliver_positions, prepare, set_controls
+from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 
 
 @kernel
@@ -167,7 +171,10 @@ def deliver_row(
         result.load[work.channel[p]] = work.imbalance[p]
 
 
-@entry
+@entry(
+    array_of(CASE, 2), array_of(WORKSPACE), array_of(BALL, 2), array_of(OWN_BALL, 3), array_of(float, 4),
+    array_of(float, 2), SHAFTS, SHAFT_SYSTEM, float, array_of(RESULT, 2), array_of(float, 4), array_of(np.int8, 3),
+)  # fmt: skip
 def solve_set_cases(
     cases: ndarray,
     works: ndarray,

@@ -14,7 +14,8 @@ from threading import local
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.kernel.case import record
+from qsbearing.model.compiler.kinds import array_of
+from qsbearing.model.kernel.case import CASE, OWN_BALL, RESULT, record
 from qsbearing.model.kernel.snapshots import SNAPSHOTS
 
 MOST_WAVES = 12
@@ -131,6 +132,7 @@ class Memory(local):
 
     def __init__(self, ring: np.dtype, ball: np.dtype) -> None:
         self._types, self._balls = (ring, ball), -1
+        self.kinds = array_of(ring), array_of(ball)
         self._memory: tuple[NDArray, NDArray]
 
     def __call__(self, balls: int) -> tuple[NDArray, NDArray]:
@@ -143,3 +145,8 @@ class Memory(local):
 
 working_memory = Memory(WORKSPACE, BALL)
 """(workspace, balls) for bearings of up to this many balls."""
+
+GIVEN = array_of(CASE), *working_memory.kinds, array_of(OWN_BALL, 2)
+"""The kinds of what the kernel is given of cases: their records, working memory, unequal balls (case, ball)."""
+FOUND = array_of(RESULT), array_of(float, 3), array_of(np.int8, 2)
+"""Of what it finds: results, positions (case, ball, 3 or 4), controls (case, ball)."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BearingKind, ball_mass, groove_centre_radius
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import FORM_CODES, INNER_SIDE, OUTER_SIDE, effective_modulus, stiffness_at_angle
 from qsbearing.model.effects.elastic_ring_errors import Grooves
 from qsbearing.model.effects.elastic_rings import ElasticRings, aliased
@@ -27,7 +28,7 @@ from qsbearing.model.operation import CHANNELS, Channel
 from qsbearing.model.scene.scene import Scene
 
 
-@entry
+@entry(int, *[array_of(float)] * 6)
 def _groove_stiffness(
     form: int, pitch: NDArray, inner_f: NDArray, outer_f: NDArray, cosine: NDArray, inner: NDArray, outer: NDArray
 ) -> None:
@@ -37,7 +38,7 @@ def _groove_stiffness(
         outer[i] = stiffness_at_angle(form, 1.0, pitch[i], outer_f[i], 1.0, sine, cosine[i], OUTER_SIDE)[0]
 
 
-@entry
+@entry(int, array_of(CASE), array_of(OWN_BALL, 2))
 def _own_stiffness(form: int, cases: NDArray, own: NDArray) -> None:
     """The same for balls of their own diameters, in the case's unit, where they are unequal."""
     for k in range(cases.size):

@@ -142,15 +142,15 @@ class SolutionOfCases(Plotted):
 
     @property
     def preload_state(self) -> Any:
-        """maintained, lost or excessive; shape (*cases), of a set (*cases, row); empty where not solved; None where
-        nothing preloads.
+        """maintained, reduced, lost or excessive; shape (*cases), of a set (*cases, row); empty where not solved and
+        where no preload is given; None where nothing preloads.
 
-        Lost: in operation, external loads included, below 1 % of what is given. Excessive: without external loads above
-        three times it.
+        Lost and reduced: in operation, external loads included, below 1 % and below half of what is given. Excessive:
+        without external loads above three times it.
         """
         return None if self.preload_loads is None else preload_state.states(self.preload_loads)[()]
 
     @property
     def preload_share(self) -> Any:
-        """What is carried in operation, external loads included, over what is given; NaN where nothing is; likewise."""
+        """What of the given preload is there in operation without external loads; NaN where none is given; likewise."""
         return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]

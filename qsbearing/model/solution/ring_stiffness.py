@@ -40,8 +40,7 @@ def scaled_tangents(solved: SolvedCases, part: slice, cases: NDArray) -> tuple[N
 def tangents_of_all(solved: SolvedCases) -> NDArray:
     """Stiffness (case, 5, 5), SI, of all flattened cases."""
     out = np.empty((solved.maker.count, 5, 5))
-    for part, cases in solved.stretches():
-        out[part] = tangents(solved, part, cases)
+    solved.in_threads(lambda part, cases: stiffness_of_cases(*solved.given(part, cases), out[part]))
     return out
 
 

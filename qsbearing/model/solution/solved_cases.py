@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,6 +50,15 @@ class SolvedCases:
             stop = min(start + CHUNK, self.maker.count)
             yield slice(start, stop), self.maker.make(start, stop)
 
+    def in_threads(self, work: Callable[[slice, NDArray], None]) -> None:
+        """Do a work for all cases in threads, a stretch and its case records at a time."""
+        self._keep()
+
+        def do(part: slice) -> None:
+            work(part, self.maker.make(part.start, part.stop) if self._cases is None else self._cases[part])
+
+        in_threads(do, self.maker.count, self._threads)
+
     def given(
         self, part: slice, cases: NDArray
     ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray, NDArray, NDArray]:
@@ -68,17 +77,12 @@ class SolvedCases:
         missing = [each for each in asked if each not in self._known]
         if not missing:
             return
-        self._keep()
         tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)
         for table, place in enumerate(missing):
             tables[place] = table
         out = np.empty((len(missing), self.maker.count, self.maker.ball_axis))
 
-        def read_stretch(part: slice) -> None:
-            cases = self.maker.make(part.start, part.stop) if self._cases is None else self._cases[part]
-            readings.read_cases(*self.given(part, cases), tables, out, part.start)
-
-        in_threads(read_stretch, self.maker.count, self._threads)
+        self.in_threads(lambda *part: readings.read_cases(*self.given(*part), tables, out, part[0].start))
         for place, values in zip(missing, out, strict=True):
             self._known[place] = values.reshape(*self.maker.shape, self.maker.ball_axis)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.compiler.compiled import can_compile
+from qsbearing.model.compiler.compiled import is_fast_for
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects.ball_expansion import BallExpansion
 from qsbearing.model.kernel.admissibility import CONVERGED
@@ -25,9 +25,9 @@ from qsbearing.model.solution.solved_cases import KEPT
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 TOLERANCE = 1e-12
-LEAST_BATCH = 1000
-"""So many cases are solved in lanes, as far as lanes know them. Lanes are faster from 64 on, but their kernel is
-compiled with the first such batch: some ten seconds, once, which fewer cases would spend to save a few milliseconds."""
+LEAST_BATCH = 100
+"""So many cases are solved in lanes, as far as lanes know them: there 32 take 0.7 of the time, 128 0.6, 256 0.5; of
+fewer than a hundred that is less than a millisecond."""
 
 
 def solve(
@@ -71,20 +71,28 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
     made: dict[int, NDArray] = {}
     workers = thread_count(threads)
 
+    in_lanes = start is None and count >= LEAST_BATCH and are_lanes_fast_for(count)
+
     def solve_stretch(part: slice) -> None:
         records = maker.make(part.start, part.stop)
         if count <= KEPT:
             made[part.start] = records
         results, positions, controls = (array[part] for array in found)
         own = maker.own_balls(records, part.start)
-        is_batch = can_compile() and count >= LEAST_BATCH and start is None
         into = results, positions, controls
-        solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=is_batch)
+        solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=in_lanes)
 
     in_threads(solve_stretch, count, workers)
     cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
     again = partial(solve, threads=threads)
     return Solution(maker, cases, *found, time.perf_counter() - began, workers, preloaded, again)
+
+
+def are_lanes_fast_for(count: int) -> bool:
+    """Whether lanes are machine code; in plain Python they are slower than one case at a time."""
+    from qsbearing.model.kernel.lanes import solve_in_lanes
+
+    return is_fast_for(solve_in_lanes, count)
 
 
 def _preloaded(scene: Scene, preloaded: Solution | None) -> dict[str, Any]:

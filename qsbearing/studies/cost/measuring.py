@@ -98,5 +98,5 @@ def machine() -> dict[str, Any]:
 
 def in_a_line(found: dict[str, Any]) -> str:
     """The machine for the foot of a figure."""
-    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES))
+    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES) if name in found)
     return f"{found['processor']}, {found['cores']} cores, load average {found['load_average']}; {versions}"

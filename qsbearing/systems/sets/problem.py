@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.compiler.kinds import in_c_order
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from qsbearing.model.kernel.case import OWN_BALL
 from qsbearing.model.kernel.shaft import SHAFT, Shafts, shaft_system
@@ -73,7 +74,12 @@ def solve_directly(
     moving = ~s.held | (s.place != 0.0)
     cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
     memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
-    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *found)
+    filled = in_c_order(*found)  # a stretch of several is in another
+    matrices, offsets = in_c_order(matrices, offsets)
+    solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *filled)
+    for whole, part in zip(found, filled, strict=True):
+        if part is not whole:
+            whole[...] = part
     which = shafts.found["solved"]
     s.solved[:] = which
     s.q[which], s.residual[which] = shafts.q[which], shafts.found["residual"][which]

@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.effects.raceway_control import INNER as INNER_CODE
 from qsbearing.model.effects.raceway_control import OUTER as OUTER_CODE
 from qsbearing.model.effects.raceway_control import inner_weight, rotation_axis, weighted_axis
@@ -18,7 +19,7 @@ FIVE = {"axial_load": 14e3, "radial_load_y": 2.5e3, "radial_load_z": 1e3, "momen
 G = float(B218.ball_diameter) / float(B218.pitch_diameter)
 
 
-@entry
+@entry(*[float] * 4, array_of(float))
 def fill_axes(weight: float, g: float, inner_angle: float, outer_angle: float, out: NDArray) -> None:
     """tan(beta) of inner control, of outer control, and between them."""
     si, ci, so, co = np.sin(inner_angle), np.cos(inner_angle), np.sin(outer_angle), np.cos(outer_angle)
@@ -29,7 +30,7 @@ def fill_axes(weight: float, g: float, inner_angle: float, outer_angle: float, o
         out[k] = axis[0] / axis[1]
 
 
-@entry
+@entry(*[float] * 5, array_of(float))
 def fill_weight(g: float, inner_angle: float, outer_angle: float, qi: float, qo: float, out: NDArray) -> None:
     """The inner raceway's weight, both contacts' a E/Q^(1/3) being equal."""
     out[0] = inner_weight(g, np.cos(inner_angle), np.cos(outer_angle), qi, qo, 1.0, 1.0)

@@ -1,4 +1,4 @@
-"""A process that has solved nothing, and solves in plain Python."""
+"""A process that solves in plain Python, within one that does not."""
 
 from __future__ import annotations
 
@@ -13,17 +13,13 @@ from qsbearing.model.compiler import compiled
 
 
 @contextmanager
-def as_new(allowance: float = 1e9) -> Iterator[None]:
-    """Within, this process has loaded nothing, and may spend so many seconds in plain Python before it loads or
-    compiles."""
+def in_plain_python() -> Iterator[None]:
+    """Within, nothing is machine code."""
     with pytest.MonkeyPatch.context() as patch:
-        for price in ("LOADING", "LOADING_MORE", "COMPILING"):
-            patch.setattr(compiled, price, allowance)
-        patch.setattr(compiled._process, "always", False)
-        patch.setattr(compiled._process, "plain", 0.0)
-        for entry in compiled._entries:
-            patch.setattr(entry, "_compiled", None)
-            patch.setattr(entry, "_plain", 0.0)
+        patch.setattr(compiled, "IS_PLAIN", True)
+        patch.setattr(compiled, "HAS_NUMBA", False)
+        for entry in compiled.entries:
+            patch.setattr(entry, "_run", None)
         yield
 
 

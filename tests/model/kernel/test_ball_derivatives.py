@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.model.kernel.admissibility import LOAD_BOUND
 from qsbearing.model.kernel.ball import moving_ball
 from qsbearing.model.kernel.contact_line import direction
 from qsbearing.model.kernel.loop_closure import inner_length, outer_length, set_inner_line, set_outer_line
 from qsbearing.model.kernel.raceway_stiffness import set_spin_constants
-from qsbearing.model.kernel.workspace import working_memory
+from qsbearing.model.kernel.workspace import GIVEN, working_memory
 from qsbearing.model.solution.flatten import CaseMaker
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, OUTER, turning
 
@@ -39,7 +40,7 @@ POSITIONS = {
 """Outer angle, outer approach, inner angle, inner approach; approaches in units of the lines' free lengths."""
 
 
-@entry
+@entry(*GIVEN[:3], array_of(float), array_of(float), float, float, array_of(float), array_of(float, 2))
 def ball_between(
     cases: ndarray,
     workspaces: ndarray,

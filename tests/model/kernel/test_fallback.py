@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
@@ -103,7 +103,7 @@ def test_each_layer_finds_an_equilibrium(layer: str, scene: str) -> None:
     assert solution.orbital_speed.min() > 0.02 * operation.speed
 
 
-@pytest.mark.skipif(not COMPILED, reason="thousands of iterations of plain Python")
+@pytest.mark.skipif(not has_fast_code(), reason="thousands of iterations of plain Python")
 def test_friction_no_more_than_a_tenth_of_the_load_finds_an_equilibrium() -> None:
     """The only one of 22,000 random scenes that is lost without this bound: campaign scene wild/1/11/39."""
     scene = chunk_groups(1, 11, envelope="wild")[1].part([14]).scene()
@@ -226,7 +226,7 @@ def test_no_step_is_taken_beyond_the_budget(monkeypatch: pytest.MonkeyPatch) -> 
         assert solution.iterations <= 2 * 25  # direct stage and fallback, each its own
 
 
-@pytest.mark.skipif(not COMPILED, reason="thousands of iterations of plain Python")
+@pytest.mark.skipif(not has_fast_code(), reason="thousands of iterations of plain Python")
 def test_what_does_not_converge_says_so() -> None:
     """Loads a ten-millionth of inertia, which opposes them."""
     scene = turning(40e3, **CENTRIFUGAL_INNER, **free_to_tilt(0.01, 0.002, 0.0008))

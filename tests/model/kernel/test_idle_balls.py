@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import entry
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.kernel.kinematics import LOSING, inner_line
 from tests.qsbearing.scenes import B218, INNER, OUTER, PER_BALL, UPRIGHT, solved, turning
 
@@ -78,7 +79,7 @@ def test_losing_the_inner_raceway_makes_no_jump() -> None:
         assert np.abs(np.diff(quantity, axis=0)).max() < 0.15 * np.ptp(quantity)
 
 
-@entry
+@entry(float, float, float, array_of(float))
 def fill_inner_line(inner_angle: float, outer_angle: float, approach: float, out: NDArray) -> None:
     """The inner line as rolling sees it, and its angle's derivatives by both angles and the approach."""
     si, ci, so, co = np.sin(inner_angle), np.cos(inner_angle), np.sin(outer_angle), np.cos(outer_angle)

@@ -12,8 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
-from qsbearing.model.compiler.compiled import _functions as kinds
+from qsbearing.model.compiler.compiled import HAS_NUMBA, functions, has_fast_code
 from qsbearing.model.kernel import lanes
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
@@ -27,7 +26,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from tests.verification.benchmarks import scenes
 from tests.verification.campaign.envelope import chunk_groups
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="plain Python solves no batches in lanes")
+pytestmark = pytest.mark.skipif(not has_fast_code(), reason="plain Python solves no batches in lanes")
 
 Found = tuple[NDArray, NDArray, NDArray]
 
@@ -175,7 +174,6 @@ def test_lanes_know_what_they_do_not_know(change: dict[str, Any]) -> None:
 
 
 def test_lanes_are_left_out_where_they_know_no_case(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Their kernel would be compiled for nothing."""
     monkeypatch.setattr(lanes, "solve_in_lanes", None)
     maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.INNER))
     assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
@@ -190,6 +188,7 @@ PACKED = {
 
 @pytest.mark.heavy
 @pytest.mark.skipif(platform.machine() not in PACKED, reason="no instruction known of this processor")
+@pytest.mark.skipif(not HAS_NUMBA, reason="numba is not installed, or switched off")
 def test_loops_over_lanes_are_packed() -> None:
     """A compiler that packs none makes lanes slower than one case at a time."""
     from qsbearing.model.compiler import numba_kernel
@@ -207,7 +206,7 @@ def test_loops_over_lanes_are_packed() -> None:
         propose_lanes(rings[0], balls, 1)
 
     for function, least in ((evaluate, 200), (evaluate_without_moment, 100), (step, 50), (propose, 10)):
-        compiled = numba_kernel.filled(function, kinds)
+        compiled = numba_kernel.njit(**numba_kernel.OPTIONS)(numba_kernel.Dispatchers(functions).filled(function))
         compiled(np.ones(1, RING_LANES), np.ones(1, BALL_LANES))
         (text,) = compiled.inspect_asm().values()
         found = len(re.findall(PACKED[platform.machine()], text))

@@ -1,4 +1,4 @@
-"""Plain Python finds what the compiled kernel finds, to the last bit, however few iterations it is given."""
+"""Plain Python finds what the machine code finds, to the last bit."""
 
 from __future__ import annotations
 
@@ -9,19 +9,18 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
-from qsbearing.model.solution import solve_records
-from tests.model.kernel.plain import as_new, digits
+from qsbearing.model.compiler.compiled import has_fast_code
+from tests.model.kernel.plain import digits, in_plain_python
 from tests.verification.campaign.chunk import groups_of
 from tests.verification.hard_cases.cases import CASES
 from tests.verification.hard_cases.scenes import scene_of
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="nothing is compiled")
+pytestmark = pytest.mark.skipif(not has_fast_code(), reason="nothing is compiled")
 
 
 def assert_same(scene: qs.Scene) -> None:
     expected = digits(qs.solve(scene))
-    with as_new():
+    with in_plain_python():
         assert digits(qs.solve(scene)) == expected
 
 
@@ -50,26 +49,11 @@ def test_hard_cases(name: str) -> None:
     assert_same(scene_of(name))
 
 
-def test_a_solve_that_takes_all_iterations_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Plain with more of them, then compiled: what is found, iterations included, is the same."""
-    scene = qs.load_scene("b218")
-    expected = digits(qs.solve(scene))
-    taken = int(qs.solve(scene).iterations)
-    monkeypatch.setattr(solve_records, "PLAIN_BUDGET", taken - 1)
-    assert_same(scene)
-    monkeypatch.setattr(solve_records, "PATIENT_BUDGET", taken - 1)
-    assert_same(scene)
-    with as_new():
-        warm = digits(qs.solve(scene, start=qs.solve(scene)))
-    assert warm[3] == expected[3]
-
-
 def test_several_cases_are_as_one_by_one() -> None:
-    """Plain, the first of several cases is solved alone, and then twice as many each time."""
     scene = qs.load_scene("b218")
     several = replace(scene, operation=replace(scene.operation, speed=np.linspace(1e3, 9e3, 9) * qs.rpm))
     expected = qs.solve(several)
-    with as_new():
+    with in_plain_python():
         found = qs.solve(several)
         assert np.array_equal(found.displacement, expected.displacement)
         assert np.array_equal(found.iterations, expected.iterations)

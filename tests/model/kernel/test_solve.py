@@ -12,11 +12,12 @@ from scipy.optimize import brentq
 from scipy.special import ellipe
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED, entry
+from qsbearing.model.compiler.compiled import entry, has_fast_code
+from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.effects.raceway_control import CONTROL_CODES
 from qsbearing.model.kernel.ball_inertia import inertia
-from qsbearing.model.kernel.workspace import working_memory
+from qsbearing.model.kernel.workspace import GIVEN, working_memory
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.results.remarks import warnings
 from tests.qsbearing.mechanics import ring_load
@@ -125,7 +126,7 @@ def test_threads_change_nothing() -> None:
     count = fewer(2500, 66)  # three stretches
     scene = turning(np.linspace(300.0, 14000.0, count), **random_operation(count, 3))
     expected = everything(qs.solve(scene, threads=1))
-    for threads in (2, 5) if COMPILED else (2,):
+    for threads in (2, 5) if has_fast_code() else (2,):
         assert_same_bits(everything(qs.solve(scene, threads=threads)), expected)
 
 
@@ -779,7 +780,7 @@ def test_a_free_ball_lies_between_its_grooves_however_far_the_ring_is_moved(
     np.testing.assert_allclose(chain[1], radial, atol=1e-14)
 
 
-@entry
+@entry(*GIVEN[:2], int, float, float, array_of(float))
 def fill_inertia(
     cases: NDArray, workspaces: NDArray, control: int, inner_angle: float, outer_angle: float, out: NDArray
 ) -> None:

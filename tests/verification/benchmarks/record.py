@@ -81,43 +81,6 @@ def start_up() -> dict[str, Any]:
     return {f"{name}_s": spread(each, 1.0) for name, each in times.items()} | {"load_average": load}
 
 
-COMPILES = """
-import json, os, time
-from dataclasses import replace
-import numpy as np
-import qsbearing as qs
-
-b218 = qs.load_scene("b218")
-plain = qs.Scene(b218.bearing, qs.Operation(axial_load=np.full(1000, 17_800.0)))
-turning = replace(b218, operation=qs.Operation(speed=np.linspace(100.0, 900.0, 2000), axial_load=17_800.0))
-pulled = qs.Scene(b218.bearing, qs.Operation(axial_load=np.full(1000, -17_800.0)))
-solved = []
-parts = {
-    "solver": lambda: solved.append(qs.solve(plain)),
-    "batches": lambda: qs.solve(turning),
-    "hard_cases": lambda: qs.solve(pulled),
-    "reading": lambda: qs.readings.life(solved[0]),
-}
-found = {}
-for name, part in parts.items():
-    before = time.process_time()
-    part()
-    found[f"{name}_s"] = float(f"{time.process_time() - before:.2g}")
-print(json.dumps(found | {"load_average": round(os.getloadavg()[0], 1)}))
-"""
-"""Each call compiles what the ones before have not."""
-
-
-def compiling() -> dict[str, Any]:
-    """Processor time of what is compiled when it is first needed."""
-    with tempfile.TemporaryDirectory() as empty:
-        environment = os.environ | {"NUMBA_CACHE_DIR": empty}
-        command = [sys.executable, "-c", COMPILES]
-        done = subprocess.run(command, check=True, capture_output=True, text=True, env=environment)
-    found: dict[str, Any] = json.loads(done.stdout)
-    return found
-
-
 def single_calls() -> dict[str, Any]:
     """One warm `solve`, everything included."""
     thrust, combined = scenes.thrust(), scenes.combined()
@@ -242,7 +205,7 @@ def machine() -> dict[str, Any]:
 def main() -> None:
     """Measure everything and write the record."""
     record = {"machine": machine(), "provenance": provenance.of_run("python -m tests.verification.benchmarks.record")}
-    for part in (start_up, compiling, single_calls, batch, starting_values, against_scipy, million):
+    for part in (start_up, single_calls, batch, starting_values, against_scipy, million):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         record[part.__name__] = part()
     target = Path(sys.argv[1]) if sys.argv[1:] else RECORD

@@ -79,17 +79,6 @@ def timing() -> str:
     )
 
 
-def compiling() -> str:
-    """What is compiled when it is first needed, and how long that takes."""
-    found = read(RECORD)["compiling"]
-    said = (("solver", "the solver"), ("batches", "the solver of batches"), ("hard_cases", "the solver for hard cases"))
-    times = "; ".join(f"{what} takes {found[f'{name}_s']:g} s" for name, what in said)
-    return (
-        f"{times}; a reading, such as the life, {found['reading_s']:g} s: processor time, at load average "
-        f"{found['load_average']:g}, which makes it longer"
-    )
-
-
 def alternatives() -> str:
     """Beside a general solver, and what the initial guess saves."""
     record = read(RECORD)
@@ -306,7 +295,6 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "accuracy.md": {"cost": lambda: cost.table(cost.load())},
     "timing.md": {
         "timing": timing,
-        "compiling": compiling,
         "before": lambda: before.table(before.load()),
         "alternatives": alternatives,
     },

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.verification.campaign import __main__ as command_line
 from tests.verification.campaign import chunk as judging
 from tests.verification.campaign.campaign import append, missing, open_journal, run_campaign, write_scene
@@ -22,11 +22,11 @@ from tests.verification.campaign.envelope import CHUNK, chunk_groups, scene_file
 from tests.verification.campaign.group import GROUP
 from tests.verification.campaign.summary import quantile, summarise
 
-compiled_only = pytest.mark.skipif(not COMPILED, reason="thousands of scenes take hours in plain Python")
+compiled_only = pytest.mark.skipif(not has_fast_code(), reason="thousands of scenes take hours in plain Python")
 
 COUNTS = {"wild": 75, "realistic": CHUNK + 100, "mounted": 50}
 """The release gate asks more, at its quick level too. Realistic scenes: two chunks, of which the second is compared."""
-FEW = GROUP if COMPILED else 4
+FEW = GROUP if has_fast_code() else 4
 
 
 # Hundreds of scenes ---------------------------------------------------------------------------------------------------
@@ -108,7 +108,7 @@ def test_the_same_scenes_twice_to_the_last_bit(campaigns: Campaigns) -> None:
 
 def test_a_range_cut_in_two_comes_to_the_same() -> None:
     """Whatever company scenes are solved in."""
-    stop, middle = (4 * GROUP, GROUP + 12) if COMPILED else (3, 1)
+    stop, middle = (4 * GROUP, GROUP + 12) if has_fast_code() else (3, 1)
     whole = summarise("wild", 1, [solve_range("wild", 1, CHUNK, CHUNK + stop)], 0.0)
     parts = [solve_range("wild", 1, CHUNK + middle, CHUNK + stop), solve_range("wild", 1, CHUNK, CHUNK + middle)]
     cut = summarise("wild", 1, parts, 0.0)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.qsbearing.scenes import B218, BOTH, INNER, OUTER, resting, turning
 from tests.verification.campaign.certificates import (
     NONE,
@@ -25,7 +25,7 @@ from tests.verification.campaign.checks import findings
 from tests.verification.campaign.envelope import chunk_groups
 from tests.verification.campaign.group import DISPLACEMENT_KEYS, LOAD_KEYS, MATERIAL_KEYS, STEEL, Group
 
-compiled_only = pytest.mark.skipif(not COMPILED, reason="a thousand iterations take minutes in plain Python")
+compiled_only = pytest.mark.skipif(not has_fast_code(), reason="a thousand iterations take minutes in plain Python")
 
 B218_KEYS = {
     "ball_count": 16.0,
@@ -203,7 +203,7 @@ def test_no_certificate_where_nothing_is_broken(values: dict[str, Any]) -> None:
 
 def test_no_certificate_for_what_has_an_equilibrium() -> None:
     """Every scene of a chunk that is solved: nothing proves that it cannot be."""
-    for group in chunk_groups(8, 0)[:: 8 if COMPILED else 39]:
+    for group in chunk_groups(8, 0)[:: 8 if has_fast_code() else 39]:
         solution = qs.solve(group.scene(), threads=1)
         good = ~np.any(list(findings(group.scene(), solution).failed().values()), axis=0) & solution.converged
         for k in np.flatnonzero(good):

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.model.effects import elastic_rings as model
 from tests.verification.campaign.elastic_rings import batch
 
-compiled_only = pytest.mark.skipif(not COMPILED, reason="hundreds of bearings take hours in plain Python")
+compiled_only = pytest.mark.skipif(not has_fast_code(), reason="hundreds of bearings take hours in plain Python")
 
 
 @compiled_only

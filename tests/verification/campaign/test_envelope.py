@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.verification.campaign.envelope import CHUNK, ENVELOPES, WHOLE, chunk_groups, scene_file, scene_name
 from tests.verification.campaign.group import GROUP, Group
 from tests.verification.campaign.realistic import ANGLES
@@ -158,7 +158,7 @@ def assert_loads_are_what_they_say(groups: list[Group]) -> None:
 @every_envelope
 def test_a_scene_file_holds_the_scene_to_the_last_bit(envelope: str, tmp_path: Path) -> None:
     """Written, read back, and every number the same; what is solved from it ends as the batch does."""
-    for group in chunk_groups(6, 0, envelope=envelope)[:: 8 if COMPILED else 40]:
+    for group in chunk_groups(6, 0, envelope=envelope)[:: 8 if has_fast_code() else 40]:
         path = tmp_path / "scene.toml"
         path.write_text(group.toml(3, "A sentence\nof two lines."), encoding="utf-8")
         read, meant = qs.load_scene(path), group.part(3).scene()

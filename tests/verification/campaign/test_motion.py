@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.systems.heat import spindle
 from tests.verification.campaign import realistic
 from tests.verification.campaign.checks import findings, standing_balls
 from tests.verification.campaign.group import Group
 from tests.verification.campaign.mounted import of_one_ball_count
 
-pytestmark = pytest.mark.skipif(not COMPILED, reason="thousands of bearings take hours in plain Python")
+pytestmark = pytest.mark.skipif(not has_fast_code(), reason="thousands of bearings take hours in plain Python")
 
 CONTROLS = ["inner", "per_ball", "minimum_dissipation", "outer"]
 BOTH = ("centrifugal_force", "gyroscopic_moment")

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.systems.sets.arrangements import pair
 from tests.verification.campaign import spindles
 from tests.verification.campaign.checks import MOST_IMBALANCE
 from tests.verification.campaign.group import GROUP
 from tests.verification.campaign.sets import draw_sets, wrong_of
 
-compiled_only = pytest.mark.skipif(not COMPILED, reason="hundreds of sets take hours in plain Python")
+compiled_only = pytest.mark.skipif(not has_fast_code(), reason="hundreds of sets take hours in plain Python")
 
 
 def wrong_sets(seed: int, calls: int) -> list[str]:

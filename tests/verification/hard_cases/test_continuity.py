@@ -16,7 +16,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.results.remarks import warnings
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, PER_BALL, UPRIGHT, fewer, resting, turning
 from tests.verification.hard_cases.generate import load_reference
@@ -252,7 +252,7 @@ def test_balls_switch_one_after_the_other() -> None:
         else:
             assert not one.control_is_consistent or not other.control_is_consistent
             assert other.converged
-    if COMPILED:
+    if has_fast_code():
         # Between switches the loads drift evenly; where some ball switches they may jump.
         change = np.abs(np.diff([loads(solution) for solution in scratch], axis=0)).max(axis=1)
         switched = np.array([one != other for one, other in pairwise(patterns)])

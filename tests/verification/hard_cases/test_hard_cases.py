@@ -11,7 +11,7 @@ import pytest
 from mpmath import mp
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.results.remarks import message, warnings
 from tests.qsbearing.scenes import INNER, turning
 from tests.verification.hard_cases import generate
@@ -26,7 +26,7 @@ REFUSED = [case["name"] for case in CASES if case["expected"] == NO_EQUILIBRIUM]
 SLOW = {"sixty_balls", "inner_control_beyond_its_end"}
 """In plain Python these take minutes."""
 
-quick = [name for name in SOLVED if COMPILED or name not in SLOW]
+quick = [name for name in SOLVED if has_fast_code() or name not in SLOW]
 
 
 @cache
@@ -84,7 +84,7 @@ def test_it_comes_to_fifty_digits_or_its_condition_says_why_not(name: str) -> No
     assert verdict(max(found.values()), result["condition"]) != "UNEXPLAINED", (found, result["condition"])
 
 
-@pytest.mark.parametrize("name", [name for name in REFUSED if COMPILED or name not in SLOW])
+@pytest.mark.parametrize("name", [name for name in REFUSED if has_fast_code() or name not in SLOW])
 def test_there_is_none_and_it_is_said(name: str) -> None:
     """No equilibrium, no number anywhere, and a sentence."""
     solution = solution_of(name)

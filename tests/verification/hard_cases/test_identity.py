@@ -13,13 +13,13 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.compiler import threads
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.qsbearing.scenes import PER_BALL, turning
 from tests.verification.hard_cases.cases import CASES
 from tests.verification.hard_cases.scenes import scene_of
 
 NAMES = [case["name"] for case in CASES if case["name"] != "sixty_balls"]
-FEW = NAMES if COMPILED else NAMES[:1]
+FEW = NAMES if has_fast_code() else NAMES[:1]
 
 
 def fields(solution: qs.Solution) -> dict[str, Any]:
@@ -50,7 +50,7 @@ def test_twice_here_and_once_in_another_process() -> None:
     assert [digest(), digest()] == [done.stdout.split()[-1]] * 2
 
 
-@pytest.mark.skipif(not COMPILED, reason="thousands of cases")
+@pytest.mark.skipif(not has_fast_code(), reason="thousands of cases")
 def test_on_any_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
     """Easy cases, hard ones, cases with either control and cases without an equilibrium, all in one call, more than
     one thread solves in one stretch: on one thread, two and five each is the same to the last bit."""

@@ -15,14 +15,14 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.qsbearing.scenes import DISPLACEMENTS, LOADS, general_scenes
 from tests.verification.hard_cases.cases import CASES, CONVERGED
 from tests.verification.hard_cases.scenes import scene_of
 
 GENERAL = general_scenes()
 HARD = [case["name"] for case in CASES if case["expected"] == CONVERGED]
-NAMES = [*GENERAL, *HARD] if COMPILED else list(GENERAL)[:1]
+NAMES = [*GENERAL, *HARD] if has_fast_code() else list(GENERAL)[:1]
 LENGTHS = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
 
 

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import COMPILED
+from qsbearing.model.compiler.compiled import has_fast_code
 from tests.verification.hard_cases.cases import CASES
 from tests.verification.hard_cases.scenes import scene_of
 
-if not COMPILED:
+if not has_fast_code():
     pytest.skip("starts plain Python by itself", allow_module_level=True)
 
 LONG = {
