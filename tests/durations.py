@@ -22,7 +22,7 @@ SLOW = 0.1
 """Seconds from which on a test has an entry of its own, all its parameters together."""
 QUICK = 1.0
 """Seconds that a file may take without these, for its others to be quick."""
-UNKNOWN = {"": 5.0}
+UNKNOWN = {"": 2.5}
 """Of a file that is not in the record: not quick."""
 
 

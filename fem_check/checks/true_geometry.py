@@ -24,6 +24,7 @@ from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
 from fem_check.solids import true_statics
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle, room, with_room
+from qsbearing.documents.numbers import plain
 
 FINEST = {Level.QUICK: 6, Level.RELEASE: 8}
 """Elements per semi-axis of the finest of three meshes."""
@@ -245,7 +246,7 @@ def true_rows(solved: Solved) -> list[Row]:
             else solved.ratio("surface", "parabola", name)
         )
         if name == "approach" and solved.ring_doubt:
-            parts.append(f"assumed dimensions of the ring ± {100.0 * solved.ring_doubt:.2g} %")
+            parts.append(f"assumed dimensions of the ring ± {plain(100.0 * solved.ring_doubt, '.2g')} %")
             uncertainty += solved.ring_doubt
         rows.append(
             Row(

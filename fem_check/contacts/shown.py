@@ -7,6 +7,7 @@ from typing import Any
 
 from fem_check.rows import row_text
 from qsbearing.documents.model import Badge, Block, Group, Paragraph, Remark, Table
+from qsbearing.documents.numbers import plain
 from qsbearing.documents.terminal import STYLES
 
 Row = dict[str, Any]
@@ -132,7 +133,7 @@ def tolerances(entry: Entry) -> Paragraph | None:
             names += [SHOWN[row["quantity"]][0]] if SHOWN[row["quantity"]][0] not in names else []
     if not told:
         return None
-    limits = "; ".join(f"{limit:.3g} % of {', '.join(names)}" for (limit, _), names in told.items())
+    limits = "; ".join(f"{plain(limit, '.3g')} % of {', '.join(names)}" for (limit, _), names in told.items())
     reasons = "; ".join(dict.fromkeys(why for _, why in told))
     return Paragraph(
         f"Tolerance: {limits}; {reasons}. A row passes if its deviation and its uncertainty together are within it.",

@@ -15,6 +15,7 @@ from fem_check.elements.element_family import SERENDIPITY
 from fem_check.mechanics.half_space_contact import ORDERS
 from fem_check.rows import convergence
 from fem_check.rows.agreement import Row
+from qsbearing.documents.numbers import duration
 
 SEQUENCES = {6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (4, 8, 16)}
 """Meshes solved for a result and its uncertainty, by elements per semi-axis of the finest. Well apart: errors are
@@ -42,7 +43,7 @@ class MeshChoice:
         """What will be solved, and what to expect of it."""
         return (
             f"Solving with {', '.join(map(str, self.sequence))} elements per semi-axis: "
-            f"{self.seconds:.2g} s and {self.peak_memory_MB:.0f} MB where it was measured."
+            f"{duration(self.seconds)} and {self.peak_memory_MB:.0f} MB where it was measured."
         )
 
 

@@ -8,15 +8,15 @@ from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import choices
 from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Table
+from qsbearing.documents.numbers import duration, plain, unit_of
 
 SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))
-UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6))
 
 
-def duration(seconds: dict[str, float]) -> str:
+def spread(seconds: dict[str, float]) -> str:
     """Median, and smallest to largest, in a unit that suits them."""
-    unit, factor = next((unit for unit in UNITS if seconds["median"] >= unit[1]), UNITS[-1])
-    median, low, high = (f"{seconds[name] / factor:.4g}" for name in ("median", "low", "high"))
+    unit, size = unit_of(seconds["median"])
+    median, low, high = (plain(seconds[name] / size, ".4g") for name in ("median", "low", "high"))
     return f"{median} ({low} to {high}) {unit}"
 
 
@@ -27,7 +27,7 @@ def measured(record: dict[str, Any]) -> Table:
         label = f"{entry['family']}: {entry['elements_per_semi_axis']}" if "family" in entry else entry["label"]
         errors = (f"{100.0 * entry['error'][name]:+.2g}" if name in entry["error"] else "" for name in JUDGED)
         dofs, memory = (str(entry.get(name, "")) for name in ("dofs", "peak_memory_MB"))
-        rows.append((label, dofs, *errors, duration(entry["seconds"]), memory))
+        rows.append((label, dofs, *errors, spread(entry["seconds"]), memory))
     title = f"One contact ({record['contact']}, a/b = {record['ellipticity']:.2f}); elements: number per semi-axis"
     headings = ("solved by", "unknowns", *(f"{name} %" for name in SHORT_NAMES.values()), "time", "MB")
     return Table(headings, rows, caption=title)
@@ -39,7 +39,7 @@ def mesh_choices(record: dict[str, Any]) -> Table:
         (
             scientific(choice.accuracy, 2),
             ", ".join(map(str, choice.sequence)),
-            f"{choice.seconds:.2g} s",
+            duration(choice.seconds),
             f"{choice.peak_memory_MB:.0f}",
         )
         for choice in choices(record)

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from qsbearing.documents.numbers import plain
+
 Record = dict[str, Any]
 
 REFERENCE = 1e-6
@@ -60,15 +62,15 @@ def _of_row(row: Record, old: Record, same_mesh: bool) -> list[str]:
     most = FLAT_MAXIMUM if _is_flat(row) else REFERENCE
     if not change <= most:
         moved.append(
-            f"{name}: its reference moved by {change:.2g} %, from {old['reference']:.10g} to {row['reference']:.10g} "
-            f"(limit {most:g} %)"
+            f"{name}: its reference moved by {plain(change, '.2g')} %, from {old['reference']:.10g} to "
+            f"{row['reference']:.10g} (limit {most:g} %)"
         )
     change, limit = abs(row["deviation_percent"] - old["deviation_percent"]), _limit(row, old, same_mesh)
     if not change <= limit:
         where = "" if same_worst else f" (worst at {row['worst_at']}, before at {old['worst_at']})"
         moved.append(
-            f"{name} moved by {change:.2g} %, from {old['found']:.10g} to {row['found']:.10g}{where} "
-            f"(limit {limit:.2g} %{'' if same_mesh else ', the mesh is another one'})"
+            f"{name} moved by {plain(change, '.2g')} %, from {old['found']:.10g} to {row['found']:.10g}{where} "
+            f"(limit {plain(limit, '.2g')} %{'' if same_mesh else ', the mesh is another one'})"
         )
     return moved
 

@@ -6,6 +6,7 @@ from dataclasses import fields
 from typing import Any
 
 from fem_check.rows.agreement import Row
+from qsbearing.documents.numbers import plain
 
 NAMES = [field.name for field in fields(Row)]
 
@@ -41,7 +42,7 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
                 f"is on record, {row.verdict} with {row.deviation_percent:.6g} % follows from its numbers"
             )
         elif row.verdict == "fail":
-            reach = f"{row.deviation_percent:+.3g} % ± {row.uncertainty_percent or 0.0:.2g}"
+            reach = f"{plain(row.deviation_percent, '+.3g')} % ± {row.uncertainty_percent or 0.0:.2g}"
             wrong.append(f"{name} is out of tolerance: {reach}, tolerance {row.tolerance_percent} %")
     if record["verdict"] != ("fail" if any(entry["verdict"] == "fail" for entry in record["rows"]) else "pass"):
         wrong.append(f"its verdict {record['verdict']} does not follow from its rows")

@@ -26,7 +26,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.judgement import WORDS
+from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
@@ -60,7 +60,8 @@ def start(source: str) -> Answer:
     document, _, label = document_of(source)
     names = [entry.name for entry in catalogue.entries()]
     names += sorted({entry.name for entry in spindle_bearings().values()} - set(names))
-    return checked(document, label) | {"label": label, "catalogue": names, "quantities": [*map(WORDS.get, QUANTITIES)]}
+    quantities = [f"{WORDS[name]}, {unit_of(name)}" for name in QUANTITIES]
+    return checked(document, label) | {"label": label, "catalogue": names, "quantities": quantities}
 
 
 def opened(text: str, label: str) -> Answer:
@@ -162,7 +163,7 @@ def effects(document: Tables, label: str) -> Answer:
     for row in rows:
         changes = {quantity: row.change(quantity) for quantity in QUANTITIES}
         largest = row.largest
-        most = "" if not largest else "0 %" if changes[largest] == "0" else f"{WORDS[largest]} {changes[largest]} %"
+        most = "" if not largest else "0 %" if changes[largest] == "0" else f"{WORDS[largest]} {row.change_in(largest)}"
         told = {"effect": row.effect, "what": row.what, "verdict": row.verdict, "why": row.why}
         found.append(told | {"most": most, "changes": list(changes.values())})
     return {"effects": found}

@@ -19,7 +19,7 @@ from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.load_distribution import draw_loads
 from qsbearing.pictures.section import draw_section
-from qsbearing.pictures.style import GREY
+from qsbearing.pictures.style import GREY, of_results
 from qsbearing.readings.asked import take_asked
 from qsbearing.readings.rating_life import HOUR
 from qsbearing.reports.curves import finish, mark_stiffness
@@ -82,10 +82,8 @@ def _life(axes: Axes, solution: Solution) -> None:
     hours = np.where(swept.converged, take_asked(swept)["life"].duration, np.nan) / HOUR
     hours[~np.isfinite(hours)] = np.nan
     axes.plot(along, hours, color="black")
-    axes.set_yscale("log")
-    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.yaxis.set_major_formatter("{x:,.0f}")  # powers of ten as formulas take longer than all the rest
-    axes.yaxis.set_minor_formatter(lambda *_: "")
+    if of_results(axes.yaxis, "h", hours):
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     _finish(axes, along[own], hours[own : own + 1], "life, h", solution)
 
 

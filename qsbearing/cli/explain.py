@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.chooser.explain import Row
     from qsbearing.studies.chooser.explained import Explained
 
-HEADINGS = ("angles\n%", "loads\n%", "press-\nures %", "displ.\n%", "stiff-\nness %")
+HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
 """Of `QUANTITIES`, in their order."""
 
 
@@ -94,7 +94,7 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
     title = f"Effects and choices: change if left out (≈ usual parameters); needed if more than {100 * tolerance:g} %"
     has_indicator = any(row.indicator is not None for row in rows)  # those of a set have none
     is_timed = any(row.time_with_over_without is not None for row in rows)
-    more = [*(["indi-\ncator"] if has_indicator else []), *(["time"] if is_timed else [])]
+    more = [*(["indicator"] if has_indicator else []), *(["time"] if is_timed else [])]
     headings = ("", "in\nscene", *HEADINGS, "verdict", *more)
     cells, said = [], []
     for row in rows:
@@ -107,5 +107,6 @@ def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
             is_lacking = row.add and row.verdict == "needed"
             lines = f"to include it, under [effects]: {', '.join(row.add)}" if is_lacking else ""
             said.append(f"{row.effect}: {'; '.join(each for each in (row.why, lines) if each)}")
-    table = Table(headings, cells, f"ll{'r' * len(HEADINGS)}l{'r' * len(more)}", title)
+    spare = range(len(headings) - 1, len(headings) - len(more) - 1, -1)
+    table = Table(headings, cells, f"ll{'r' * len(HEADINGS)}l{'r' * len(more)}", title, spare=spare)
     return [table, *(Paragraph(each, is_apart=number == 0) for number, each in enumerate(said))]

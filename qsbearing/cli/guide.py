@@ -28,6 +28,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     Exit codes: 0 done, 2 bad input.
     """
     from qsbearing.documents.guide import meant_by, topics
+    from qsbearing.model.validation import alike, question
     from qsbearing.results.guide_lists import LISTS
 
     pages = topics(lists=LISTS)
@@ -35,7 +36,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     if topic is not None:
         page, _, section = topic.partition("#")
         if page not in pages:
-            meant = meant_by(page, pages)
+            meant = question(alike(page, pages)) or meant_by(page, pages)
             refuse(f"no topic {page} in the guide{f'. {meant}' if meant else ''}\n    topics: {', '.join(pages)}")
         text = pages[page].plain(section)
         if not text:

@@ -14,6 +14,9 @@ from qsbearing.cli.output import UNSOLVED, print_result, print_table, progress_b
 from qsbearing.cli.scene import in_keys, load_one, solve, solving
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from qsbearing.documents.model import Block
     from qsbearing.systems.heat.state import ThermalState
 
 
@@ -56,9 +59,11 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         solution = solve(loaded)
         state: ThermalState = solution.thermal
         from qsbearing.results.json_record import how_it_ended, thermal
+        from qsbearing.results.remarks import blocks, every_remark, remarks_record
         from qsbearing.results.thermal_report import course_record, speeds_record, whole_bearing_record
 
         found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
+        found |= remarks_record(said := every_remark(solution))
         found["transient"] = None
         if transient is None:
             with solving():
@@ -72,7 +77,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         if as_json:
             print_result(loaded, found)
         else:
-            _show(found)
+            _show(found, blocks(said, is_apart=True))
         if plot is not None:
             from qsbearing.pictures.style import name_of
 
@@ -103,8 +108,8 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
         )
 
 
-def _show(found: dict[str, Any]) -> None:
-    from qsbearing.documents.model import Block, Paragraph
+def _show(found: dict[str, Any], remarks: Sequence[Block]) -> None:
+    from qsbearing.documents.model import Paragraph
     from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 
     parts: list[Block] = (
@@ -113,7 +118,7 @@ def _show(found: dict[str, Any]) -> None:
     for name, table in (("speeds", speeds_table), ("whole_bearing", whole_bearing_table), ("transient", course_table)):
         if found[name] is not None:
             parts += [table(found[name]), Paragraph(found[name]["message"], is_apart=True)]
-    print_table(parts)
+    print_table([*parts, *remarks])
 
 
 def _picture(found: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:

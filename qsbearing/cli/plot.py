@@ -34,6 +34,7 @@ def plot(
     Exit codes: 0 drawn, 2 bad input.
     """
     from qsbearing.model.validation import SceneError
+    from qsbearing.studies.remarked import of_results
     from qsbearing.studies.store import open_results
 
     check_installed("plot needs", ("xarray", "matplotlib"), "studies")
@@ -50,6 +51,8 @@ def plot(
             write_files(writers, make)
         except (OSError, RuntimeError) as error:  # of HDF5, which reads what is drawn only now
             refuse(f"{results}: is damaged: {error}")
+        for each in of_results(dataset.attrs):
+            note(each.text)
     if out is None:
         note(f"drawn to {target}")
 

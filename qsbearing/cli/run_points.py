@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import sys
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qsbearing.cli.files import ending, ending_problems, how_to_install, missing
 from qsbearing.cli.output import (
     UNSOLVED,
     note,
+    print_table,
     print_text,
     print_wrote,
     progress_bar,
@@ -18,6 +19,9 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
+
+if TYPE_CHECKING:
+    from qsbearing.studies.remarked import Look
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
@@ -35,7 +39,8 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
         problems.append("--out: the same file as --points")
     refuse_all(problems)
     assert points is not None and out is not None  # said to be missing
-    found = _solved(scene, points, out, decimal)
+    looks: list[Look] = []
+    found = _solved(scene, points, out, decimal, looks)
     counts = Counter(found["status"])
     print_text(f"{counts['converged']:,} of {len(found['status']):,} rows solved\n")
     bad = [i for i, status in enumerate(found["status"]) if status != "converged"]
@@ -43,12 +48,15 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
         print_text(f"row {i + 1}: {found['status'][i]}, {found['reason'][i]}\n")
     if len(bad) > SHOWN:
         print_text(f"and {len(bad) - SHOWN:,} more, with their reasons in the file\n")
+    from qsbearing.studies.remarked import of_look, together
+
+    print_table(of_look(together(looks), len(found["status"])))
     print_wrote([out])
     if not counts["converged"]:
         sys.exit(UNSOLVED)
 
 
-def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str, list[Any]]:
+def _solved(scene: str, points: str, out: str, decimal: str | None, looks: list[Look]) -> dict[str, list[Any]]:
     """The rows with their results, written; what is solved before anything fails is kept beside them as CSV."""
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.files.output_file import kept_rows, output_file
@@ -67,7 +75,7 @@ def _solved(scene: str, points: str, out: str, decimal: str | None) -> dict[str,
                 done, kept = done + len(columns["status"]), str(part)
 
             with warnings_as_notes(), progress_bar() as progress:
-                found = solve_table(scene, read_table(points, decimal), points, progress, keep)
+                found = solve_table(scene, read_table(points, decimal), points, progress, keep, looks)
             write(table_bytes(found, ending(out)))
             kept = ""
         return found

@@ -64,11 +64,25 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
             found = read(source)
     except SceneError as error:
         refuse(str(error))
+    _told_by_sweep(source)
     try:
         thread_count()
     except ValueError as error:  # a mistake in its environment variable
         refuse(str(error))
     return found
+
+
+def _told_by_sweep(source: str) -> None:
+    """Say what the sweep remarks whose first point is solved again."""
+    if not source.lower().endswith(".nc"):
+        return
+    from pathlib import Path
+
+    from qsbearing.files.netcdf import attributes_of
+    from qsbearing.studies.remarked import KEPT, of_results
+
+    for each in of_results(attributes_of(Path(source), KEPT)):
+        note(f"{source}: {each.text}")
 
 
 def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import sys
 from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
 import click
 
 from qsbearing.cli.files import claimed, write_files
 from qsbearing.cli.output import UNSOLVED, note, print_text, refuse
 from qsbearing.cli.vary import study_of, vary_option
+
+if TYPE_CHECKING:
+    from qsbearing.studies.remarked import Look
 
 
 @click.command(short_help="Tabulate stiffness over speed and load, for rotor dynamics.")
@@ -50,18 +54,22 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
         refuse("--units: a table as CSV is in N, m and rad; other formats have other units")
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.model.validation import SceneError
+    from qsbearing.studies.remarked import of_look, together
     from qsbearing.studies.stiffness import stiffness_of
 
     with ExitStack() as stack:
         writers = claimed(stack, {"--out": out}, [])
         try:
-            columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored)
+            looks: list[Look] = []
+            columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored, looks=looks)
         except SceneError as error:
             refuse(str(error))
         text = csv_bytes(columns)
         write_files(writers, {"--out": lambda: text})
         if not writers:
             print_text(text.decode())
+    for each in of_look(together(looks), len(columns["status"])):
+        note(each.text)
     if not (columns["status"] == "converged").any():
         sys.exit(UNSOLVED)
 
@@ -73,6 +81,7 @@ def _for_finite_elements(
 
     from qsbearing.cli.scene import load_one, solve
     from qsbearing.files import stiffness_files as files
+    from qsbearing.results.remarks import blocks, every_remark
 
     of = load_one(scene)
     problems = [f"--vary: --format {form} is of one operating point"] if vary else []
@@ -96,6 +105,8 @@ def _for_finite_elements(
         write_files(writers, {"--out": lambda: made.encode() if isinstance(made, str) else made})
         if isinstance(made, str) and not writers:
             print_text(made)
+    for each in blocks(every_remark(solution)):
+        note(each.text)
 
 
 NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"

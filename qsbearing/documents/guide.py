@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -83,12 +82,9 @@ def skill_text() -> str:
 
 
 def meant_by(word: str, pages: Mapping[str, Page]) -> str:
-    """What to read about a word that is no topic: a page spelled much like it, or those whose headings have it; empty
-    where there is none."""
+    """What to read about a word that is no topic and no slip of one: pages whose headings have it; empty where there
+    are none."""
     plain = word.lower().replace("_", " ").replace("-", " ")
-    near = difflib.get_close_matches(plain.replace(" ", "_"), pages, n=1, cutoff=0.7)
-    if near:
-        return f"Did you mean {near[0]}?"
     if plain in BEGINNINGS and "ten_minutes" in pages:
         return "Begin with ten_minutes"
     has_word = re.compile(rf"\b{re.escape(plain)}", re.IGNORECASE).search

@@ -122,6 +122,8 @@ class Table:
     """Below it: a mark that its rows have, and what it says."""
     faint: Collection[int] = ()
     """Rows, counted from 0, that a terminal shows paler than the others."""
+    spare: Sequence[int] = ()
+    """Columns, counted from 0, that a terminal too narrow for all leaves out, the first of them first."""
 
     def __post_init__(self) -> None:
         width = len(self.headings)

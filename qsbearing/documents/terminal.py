@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rich import box
 from rich.console import Console, Group, RenderableType
@@ -16,9 +17,6 @@ from qsbearing.documents.model import Group as Across
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
-
-WHOLE = 20
-"""Letters of a word that is not folded while other columns can give way; longer is only a name that a user gave."""
 
 STYLES = {"pass": "green", "fail": "bold red", "finding": "yellow", "refused": "magenta"}
 """Of verdicts."""
@@ -45,8 +43,12 @@ def laid_out(blocks: Sequence[Block], width: int = WIDEST) -> Group:
         below: list[RenderableType] = []
         match block:
             case Table():
-                part, *rest = _tables(block, width)
+                left_out = _left_out(block, width)
+                part, *rest = _tables(_without(block, left_out), width)
                 below = [Padding(each, (1, 0, 0, 0)) for each in rest]
+                if left_out:
+                    names = ", ".join(" ".join(block.headings[each].split("\n")).strip() for each in left_out)
+                    below.append(Text(f"Too narrow for: {names}.", "dim"))
                 below += [Padding(_notes(block), (1, 0, 0, 0))] if block.notes else []
             case Paragraph():
                 part = _text(block.text, block.lead, "bold")
@@ -69,22 +71,54 @@ BETWEEN = 2
 """Columns of the terminal between those of a table."""
 
 
+def _left_out(table: Table, width: int) -> list[int]:
+    """Columns that it may go without, as many as have no room, in the order of the table."""
+    left: list[int] = []
+    for number in table.spare:
+        if _width([_least(table, each) for each in range(len(table.headings)) if each not in left]) <= width:
+            break
+        left.append(number)
+    return sorted(left)
+
+
+def _without(table: Table, left_out: list[int]) -> Table:
+    """A table without some columns."""
+    if not left_out:
+        return table
+    kept = [number for number in range(len(table.headings)) if number not in left_out]
+    of = lambda cells: [cells[number] for number in kept]  # noqa: E731
+    rows = [row if isinstance(row, Across) else of(row) for row in table.rows]
+    return replace(table, headings=of(table.headings), rows=rows, align="".join(of(table.alignment)), spare=())
+
+
+def _width(columns: Sequence[int]) -> int:
+    """Of several columns side by side."""
+    return sum(columns) + BETWEEN * (len(columns) - 1)
+
+
 def _tables(table: Table, width: int) -> list[RichTable]:
-    """Without frames. Where it is too wide, columns of words and long names give way first, each at its spaces; where
-    that does not do, the columns that do not fit follow below, beside the first one: no number is ever cut."""
-    lines = [_lines(table, number) for number in range(len(table.headings))]
-    least = [_least(each, side) for each, side in zip(lines, table.alignment, strict=True)]
-    most = [max(map(len, each)) for each in lines]
-    # A group's text stands in the first column, which it widens as far as the others leave room.
-    most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, Across))])
-    parts, used = [[0]], least[0]
-    for number, need in enumerate(least[1:], 1):
-        if used + BETWEEN + need > width and len(parts[-1]) > 1:
+    """Without frames. Where it is too wide, columns of words give way first, each at its spaces; where that does not
+    do, the columns that do not fit follow below, beside the first one, and where even two do not fit, what is in the
+    other one stands below the name of its row: no number and no name is ever cut."""
+    least = [_least(table, number) for number in range(len(table.headings))]
+    parts = [[0]]
+    for number in range(1, len(least)):
+        if _width([least[each] for each in (*parts[-1], number)]) > width and len(parts[-1]) > 1:
             parts.append([0])
-            used = least[0]
         parts[-1].append(number)
-        used += BETWEEN + need
-    return [_part(table, part, _widths(part, least, most, width), number) for number, part in enumerate(parts)]
+    return [
+        _part(table, part, width, number)
+        if _width([least[each] for each in part]) <= width
+        else _part(_stacked(table, part), [0], width, number)
+        for number, part in enumerate(parts)
+    ]
+
+
+def _stacked(table: Table, part: list[int]) -> Table:
+    """Columns of a table below each other, as one."""
+    below = lambda cells: "\n  ".join(str(_cell(cells[each])).replace("\n", " ") for each in part)  # noqa: E731
+    rows = [row if isinstance(row, Across) else (below(row),) for row in table.rows]
+    return replace(table, headings=(below(table.headings),), rows=rows, align="l", spare=())
 
 
 def _lines(table: Table, number: int) -> list[str]:
@@ -93,17 +127,21 @@ def _lines(table: Table, number: int) -> list[str]:
     return [line for text in (table.headings[number], *cells) for line in (text.split("\n") or [""])] or [""]
 
 
-def _least(lines: list[str], side: str) -> int:
-    """The width below which a column would cut a number or a word; a number and what stands with it are kept together,
-    and a name of more letters than `WHOLE` may be folded."""
-    pieces = lines if side == "r" else [word for line in lines for word in line.split(" ")]
-    return max(min(len(each), WHOLE) if side == "l" else len(each) for each in pieces)
+def _least(table: Table, number: int) -> int:
+    """The width below which a column would cut a number or a word; a number and what stands with it are kept
+    together."""
+    lines = _lines(table, number)
+    pieces = lines if table.alignment[number] == "r" else [word for line in lines for word in line.split(" ")]
+    return max(map(len, pieces))
 
 
-def _widths(part: list[int], least: list[int], most: list[int], width: int) -> dict[int, int]:
+def _widths(table: Table, part: list[int], width: int) -> dict[int, int]:
     """Of columns that must give way, the widest first."""
-    found = {number: most[number] for number in part}
-    while sum(found.values()) + BETWEEN * (len(part) - 1) > width:
+    most = {number: max(map(len, _lines(table, number))) for number in part}
+    # A group's text stands in the first column, which it widens as far as the others leave room.
+    most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, Across))])
+    least, found = {number: _least(table, number) for number in part}, dict(most)
+    while _width(list(found.values())) > width:
         able = [number for number in part if found[number] > least[number]]
         if not able:
             break
@@ -111,10 +149,10 @@ def _widths(part: list[int], least: list[int], most: list[int], width: int) -> d
     return {number: each for number, each in found.items() if each < most[number]}
 
 
-def _part(table: Table, part: list[int], widths: dict[int, int], count: int) -> RichTable:
+def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
     title = Text(table.caption, "bold") if table.caption and not count else None
     found = RichTable(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left")
-    found.pad_edge, found.padding = False, (0, 1, 0, 0)
+    found.pad_edge, found.padding, widths = False, (0, 1, 0, 0), _widths(table, part, width)
     for number in part:
         justify = "right" if table.alignment[number] == "r" else "left"
         found.add_column(Text(table.headings[number]), justify=justify, overflow="fold", width=widths.get(number))  # type: ignore[arg-type]

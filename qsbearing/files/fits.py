@@ -15,7 +15,7 @@ from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.units import mm, um
-from qsbearing.model.validation import near
+from qsbearing.model.validation import alike, question
 
 FITTED = {"shaft": "bore", "housing": "outside"}
 """What of a bearing each seat is fitted to."""
@@ -147,6 +147,6 @@ def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors
         known = names(seat)
         kind, other = ("a shaft", "capitals mean holes") if seat == "shaft" else ("a hole", "small letters mean shafts")
         word = name if isinstance(name, str) else ""
-        meant = near(word.swapcase(), known, 1.0) or near(word, known, 0.6)
-        cause = f"Did you mean {meant}? ({other})" if meant else f"Known are {', '.join(known)}"
+        meant = question(alike(word, known))
+        cause = f"{meant} ({other})" if meant else f"Known are {', '.join(known)}"
         errors.append(FileErrorDetail(field, f"is no fit of {kind} that is known", name, cause=cause))

@@ -12,7 +12,7 @@ from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
 from qsbearing.model.material import STEEL, material_named
 from qsbearing.model.scene.keys import EFFECT_TABLES, IN_PLACE, MATERIAL, MATERIALS, SET_NUMBERS, Key
 from qsbearing.model.units import mm
-from qsbearing.model.validation import LENGTH, near, whole_number
+from qsbearing.model.validation import LENGTH, alike, question, whole_number
 
 Path = tuple[str, ...]
 ONE_EACH = (
@@ -23,8 +23,8 @@ ONE_EACH = (
 )  # fmt: skip
 """What may differ between the cases of one set; every other number that only a set or a heat balance has makes another
 one."""
-LOOKALIKE, MOST_MEANT = 0.7, 3
-"""How much a name that is meant resembles the one given, and how many are told."""
+MOST_MEANT = 3
+"""How many numbers that are likely meant are told."""
 
 
 def plain(path: Iterable[str]) -> str:
@@ -153,15 +153,15 @@ def meant(name: str, document: dict[str, Any]) -> list[str]:
     steps = plain(name.split("."))
     same = [path for path in own if f".{plain(path.split('.'))}".endswith(f".{steps}")]
     if not same and "." in name:
-        one = near(name, own, LOOKALIKE)
-        same = [one] if one else []
+        same = alike(name, own)
     if not same:
-        last = near(steps.rpartition(".")[2], {path.rpartition(".")[2] for path in own}, LOOKALIKE)
-        same = [path for path in own if last and path.endswith(f".{last}")]
+        last = alike(steps.rpartition(".")[2], [path.rpartition(".")[2] for path in own])
+        same = [path for path in own if path.rpartition(".")[2] in last]
     return same
 
 
 def told(meant: list[str]) -> str:
     """A question after what is likely meant; empty where nothing is."""
-    more = "" if len(meant) <= MOST_MEANT else f", of {len(meant)} such numbers of the file"
-    return f"Did you mean {' or '.join(meant[:MOST_MEANT])}{more}?" if meant else ""
+    more = "" if len(meant) <= MOST_MEANT else f", of {len(meant)} such numbers of the file?"
+    asked = question(meant[:MOST_MEANT])
+    return asked.removesuffix("?") + more if more else asked

@@ -9,7 +9,7 @@ from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, si, table_model
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import Field, Sentence, near
+from qsbearing.model.validation import Field, Sentence, alike, question
 
 OIL_TEMPERATURE = "oil_temperature_C"
 
@@ -39,8 +39,7 @@ def asked_readings(
     known = reading_tables() if table else {}
     for name, given in table.items():
         if name not in known:
-            meant = near(str(name).lower(), known, 0.5)
-            cause = f"Did you mean [readings.{meant}]?" if meant else f"One of {', '.join(known)}"
+            cause = question(alike(str(name), known), "[readings.{}]") or f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
         keys, choices = known[name].keys, known[name].choices

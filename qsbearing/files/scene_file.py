@@ -42,7 +42,7 @@ from qsbearing.model.scene.keys import (
 )
 from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.validation import SceneError, near, printable
+from qsbearing.model.validation import SceneError, alike, printable, question
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -196,18 +196,17 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
         if name in (*SECTIONS, "tolerance", *OTHER_TABLES):
             continue
         if isinstance(value, dict):
-            meant = near(name.lower(), SECTIONS, 0.5)
+            meant = alike(name, SECTIONS)
             if name in EFFECT_SECTIONS:
-                meant = f"effects.{name}"
+                meant = [f"effects.{name}"]
             if name in reading_tables():
-                meant = f"readings.{name}"
-            known = "A scene has [bearing], [operation], [effects] and [readings]"
-            cause = f"Did you mean [{meant}]?" if meant else known
+                meant = [f"readings.{name}"]
+            cause = question(meant, "[{}]") or "A scene has [bearing], [operation], [effects] and [readings]"
             if name in STUDY_TABLES:
-                meant, cause = "", "Of a study, which `qsbearing sweep` solves"
+                meant, cause = [], "Of a study, which `qsbearing sweep` solves"
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
-            if meant:
-                document.setdefault(meant, None)  # one mistake: the table that is meant is not missing as well
+            for each in meant:
+                document.setdefault(each, None)  # one mistake: the table that is meant is not missing as well
         else:
             unknown_key(name, name, "", value, errors)
 

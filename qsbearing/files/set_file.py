@@ -26,11 +26,13 @@ from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
-from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, near
+from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_SECTIONS)
+LISTED = ("rows", "spacers", "floating")
+"""Those that are lists of tables."""
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
 """Tables within a row, which are judged as those of a scene are."""
 
@@ -108,10 +110,10 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
     for name, value in list(document.items()):
         if name in (*TABLES, "tolerance", *OTHER_TABLES):
             continue
-        meant = near(name.lower(), TABLES, 0.5)
         if isinstance(value, dict | list):
             known = f"A set has [[rows]], {', '.join(f'[{table}]' for table in TABLES if table != 'rows')}"
-            cause = f"Did you mean {'[[rows]]' if meant == 'rows' else f'[{meant}]'}?" if meant else known
+            meant = [f"[[{each}]]" if each in LISTED else f"[{each}]" for each in alike(name, TABLES)]
+            cause = question(meant) or known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:
             unknown_key(name, name, "", value, errors)

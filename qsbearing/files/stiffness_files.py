@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.rounding import (
     NOISE,
     least_force,
@@ -289,7 +290,7 @@ def _row(mark: str, number: int, seat: Seat, units: str) -> list[str]:
         f"{mark} {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
         f"{mark} Point: {POINT}, x = {seat.position:.6g} {length}.",
         f"{mark} The springs are the symmetric part of the stiffness. Of what is not symmetric the largest",
-        f"{mark} difference of two terms is {100.0 * seat.asymmetry:.3g} % of the largest term.",
+        f"{mark} difference of two terms is {plain(100.0 * seat.asymmetry, '.3g')} % of the largest term.",
     ]
 
 

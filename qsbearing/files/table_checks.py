@@ -22,7 +22,7 @@ from qsbearing.model.material import BY_NAME, Material, material_named
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
-from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, comma_advice, near
+from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, alike, comma_advice, question
 
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
     "kind": BearingKind,
@@ -169,8 +169,7 @@ def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
 
 def did_you_mean(value: Any, known: Sequence[str]) -> str:
     word = value.lower().replace(" ", "_").replace("-", "_") if isinstance(value, str) else ""
-    meant = near(word, known, 0.5)
-    return f"Did you mean {meant}?" if meant else ""
+    return question(alike(word, known))
 
 
 def si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
@@ -207,9 +206,8 @@ def material(path: str, value: Any, errors: Errors) -> Material:
         return unknown
     found = material_named(value)
     if found is None:
-        near_one = near(value.lower(), BY_NAME, 0.5)
         others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
-        cause = f"Did you mean {near_one}?" if near_one else others
+        cause = question(alike(value, BY_NAME)) or others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
         return unknown
     return found

@@ -17,7 +17,7 @@ from qsbearing.model.scene.keys import (
     SPECTRUM,
     Key,
 )
-from qsbearing.model.validation import near
+from qsbearing.model.validation import alike, question
 
 TITLES = ("name", "title")
 """Outside all tables they would be a title."""
@@ -55,33 +55,34 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         value: what the file gives under that key.
     """
     if not section and name in TITLES:
-        own = "`name` under [bearing] is an entry of the catalogue, `title` under [report] heads the design report"
-        return Suggestion(f"A scene is called after its file; {own}")
-    for table, keys in _tables().items():
-        if table != section and name in keys:
-            own = next((each for each in _tables().get(section, ()) if each.endswith(f"_{name}")), "")
-            meant = f"Did you mean {own}? {name} alone" if own else "It"
-            return Suggestion(f"{meant} belongs under {_title(table)}", own)
+        others = "`name` under [bearing] is an entry of the catalogue, `title` under [report] heads the design report"
+        return Suggestion(f"A scene is called after its file; {others}")
+    if is_preload(name):
+        return Suggestion(f"A preload has a table of its own: [preload], with one of {', '.join(_tables()['preload'])}")
+    # Without its unit a name is its key's.
+    stems = {key.field: key.name for key in _keys(section)}
+    own = [stems[name]] if name in stems else alike(name, _tables().get(section, ()))
+    key = own[0] if len(own) == 1 else ""
+    there = [table for table, keys in _tables().items() if table != section and name in keys]
+    if there := [table for table in there if table != "spectrum" or "operation" not in there]:
+        belongs = f"belongs under {' or '.join(map(_title, there))}"
+        return Suggestion(f"{question(own)} {name} alone {belongs}", key) if own else Suggestion(f"It {belongs}")
     converted = _in_known_unit(name, section, value)
     if converted is not None:
         return converted
     by_word = usual(name)
     if by_word and by_word.key in _tables().get(section, ()):
         return Suggestion(f"Did you mean {by_word}?", by_word.key)
-    # Without its unit a name resembles its key less than it should.
-    stems = {key.field: key.name for key in _keys(section)}
-    meant = near(name, _tables().get(section, ()), 0.6) or stems.get(near(name, stems, 0.6), "")
-    if meant:
-        return Suggestion(f"Did you mean {meant}?", meant)
-    if is_preload(name):
-        return Suggestion(f"A preload has a table of its own: [preload], with one of {', '.join(_tables()['preload'])}")
+    own = own or [stems[each] for each in alike(name, stems)]
+    if own:
+        return Suggestion(question(own), key or (own[0] if len(own) == 1 else ""))
     if by_word:
         table = next(table for table, keys in _tables().items() if by_word.key in keys)
         return Suggestion(f"Did you mean {by_word}? It belongs under {_title(table)}")
     everywhere = {key: table for table, keys in _tables().items() for key in keys}
-    elsewhere = near(name, everywhere, 0.7)
+    elsewhere = alike(name, everywhere)
     if elsewhere:
-        return Suggestion(f"Did you mean {elsewhere}, under {_title(everywhere[elsewhere])}?")
+        return Suggestion(question([f"{each} under {_title(everywhere[each])}" for each in elsewhere]))
     known = f"Known here: {', '.join(_tables()[section])}" if section else ""
     return Suggestion(known or "A scene has [bearing], [operation] and [effects]")
 

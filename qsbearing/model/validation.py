@@ -7,8 +7,10 @@ file, with units in its keys) translates names and units and nothing else.
 from __future__ import annotations
 
 import dataclasses
+import os
 import re
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from math import pi
@@ -21,11 +23,15 @@ from qsbearing.model.units import deg, mm, rpm
 
 _PLAIN = (float, int, np.float64)
 
+_BETWEEN = re.compile(r"[_.\-\s]+")
 _DECIMAL_COMMA = re.compile(r"([+-]?\d+),(\d+)")
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")
 
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
+FARTHEST, SHORTEST, MOST_ALIKE = 0.25, 3, 6
+"""Of words that are alike: the part of the letters that may differ (chosen: `clearance` is no `tolerance`),
+letters of a word below which nothing is told, and how many are told."""
 MOST_DIGITS = 18
 """Of a whole number in a text: more are an integer that no array holds."""
 
@@ -223,6 +229,47 @@ def comma_advice(text: object) -> str:
     return f"Write {whole} (thousands take no comma) or {meant} (decimals take a point)"
 
 
+_REMEDIES = {
+    ("BallBearing", "Scene"): "qs.{call}(qs.Scene(bearing, qs.Operation(...)))",
+    ("BearingSet", "Scene"): "qs.solve_set(...)",
+    ("Study", "Scene"): "qs.sweep(...)",
+    ("Scene", "BearingSet"): "qs.solve(...) solves it",
+    ("Scene", "Solution"): "qs.{call}(qs.solve(...))",
+    ("BearingSet", "SetSolution"): "qs.{call}(qs.solve_set(...))",
+    ("BearingSet", "Solution"): "give a row of its solution, qs.solve_set(...).rows[0]",
+    ("SetSolution", "Solution"): "give one of its rows, solution.rows[0]",
+    ("Solution", "BearingSet"): "give the set that was solved",
+    ("SetSolution", "BearingSet"): "give solution.set",
+    ("Scene", "Study"): "qs.Study.of(FILE, {{KEY: VALUES}}) makes one of a scene's file",
+    ("BearingSet", "Study"): "qs.Study.of(FILE, {{KEY: VALUES}}) makes one of a set's file",
+}
+"""What to do with one kind of object where another is taken."""
+_LOADED = {"Scene": "qs.load_scene({0!r})", "BearingSet": "qs.load_set({0!r})", "Study": "qs.Study.of({0!r}, ...)"}
+"""How each kind is made of a file's name."""
+
+
+def check_kind(call: str, given: object, *kinds: str) -> None:
+    """See that a public function was given what it takes.
+
+    Args:
+        call: the function's name.
+        kinds: the classes, by their names, for most of them lie above; the one whose remedy fits best last.
+
+    Raises:
+        TypeError: it was not; what to call instead.
+    """
+    names = [each.__name__ for each in type(given).__mro__]
+    if any(kind in names for kind in kinds):
+        return
+    takes = f"{call} takes a {' or a '.join(kinds)}"
+    loaded = next((_LOADED[kind] for kind in kinds if kind in _LOADED), "")
+    if isinstance(given, str | os.PathLike) and loaded:
+        raise TypeError(f"{takes}, not the name of one: qs.{call}({loaded.format(str(given))})")
+    remedies = (_REMEDIES.get((name, kind), "") for kind in reversed(kinds) for name in names)
+    remedy = next(filter(None, remedies), "").format(call=call)
+    raise TypeError(f"{takes}, not {names[0]}{f': {remedy}' if remedy else ''}")
+
+
 def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None, list[ErrorDetail]]:
     """The value as a float array, or the error that says why it is none: not a number, NaN, infinite.
 
@@ -231,6 +278,9 @@ def numeric(field: str, value: Any, quantity: Quantity) -> tuple[NDArray | None,
     if hasattr(value, "m_as") or hasattr(value, "to_value"):
         cause = "Python takes plain numbers in SI, such as 10 * qs.kN; of pint value.to_base_units().magnitude"
         return None, [ErrorDetail(field, "is a quantity with a unit", str(value), quantity, cause=cause)]
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        cause = "Leave those cases out, such as value.compressed(), or give them a number with value.filled(...)"
+        return None, [ErrorDetail(field, "has masked elements, which are no numbers", quantity=quantity, cause=cause)]
     try:
         if value is None or isinstance(value, str | bytes | bool) or np.iscomplexobj(value):
             raise TypeError
@@ -297,8 +347,62 @@ def unit_mistake(value: float, quantity: Quantity, low: float, high: float) -> U
     return UnitAdvice("")
 
 
-def near(word: str, known: Any, cutoff: float) -> str:
-    """The known word most like this one; empty where none is."""
-    import difflib
+def alike(word: str, known: Iterable[str]) -> list[str]:
+    """The known words that one may be a slip of, all that are equally near; none where there are too many of them.
 
-    return next(iter(difflib.get_close_matches(word, known, n=1, cutoff=cutoff)), "")
+    Those that have all its parts, between underscores, points and blanks, of many those with the fewest others; else
+    those of which the fewest letters differ, at most `FARTHEST` of the longer word, and of each longer part of it.
+    Capitals do not count.
+    """
+    plain, names = word.lower()[: 2 * LONGEST_VALUE], list(dict.fromkeys(known))
+    if same := [name for name in names if name.lower() == plain]:
+        return same
+    parts = _parts(plain)
+    others = {name: len(own) - len(parts) for name in names if parts <= (own := _parts(name.lower()))}
+    if max(map(len, parts), default=0) >= SHORTEST and 0 < len(others) <= MOST_ALIKE:
+        return sorted(others, key=lambda name: others[name])
+    if max(map(len, parts), default=0) < SHORTEST or not others:
+        others = {name: edits for name in names if (edits := _distance(plain, name.lower())) is not None}
+    found = [name for name, distance in others.items() if distance == min(others.values())]
+    return found if len(found) <= MOST_ALIKE else []
+
+
+def question(meant: Sequence[str], form: str = "{}") -> str:
+    """Asks whether one of these is meant; empty where there are none.
+
+    Args:
+        form: what stands around each.
+    """
+    *others, last = (form.format(each) for each in meant) if meant else ("",)
+    return f"Did you mean {', '.join(others)}{' or ' * bool(others)}{last}?" if meant else ""
+
+
+def _parts(text: str) -> set[str]:
+    return {*_BETWEEN.split(text)} - {""}
+
+
+def _distance(one: str, other: str) -> int | None:
+    """How many letters differ; None where they are too many, in all or in one of as many parts."""
+    parts, own = _BETWEEN.split(one), _BETWEEN.split(other)
+    pairs = [(a, b) for a, b in zip(parts, own, strict=False) if max(len(a), len(b)) >= SHORTEST]
+    if len(parts) == len(own) and None in (_edits(a, b) for a, b in pairs):
+        return None
+    return _edits(one, other)
+
+
+def _edits(one: str, other: str) -> int | None:
+    """How many letters are changed, left out, put in or exchanged with a neighbour; None beyond the bound."""
+    longest = max(len(one), len(other))
+    most = max(int(FARTHEST * longest), min(1, longest // SHORTEST))
+    if abs(len(one) - len(other)) > most or (Counter(one) - Counter(other)).total() > most:
+        return None
+    before: list[int] = []
+    last = list(range(len(other) + 1))
+    for i, letter in enumerate(one, 1):
+        row = [i]
+        for j, own in enumerate(other, 1):
+            row.append(min(last[j] + 1, row[-1] + 1, last[j - 1] + (letter != own)))
+            if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == own:
+                row[-1] = min(row[-1], before[j - 2] + 1)
+        before, last = last, row
+    return last[-1] if last[-1] <= most else None

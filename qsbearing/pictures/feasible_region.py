@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, with_unit, without_unit, words
-from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, logarithmic, plain
+from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, logarithmic, of_results, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -144,6 +144,7 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
         for begin, end in spans:
             axes.axvspan(begin, end, color=FORBIDDEN, linewidth=0, zorder=0)
         axes.set_ylabel(with_unit(words(each.name), each.unit).replace(", ", ",\n"), fontsize=8)
+        of_results(axes.yaxis, each.unit, each.values)
         there = np.isfinite(each.values)
         if there.any():
             height = np.interp(x.best, x.values[there], each.values[there])

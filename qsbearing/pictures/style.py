@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
@@ -111,6 +111,23 @@ def logarithmic(axis: Any) -> None:
     axis.axes.set(**{f"{axis.axis_name}scale": "log"})
     axis.set_major_formatter(lambda value, _: f"{value:,.0f}" if value >= 1.0 else f"{value:g}")
     axis.set_minor_formatter("")
+
+
+DECADE = 10.0
+"""Times the least life, from which on the axis of lives is logarithmic."""
+OF_LIVES = ("h", "Mrev")
+"""Units of lives, and of no other result."""
+
+
+def of_results(axis: Any, unit: str, values: ArrayLike) -> bool:
+    """The scale of an axis of results: of lives, which change by powers of ten, logarithmic where they differ by more
+    than a decade; whether it is."""
+    known = np.asarray(values, float)
+    known = known[np.isfinite(known)]
+    is_log = unit in OF_LIVES and known.size > 0 and 0.0 < DECADE * known.min() < known.max()
+    if is_log:
+        logarithmic(axis)
+    return bool(is_log)
 
 
 def plain(axes: Axes) -> None:

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.model.validation import ErrorDetail, SceneError, check_kind
 from qsbearing.readings import (
     ball_advance,
     ball_motion,
@@ -72,6 +72,13 @@ def tables() -> dict[str, Table]:
     return found
 
 
+def name_errors(readings: Iterable[str]) -> Errors:
+    """Names that no reading has."""
+    cause = f"One of {', '.join(READINGS)}"
+    unknown = (name for name in readings if name not in (LUBRICANT, *READINGS))
+    return [ErrorDetail(f"readings.{name}", "is not a reading", cause=cause) for name in unknown]
+
+
 def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, oil_is_found: bool = False) -> Errors:
     """Everything that is wrong with what is asked for; fields begin with `readings.` and the reading's name.
 
@@ -80,12 +87,9 @@ def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, 
         oil_is_found: whether a heat balance will find the oil's temperature.
     """
     oil, errors = _oil(readings, oil_is_found)
+    errors += name_errors(readings)
     for name, arguments in readings.items():
-        if name == LUBRICANT:
-            continue
         if name not in READINGS:
-            cause = f"One of {', '.join(READINGS)}"
-            errors.append(ErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
         entry = READINGS[name]
         if entry.needs_oil and LUBRICANT not in readings:
@@ -102,6 +106,7 @@ def take_asked(solution: Solution) -> dict[str, Any]:
     Raises:
         SceneError: arguments that are out of range; everything, at once.
     """
+    check_kind("take_asked", solution, "Solution")
     asked = solution.scene.readings
     errors = asked_errors(asked, solution.scene)
     if errors:
@@ -179,6 +184,7 @@ def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str
     Args:
         readings: results by the name of their reading, as `take_asked` gives them.
     """
+    check_kind("reading_columns", solution, "Solution")
     exists = np.isfinite(solution.azimuth)
     return {
         column: (values if is_per_ball else np.broadcast_to(values[..., None], exists.shape))[exists]

@@ -164,6 +164,10 @@ ENTRY = Reading(
         Shown("excursion_mm", "excursion", mm, "lead and lag together"),
         Shown("pocket_use", "pocket_use", 1.0, "excursion over the clearance of the pockets"),
     ),
-    of_ball=(Shown("advance_mm", "advance", mm, "of the ball at its azimuth, on the arc of the pitch circle"),),
+    of_ball=(
+        Shown(
+            "advance_mm", "advance", mm, "of the ball at its azimuth, on the arc of the pitch circle", is_signed=True
+        ),
+    ),
     scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed.",
 )

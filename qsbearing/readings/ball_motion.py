@@ -34,6 +34,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, rpm
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
@@ -78,6 +79,7 @@ class BallMotion(Remarked):
 
 def kinematics(solution: Solution) -> BallMotion:
     """Rolling, spin and sliding in every contact."""
+    check_kind("kinematics", solution, "Solution")
     solution.read_at_once(*NEEDS)
     motion = motion_arrays(solution)
     radius = of_cases(solution, 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter)[0]
@@ -201,8 +203,8 @@ ENTRY = Reading(
     needs=NEEDS,
     of_contact=(
         Shown("entrainment_speed_m_s", "entrainment_speed"),
-        Shown("rolling_speed_rpm", "rolling_speed", rpm),
-        Shown("spin_speed_rpm", "spin_speed", rpm),
+        Shown("rolling_speed_rpm", "rolling_speed", rpm, is_signed=True),
+        Shown("spin_speed_rpm", "spin_speed", rpm, is_signed=True),
         Shown("spin_to_roll", "spin_to_roll"),
         Shown("spin_sliding_speed_m_s", "spin_sliding_speed"),
         Shown("spin_pressure_speed_MPa_m_s", "spin_pressure_speed", MPa, "p v of spin"),

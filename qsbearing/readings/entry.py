@@ -18,7 +18,7 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.scene.keys import Key
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import ErrorDetail, Quantity, raise_if_any, within
+from qsbearing.model.validation import ErrorDetail, Quantity, check_kind, raise_if_any, within
 
 
 class Checked(Protocol):
@@ -51,6 +51,7 @@ def with_arguments(
     def of(function: Callable[[Solution, A], R]) -> Callable[Concatenate[Solution, P], R]:
         @functools.wraps(function)
         def take(solution: Solution, *fields: P.args, **named: P.kwargs) -> R:
+            check_kind(function.__name__, solution, "Solution")
             given = record(*fields, **named)
             raise_if_any(given.errors(solution.scene.bearing))
             return function(solution, given)

@@ -27,6 +27,7 @@ from qsbearing.model.validation import (
     SPEED,
     ErrorDetail,
     Quantity,
+    check_kind,
     choose,
     first,
     raise_if_any,
@@ -191,6 +192,7 @@ def skf_torque(
     Raises:
         SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
     """
+    check_kind("skf_torque", solution, "Solution")
     bearing = solution.scene.bearing
     deep = bearing.kind is BearingKind.DEEP_GROOVE
     size = bore_diameter, outside_diameter, kinematic_viscosity
@@ -271,6 +273,7 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
+    check_kind("palmgren_torque", solution, "Solution")
     size = bore_diameter, outside_diameter, kinematic_viscosity
     raise_if_any(EstimateArguments(*size, None, static_load_rating, lubrication_factor).errors(None))
     radial, axial, n = _loads(solution)

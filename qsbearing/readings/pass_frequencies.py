@@ -22,6 +22,7 @@ from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import (
     AXIS,
     MOTION,
@@ -66,6 +67,7 @@ class Frequencies:
 
 def frequencies(solution: Solution) -> Frequencies:
     """Frequencies of every case from the solved contact angles, and the textbook's."""
+    check_kind("frequencies", solution, "Solution")
     numbers = BearingNumbers(solution.scene.bearing)
     inner, outer = ring_speeds(solution)
     g = gamma(solution)[..., 0]

@@ -23,6 +23,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
@@ -61,6 +62,7 @@ class PivotPoints(Remarked):
 
 def pivot_points(solution: Solution) -> PivotPoints:
     """Where nothing slides, in every contact."""
+    check_kind("pivot_points", solution, "Solution")
     return _of_motion(solution, kinematics(solution))
 
 
@@ -117,8 +119,8 @@ ENTRY = Reading(
     take=lambda solution, given, taken: _of_motion(solution, taken.get("kinematics") or kinematics(solution)),
     needs=NEEDS,
     of_contact=(
-        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre"),
-        Shown("far_pivot_mm", "far", mm, "other pivot point"),
+        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre", is_signed=True),
+        Shown("far_pivot_mm", "far", mm, "other pivot point", is_signed=True),
     ),
     scope="Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
 )

@@ -7,6 +7,7 @@ ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions o
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -49,7 +50,7 @@ from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Found, Remark, Remarked, Remarks, remark, remarks
 
 MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
@@ -261,7 +262,7 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
-    found = _found(solution, rating, from_geometry, kappa)
+    found: list[Found] = [*_found(solution, rating, from_geometry, kappa)]
     found.append((np.isnan(P) & np.isfinite(system), remark("life_thrust_uncovered")))
     if factor is not None:
         found.append(((factor > PRACTICE) & (factor < LARGEST), remark("life_factor_large", limit=PRACTICE)))
@@ -271,9 +272,13 @@ def life(solution: Solution, given: LifeArguments) -> Life:
         (),
     )  # fmt: skip
     hours = found_life.duration / HOUR
-    long = remark("life_long", limit_h=LONGEST_HOURS, limit_years=LONGEST_HOURS / 8760.0)
-    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), long))
+    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), partial(_long, hours)))
     return replace(found_life, remarks=remarks(found, shape))
+
+
+def _long(hours: NDArray, i: int) -> Remark:
+    """On the life of a case, counted along the flattened axes."""
+    return remark("life_long", life_h=float(np.ravel(hours)[i]), limit_h=LONGEST_HOURS)
 
 
 def _turning(solution: Solution) -> tuple[NDArray, NDArray]:

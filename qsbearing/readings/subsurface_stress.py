@@ -29,6 +29,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, mm, um
+from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
@@ -74,6 +75,7 @@ class Stress(Remarked):
 
 def stress(solution: Solution) -> Stress:
     """Shear stresses and dents of every contact."""
+    check_kind("stress", solution, "Solution")
     solution.read_at_once(*NEEDS)
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))
     numbers = BearingNumbers(solution.scene.operating_bearing)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
@@ -65,6 +66,8 @@ def message(solution: Solution, index: Index = None) -> str:
             return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
     if status == Status.NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
+    if not iterations:
+        return "Not solved: this row was not tried, since the set has no solution."
     return (
         f"Not converged: the last imbalance was {residual:.1e} of the largest force after {iterations} iterations. "
         "This does not prove that there is no equilibrium: continuing from a solution nearby (at a lower speed or a "
@@ -119,7 +122,9 @@ def _where(part: float) -> str:
     if part == 1.0:
         return ""
     return (
-        f" This is already so at {100.0 * part:.3g} % of the speed." if part > 0.0 else " This is already so at rest."
+        f" This is already so at {plain(100.0 * part, '.3g')} % of the speed."
+        if part > 0.0
+        else " This is already so at rest."
     )
 
 
@@ -158,38 +163,44 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
 
 def remarks(solution: Solution, index: Index = None) -> list[Remark]:
     """What to beware of in the numbers of a case; of several without an index, once of each kind."""
-    return in_case(solution, _all, index)
+    return in_case(solution, found, index)
 
 
-def _all(solution: Solution, part: slice) -> Iterator[Found]:
-    """Which cases of a stretch have a remark, and that of the i-th of them."""
-    yield from preload_remarks(solution, part)
+def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[Found]:
+    """Which cases of a stretch have a remark, and that of the i-th of them.
+
+    Args:
+        may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
+    """
+    yield from preload_remarks(solution, part, may_solve)
     yield from _ring_remarks(solution, part)
     yield from ball_remarks(solution, part)
     yield from friction_remarks(solution, part)
-    yield from missing_effects(solution, part)
-    yield from hypotheses(solution, part)
+    yield from missing_effects(solution, part, may_solve)
+    yield from hypotheses(solution, part, may_solve)
     if solution.scene.is_reshaped:
         yield from expansion_remarks(solution, part)
     yield from bending_remarks(solution, part)
     pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
-    yield from _pressure_remarks(solution, pressure)
+    yield from _pressure_remarks(solution, pressure, part)
     bearing = solution.scene.bearing
     share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
     filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
     yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
 
 
-def _pressure_remarks(solution: Solution, pressure: NDArray) -> Iterator[Found]:
+def _pressure_remarks(solution: Solution, pressure: NDArray, part: slice) -> Iterator[Found]:
     """Dents, and first yield where the scene gives a yield strength."""
     rings = solution.scene.ring_expansion
-    first_yield = inf if rings is None else first_yield_pressure(rings.yield_strength)
-    yielding: dict[str, Any] = {}
-    if rings is not None:
-        near = float(f"{first_yield / MPa:.2g}")
-        yielding = {"yield_strength_MPa": rings.yield_strength / MPa, "first_yield_MPa": near}
+    given = inf if rings is None else np.asarray(rings.yield_strength, float)
+    strength = np.broadcast_to(given, solution.shape).reshape(-1)[part]
+    first_yield = strength * first_yield_pressure(1.0)
 
     def reached(code: str, i: int) -> Remark:
+        yielding: dict[str, Any] = {}
+        if rings is not None:
+            near = float(f"{first_yield[i] / MPa:.2g}")
+            yielding = {"yield_strength_MPa": strength[i] / MPa, "first_yield_MPa": near}
         return remark(code, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
 
     yield pressure > STATIC_PRESSURE, lambda i: reached("pressure_dents", i)

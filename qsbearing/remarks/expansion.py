@@ -68,6 +68,7 @@ def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     effect = solution.scene.ring_expansion
     if effect is None:
         return
+    strength = cases(effect.yield_strength)
     for ring, seat, state in (
         ("inner", "shaft", solution.inner_ring),
         ("outer", "housing", solution.outer_ring),
@@ -77,10 +78,10 @@ def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         stress = cases(state.equivalent_stress)
 
         def yields(i: int, ring: str = ring, stress: NDArray = stress) -> Remark:
-            limit = effect.yield_strength / MPa
+            limit = strength[i] / MPa
             return remark("ring_yields", ring, stress_MPa=stress[i] / MPa, yield_strength_MPa=limit)
 
-        yield stress > effect.yield_strength, yields
+        yield stress > strength, yields
         if state.seat_gap is None or state.seat_pressure is None:
             continue
         gap, interference = cases(state.seat_gap), cases(getattr(effect, f"{seat}_interference"))

@@ -7,7 +7,7 @@ field in the words of whoever reads it: {field}.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from string import Formatter
@@ -15,8 +15,9 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.effects import EFFECTS
-from qsbearing.model.solution.judgement import WORDS, changed, estimated
+from qsbearing.model.solution.judgement import ANOTHER_RESULT, WORDS, changed, estimated, shifted, unit_of
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Raceways, Reader, Words, listed, spanned
 
@@ -81,7 +82,7 @@ class Kind:
         if self.say is not None:
             return self.say(values, words)
         more = self.more if all(name in values for name in _fields(self.more)) else ""
-        return (self.sentence + more).format_map({**values, "field": words.spell(self.field, path)})
+        return _IN_WORDS.vformat(self.sentence + more, (), {**values, "field": words.spell(self.field, path)})
 
     def outline(self, words: Words) -> str:
         """The sentence with … for each number."""
@@ -104,6 +105,16 @@ class _Blank(dict[str, Any]):
         return f"… balls {spec.partition('/')[2]}" if "/" in spec else "…"
 
 
+class _InWords(Formatter):
+    """Of numbers without powers of ten."""
+
+    def format_field(self, value: Any, spec: str) -> str:
+        return plain(value, spec) if isinstance(value, float | int) and spec else format(value, spec)
+
+
+_IN_WORDS = _InWords()
+
+
 def _fields(sentence: str) -> list[str]:
     return list(dict.fromkeys(name for _, name, *_ in Formatter().parse(sentence) if name))
 
@@ -115,8 +126,9 @@ def to_add(settings: Sequence[Setting], words: Words) -> str:
 
 def _missing(fields: Mapping[str, Any], words: Words) -> str:
     """Effects that could be named as it is, and what each would change."""
+    moved = iter(fields.get("displacements_um", ()))
     said = [
-        f"{EFFECT[name].what} ({_of_quantity(quantity, _percents(fields, change))})"
+        f"{EFFECT[name].what} ({_of_quantity(quantity, _changes(fields, quantity, change, moved))})"
         for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
     ]
     are = "is" if len(said) == 1 else "are"
@@ -125,10 +137,11 @@ def _missing(fields: Mapping[str, Any], words: Words) -> str:
 
 def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     """An effect that needs numbers of the scene: what it would change, and what to give."""
-    entry, changes = EFFECT[fields["effect"]], _percents(fields, fields["changes"])
+    entry, quantity = EFFECT[fields["effect"]], fields["quantity"]
+    changes = _changes(fields, quantity, fields["changes"], iter(fields.get("displacements_um", ())), MORE)
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
-    change = _of_quantity(fields["quantity"], by, " by about ")
+    change = _of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)
     beside = entry.needs_beside_size if fields.get("has_size") and words.reader is not Reader.PYTHON else ""
     needs = words.of(beside or entry.needs)
     return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
@@ -161,7 +174,8 @@ def _cut(fields: Mapping[str, Any], words: Words) -> str:
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
     if "beyond_percent" not in fields:
         return f"{said}: pressure there exceeds Hertz's"
-    said += f", with {fields['beyond_percent']:.2g} % of its major axis: "
+    written = lambda name: _IN_WORDS.format_field(fields[name], ".2g")  # noqa: E731
+    said += f", with {written('beyond_percent')} % of its major axis: "
     is_small = "turn_deg" not in fields
     if _largest(fields["beyond_percent"]) >= 10.0:
         said += "it is no longer Hertz's contact; " + "most of it is beyond the edge" * is_small
@@ -169,8 +183,8 @@ def _cut(fields: Mapping[str, Any], words: Words) -> str:
         return f"{said}load and angle hold, and the pressure rises at the edge"
     if not is_small:
         said += (
-            f"at the same approach it carries {fields['load_loss_percent']:.2g} % less load, which acts "
-            f"{fields['turn_deg']:.2g} deg farther from the edge; "
+            f"at the same approach it carries {written('load_loss_percent')} % less load, which acts "
+            f"{written('turn_deg')} deg farther from the edge; "
         )
         if "edge_pressure_MPa" not in fields:
             return f"{said}at a sharp edge the pressure has no limit"
@@ -184,15 +198,27 @@ def _largest(number: Any) -> float:
     return float(np.max(number))
 
 
-def _percents(fields: Mapping[str, Any], changes: Sequence[Any]) -> list[str]:
-    """Relative changes, each of which may be a `Span`."""
+MORE, BY = "more than 100", " by "
+"""`ANOTHER_RESULT` in a sentence, and what then stands between a quantity and its change."""
+
+
+def _changes(
+    fields: Mapping[str, Any], quantity: str, changes: Sequence[Any], moved: Iterator[Any], more: str = ANOTHER_RESULT
+) -> list[str]:
+    """Changes of a quantity, each of which may be a `Span`: in its own unit where solved, else relative ones."""
+    if quantity == "displacement" and not fields["is_estimated"]:
+        return [f"{spanned(shifted, next(moved))} {unit_of(quantity)}" for _ in changes]
     number = estimated if fields["is_estimated"] else changed
-    return [f"{spanned(lambda each: number(each, ''), change)} %" for change in changes]
+    return [f"{spanned(lambda each: more if each > 1.0 else number(each, ''), change)} %" for change in changes]
 
 
-def _of_quantity(quantity: str, by: list[str], link: str = " ") -> str:
+def _of_quantity(quantity: str, by: Sequence[str], link: str = " ") -> str:
     """What changes most, and by how much."""
-    return f"{WORDS[quantity]}{link}{' to '.join(by)}" if quantity else "result: no solution is found with it"
+    if not quantity:
+        return "result: no solution is found with it"
+    said = " to ".join(by)
+    is_about = link == BY and not said.startswith(("≈", MORE, "0 "))
+    return f"{WORDS[quantity]}{link}{'about ' * is_about}{said}"
 
 
 EFFECT = {entry.name: entry for entry in EFFECTS}
@@ -210,10 +236,7 @@ _LIST = {
     Reader.FILE: "To see each: qsbearing explain FILE",
     Reader.PAGE: "The table of effects has the range",
 }
-_BEYOND = (
-    ", a limit of practice, not of a standard: do not count on this life, since wear, the lubricant or damage end a "
-    "bearing's life before fatigue does"
-)
+_ENDED = ", a limit of practice; wear or the lubricant will"
 _YIELDING = (
     " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
     "{first_yield_MPa:g} MPa."
@@ -327,10 +350,11 @@ _ALL = (
     Kind("life_viscosity_high", NOTE, CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"),
     Kind("life_thrust_uncovered", WRONG, CHOICES,
          "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"),
-    Kind("life_factor_large", NOTE, CHOICES, f"aISO is above {{limit:g}}{_BEYOND}"),
+    Kind("life_factor_large", NOTE, CHOICES, f"fatigue will not end this bearing: aISO is beyond {{limit:g}}{_ENDED}"),
     Kind("life_factor_capped", NOTE, CHOICES,
          "aISO is at the upper limit of ISO 281, {limit:g}: the modified life is not a prediction"),
-    Kind("life_long", NOTE, CHOICES, f"the life is above {{limit_h:,.0f}} h ({{limit_years:.0f}} years){_BEYOND}"),
+    Kind("life_long", NOTE, CHOICES,
+         f"fatigue will not end this bearing: {{life_h:,.0f}} h is beyond {{limit_h:,.0f}} h{_ENDED}"),
     # Readings: static safety, stress, overrun
     Kind("static_dents", WRONG, "limits",
          "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the contact is no longer "
@@ -377,6 +401,9 @@ _ALL = (
          "factors of this reduction differ by {spread_percent:.0f} %"),
     Kind("film_thin", NOTE, CHOICES,
          "a film parameter is below 1: asperities touch over much of {raceways:that} contact"),
+    # Bearings compared
+    Kind("job_of_another", NOTE, "how_to#five-bearings-or-two-machines-compared",
+         "{tables} of its file {verb} not used: all are solved with operating point, effects and readings of {job}"),
     # A bearing from its data sheet
     Kind("sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"),
     Kind("sheet_not_solved", CHECK, "data_sheet",

@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.effects.entry import has_size
 from qsbearing.model.solution.changes import Change, asked, changes, rows_of
+from qsbearing.model.solution.comparison import moved
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
+from qsbearing.model.units import um
 from qsbearing.remarks.remark import Found, Of, Remark
 
+DISPLACEMENT = "displacement"
 MOST_CASES = 64
 """More cases than these (chosen: more points than a load spectrum has) are not solved again: what indicators predict of
 them is said with ≈, and nothing of effects of which they predict nothing."""
@@ -23,11 +26,15 @@ WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
 of two)."""
 
 
-def missing_effects(solution: Any, part: slice) -> Iterator[Found]:
-    """Of a scene or set; a row of a set has nothing to say of itself."""
+def missing_effects(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
+    """Of a scene or set; a row of a set has nothing to say of itself.
+
+    Args:
+        may_solve: whether few cases may be solved again.
+    """
     if solution.solve_alike is None:
         return
-    are_few = int(np.prod(solution.shape)) <= MOST_CASES
+    are_few = may_solve and int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)
     yield from _of_assumed(solution, part, are_few)
 
@@ -49,10 +56,13 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     if not found:
         return
     matters = np.stack([_matters(change, part) for _, change in found])
+    by = np.max([change.largest.reshape(-1)[part] for _, change in found], axis=0)
 
     def missing(i: int) -> Remark:
         here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
-        most = [_most([change], part.start + i) for _, change in here]
+        k = part.start + i
+        most = [_most([change], k) for _, change in here]
+        about = list(zip(here, most, strict=True))
         return Remark(
             "effects_missing",
             values={
@@ -60,11 +70,12 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
                 "quantities": tuple(quantity for quantity, _ in most),
                 "changes": tuple(change for _, change in most),
                 "is_estimated": not are_few,
+                **_moved(solution, [each for (_, each), (name, _) in about if name == DISPLACEMENT], k),
                 "add": settings_to_add(of, [entry for entry, _ in here]),
             },
         )
 
-    yield matters.any(axis=0), missing
+    yield np.where(matters.any(axis=0), by, 0.0), missing
 
 
 def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
@@ -79,21 +90,30 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
         if found:
             of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
             matters = np.any([_matters(each, part) for each in found], axis=0)
+            by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
             size = all(has_size(rows[number - 1].scene) for number in lacking)
-            yield matters, partial(_lacks, entry, of, found, are_few, size, part.start)
+            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, found, size, part.start)
 
 
-def _lacks(entry: Entry, of: Of, found: list[Change], is_solved: bool, size: bool, start: int, i: int) -> Remark:
+def _lacks(solution: Any, entry: Entry, of: Of, found: list[Change], size: bool, start: int, i: int) -> Remark:
     """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved.
 
     Args:
         size: whether bore, outside diameter and width are known, so that nobody is asked for them.
     """
-    quantity, by = _most(found, start + i)
-    under = tuple(each.under for each in found if np.ravel(each.is_solved)[start + i])
+    k = start + i
+    quantity, by = _most(found, k)
+    there = [each for each in found if np.ravel(each.is_solved)[k]]
+    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
     values |= {"is_estimated": not is_solved, "has_size": size}
-    return Remark("effect_data_missing", of, values)
+    return Remark("effect_data_missing", of, values | _moved(solution, there if quantity == DISPLACEMENT else [], k))
+
+
+def _moved(solution: Any, found: list[Change], k: int) -> dict[str, tuple[float, ...]]:
+    """Of a remark that speaks of displacements: by how much they change with each effect, or under each assumption."""
+    by = [moved(solution, each.displacement) for each in found if each.displacement is not None]
+    return {"displacements_um": tuple(float(np.ravel(each)[k] / um) for each in by)} if by else {}
 
 
 def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:

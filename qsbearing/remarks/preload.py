@@ -13,10 +13,13 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
 
 
-def preload_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    """A preload that is held and has been lost, has fallen or has grown."""
-    preload, found = solution.scene.preload, solution.preload_loads
-    if preload is None or preload.kind == "spring" or found is None:
+def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterator[Found]:
+    """A preload that is held and has been lost, has fallen or, where this may be solved, has grown."""
+    preload = solution.scene.preload
+    if preload is None or preload.kind == "spring":
+        return
+    found = solution.preload_loads if may_solve else not_grown(solution.preload_at_rest, solution.load[..., 0])
+    if found is None:
         return
 
     def cases(values: Any) -> NDArray:
@@ -30,6 +33,11 @@ def preload_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         return cases(solution.preload_unmounted), cases(solution.preload_mounted)
 
     yield from of_loads(PreloadLoads(*map(cases, found)), preload.state, stiffness, fitted)
+
+
+def not_grown(given: Any, carried: Any) -> PreloadLoads:
+    """Loads of which nobody has solved what is left without external ones: as if it were what is given."""
+    return PreloadLoads(given, given, carried)
 
 
 def of_loads(

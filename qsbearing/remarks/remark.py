@@ -21,6 +21,16 @@ class Cases:
     count: int
     of: int
     first: tuple[int, ...]
+    what: str = "cases"
+    """What they are, where their numbers are not known to whoever reads it."""
+
+    @property
+    def words(self) -> str:
+        """As sentences begin with them."""
+        if self.count == self.of > 1 or self.what != "cases":
+            which = f"all {self.of}" if self.count == self.of else f"{self.count} of {self.of}"
+            return f"For {which} {self.what}"
+        return f"{self.count} of {self.of} cases, the first {self.first[0] if len(self.first) == 1 else self.first}"
 
 
 @dataclass(frozen=True)
@@ -104,9 +114,7 @@ class Remark:
         path = f"readings.{of.readings[0]}." if of.readings else ""
         said = self.kind.text({**self.values, **beside}, words, path)
         if of.cases is not None:
-            first = of.cases.first
-            place = first[0] if len(first) == 1 else first
-            said = f"{of.cases.count} of {of.cases.of} cases, the first {place}: {said}"
+            said = f"{of.cases.words}: {said}"
         if of.rows and not names_row:
             said = f"{capital(of.row)}: {said}"
         if of.points:
@@ -178,12 +186,13 @@ def some_balls(which: ArrayLike) -> Balls:
 
 
 Found = tuple[ArrayLike, Remark | Callable[[int], Remark]]
-"""Where a remark holds, and the remark; or what makes that of a case by its number along the flattened axes."""
-Remarks = tuple[tuple[NDArray, Remark], ...]
+"""Where a remark holds, or by how much (0: not at all), and the remark; or what makes that of a case by its number
+along the flattened axes."""
+Remarks = tuple[tuple[NDArray, Remark | Callable[[int], Remark]], ...]
 """Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
 
 
-def remarks(found: Iterable[tuple[ArrayLike, Remark]], shape: tuple[int, ...]) -> Remarks:
+def remarks(found: Iterable[Found], shape: tuple[int, ...]) -> Remarks:
     """What holds in some case.
 
     Args:
@@ -198,13 +207,13 @@ def told(found: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
     """What holds of a case, what matters most first; without a place of several, in how many cases each holds."""
     said = []
     for where, each in found:
-        where = np.asarray(where)
+        where, at = np.asarray(where), 0
         if place is not None and where.shape:
-            where = where[place]
+            where, at = where[place], int(np.ravel_multi_index(place, where.shape))
         numbers = np.flatnonzero(where)
         if not numbers.size:
             continue
-        one = each if isinstance(each, Remark) else each(int(numbers[0]))
+        one = each if isinstance(each, Remark) else each(at + int(numbers[0]))
         if where.shape:
             first = tuple(map(int, np.unravel_index(numbers[0], where.shape)))
             one = replace(one, of=replace(one.of, cases=Cases(numbers.size, where.size, first)))
@@ -221,7 +230,7 @@ def in_case(solution: Any, found: Callable[[Any, slice], Iterable[Found]], index
     solved = np.ravel(solution.converged)
     if index is None and solution.shape:
         every = found(solution, slice(0, solved.size))
-        return told(((np.reshape(where & solved, solution.shape), each) for where, each in every), None)
+        return told(((np.reshape(np.where(solved, where, 0), solution.shape), each) for where, each in every), None)
     k = solution.flat_index(index)
     one = found(solution, slice(k, k + 1)) if solved[k] else ()
     return told(((np.asarray(where)[0], each) for where, each in one), None)

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.validation import Field, Sentence
 
 
@@ -40,7 +41,7 @@ class Span(tuple[float, ...]):
     """A number of several things that a sentence speaks of at once; it reads from the smallest to the largest."""
 
     def __format__(self, spec: str) -> str:
-        return spanned(lambda number: format(number, spec), self)
+        return spanned(lambda number: plain(number, spec), self)
 
 
 def spanned(text: Callable[[float], str], number: Any) -> str:

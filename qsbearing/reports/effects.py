@@ -10,12 +10,12 @@ from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.judgement import WORDS
+from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.bearing import chosen
 from qsbearing.remarks.wording import capital
 from qsbearing.reports.evidence import of_rows
-from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, Row
+from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, NOT_NEEDED, Row
 from qsbearing.systems.sets.set_solution import SetSolution
 
 DEFAULT_TOLERANCE = 0.01
@@ -98,9 +98,14 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], t
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it; with "
         "≈ under usual parameters where its own are not known. It is needed if leaving it out changes a result by more "
-        f"than {100 * tolerance:g} %."
+        f"than {100 * tolerance:g} %, displacements in parts of the largest one."
     )
-    headings = ("effect or choice", "in scene", *(f"{WORDS[name]}, %" for name in QUANTITIES), "assessment")
+    headings = (
+        "effect or choice",
+        "in scene",
+        *(f"{WORDS[name]}, {unit_of(name)}" for name in QUANTITIES),
+        "assessment",
+    )
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
     blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l", stack=True), Bullets(why)]
@@ -113,9 +118,9 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
     what = {entry.name: entry for entry in EFFECTS}
     lines: list[list[Cell]] = []
     has: list[str] = []
-    for row in rows:
+    for row in sorted(rows, key=lambda row: -row.size(row.largest) if row.largest else 0.0):
         most = row.largest or QUANTITIES[0]
-        change = f"{row.change(most)} % of the {WORDS[most]}".replace("\n", " ")
+        change = f"{row.change_in(most)} of the {WORDS[most]}"
         if row.in_scene and row.verdict == NEEDED:
             has.append(f"{row.what}: {change}")
         elif row.verdict in (NEEDED, DATA_MISSING):
@@ -124,7 +129,11 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
                 if row.verdict == DATA_MISSING
                 else f"add {', '.join(row.add)}"
             )
-            lines.append([row.what, Badge("no", "fail" if row.verdict == NEEDED else "finding"), change, give])
+            lines.append([row.what, Badge("no", _status(row)), change, give])
+        elif what[row.effect].hypothesis and row.size(most) > tolerance:
+            lines.append(
+                [row.what, Badge("a hypothesis", "finding"), change, "see the range below the table of effects"]
+            )
     limit = f"changes a result by more than {100 * tolerance:g} %"
     said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."
     said = f"{said} {NEVER}"
@@ -134,7 +143,15 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
     return [Table(headings, lines, "llll", title, stack=True), Paragraph(said)]
 
 
+def _status(row: Row) -> str:
+    """What its colour stands for: of what is lacking by the size of the change, whatever the reason."""
+    if row.verdict == NOT_NEEDED or (row.verdict == NEEDED and row.in_scene):
+        return "pass"
+    if row.verdict in (NEEDED, DATA_MISSING):
+        return "fail" if row.is_large else "finding"
+    return "missing"
+
+
 def _line(row: Row) -> list[Cell]:
-    status = {"needed": "pass" if row.in_scene else "finding", "not needed": "pass"}.get(row.verdict, "missing")
     changes = (row.change(name).replace("\n", " ") for name in QUANTITIES)
-    return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, status)]
+    return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, _status(row))]

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Document, Paragraph, Remark, Table
+from qsbearing.documents.numbers import plain
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.spectrum_table import at_point, point_in_file
@@ -54,7 +55,7 @@ def document(
         if isinstance(point, Scene)
         else set_document.document(solved, source, command)
     )
-    part = f"{100.0 * damage[worst]:.3g} % of the damage" + (" of a row" if len(found) > 1 else "")
+    part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(found) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
     lives = [Remark(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
     points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Remark))

@@ -10,6 +10,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.material import SILICON_NITRIDE
@@ -193,7 +194,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         "`--scene` the same is done for any scene.",
         lambda facts: (
             f"Closed forms within {_points['closed_form_percent']:.0e} %, finite elements within "
-            f"{_points['finite_elements_percent']:.1g} %"
+            f"{plain(_points['finite_elements_percent'], '.1g')} %"
         ),
         "fem-check run solution_contacts --scene SCENE",
         _contacts,
@@ -250,8 +251,9 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     Statement(
         "Axial stiffness of preloaded pairs of spindle bearings, 15 to 25 degrees, as a maker's catalogue prints it.",
         lambda facts: (
-            f"{_pairs['values']} values of {_pairs['bearings']} bearings: {100 * _pairs['rms']:.2g} % rms, largest "
-            f"{100 * _pairs['largest']:.2g} %, with one groove radius fitted to each bearing. No measurement"
+            f"{_pairs['values']} values of {_pairs['bearings']} bearings: {plain(100 * _pairs['rms'], '.2g')} % rms, "
+            f"largest {plain(100 * _pairs['largest'], '.2g')} %, with one groove radius fitted to each bearing. "
+            "No measurement"
         ),
         "fem-check book gmn_rigidities",
         _spindles,
@@ -261,8 +263,8 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         "Lives and displacements by ISO/TS 16281 of a deep-groove bearing of seven balls, at rest, against another "
         "program.",
         lambda facts: (
-            f"Displacements within {_lives['displacements_percent']:.1g} %, {_lives['lives']} lives within "
-            f"{_lives['lives_percent']:.1g} %"
+            f"Displacements within {plain(_lives['displacements_percent'], '.1g')} %, {_lives['lives']} lives within "
+            f"{plain(_lives['lives_percent'], '.1g')} %"
         ),
         "fem-check book iso_16281_seven_balls",
         _other_program,
@@ -293,7 +295,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
     ),
     Statement(
         "The film formulas against a textbook's example of a 209 bearing and the standards' examples of oils.",
-        lambda facts: f"Within {NUMBERS['hamrock_209_film']['textbook_percent']:.1g} %. No measurement",
+        lambda facts: f"Within {plain(NUMBERS['hamrock_209_film']['textbook_percent'], '.1g')} %. No measurement",
         "fem-check book hamrock_209_film",
         lambda facts: [],
         _asks("film"),

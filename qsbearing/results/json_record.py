@@ -24,6 +24,7 @@ from qsbearing.model.solution.result_keys import (
 )
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import Status
 from qsbearing.model.units import deg, um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
@@ -92,9 +93,15 @@ def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[st
         "status": str(np.asarray(solution.status)[index]),
         "message": message(solution, index),
         "residual": number(np.asarray(solution.residual)[index]),
-        "iterations": int(np.asarray(solution.iterations)[index]),
+        "iterations": None if is_untried(solution, index) else int(np.asarray(solution.iterations)[index]),
         "seconds": solution.seconds,
     }
+
+
+def is_untried(solution: Solution | SetSolution, index: Place) -> bool:
+    """Whether a case is a row's that nobody has solved, since its set has no solution."""
+    has_not_begun = np.asarray(solution.iterations)[index] == 0
+    return bool(has_not_begun and np.asarray(solution.status)[index] == Status.NOT_CONVERGED)
 
 
 CHANNEL_UNITS = {

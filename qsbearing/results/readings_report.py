@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -77,14 +77,22 @@ def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
     heading = [cell for side in sides for cell in (f"{side}\nsmallest", f"{side}\nlargest")]
     rows = []
     for shown, row in cells.items():
+        name = shown.plain_name
+        if shown.is_signed and not _are_alike(row.values()) and any((values < 0.0).any() for values in row.values()):
+            name, row = f"{name}, size", {side: np.abs(values) for side, values in row.items()}
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
         spans = [_span(row[side], NOISE * largest) if side in row else ("", "") for side in sides]
-        rows.append((shown.plain_name, spans, printed_unit(split(shown.key)[1])))
+        rows.append((name, spans, printed_unit(split(shown.key)[1])))
     if not any(high for _, spans, _ in rows for _, high in spans):  # all balls are alike
         cells_of = [(name, *(low for low, _ in spans), unit) for name, spans, unit in rows]
         return Table(("quantity", *sides, "unit"), cells_of, f"l{'r' * len(sides)}l", title)
     cells_of = [(name, *(cell for span in spans for cell in span), unit) for name, spans, unit in rows]
     return Table(("quantity", *heading, "unit"), cells_of, f"l{'r' * len(heading)}l", title)
+
+
+def _are_alike(row: Iterable[NDArray]) -> bool:
+    """Whether each side's balls have one number, to the digits shown."""
+    return all(digits_of(np.nanmin(values)) == digits_of(np.nanmax(values)) for values in row)
 
 
 def _span(values: NDArray, noise: float) -> tuple[str, str]:

@@ -13,6 +13,7 @@ from qsbearing.documents.model import Remark as Shown
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import check_kind
 from qsbearing.remarks import bearing
 from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.remark import Remark, Warned, in_order
@@ -36,6 +37,7 @@ def message(solution: Solution | SetSolution, index: Index = None) -> str:
     Raises:
         ValueError: the index does not name one case of this solution.
     """
+    check_kind("message", solution, "Solution", "SetSolution")
     if isinstance(solution, Solution):
         return bearing.message(solution, index)
     from qsbearing.results import set_remarks
@@ -59,6 +61,7 @@ def warnings(solution: Solution | SetSolution, index: Index = None) -> list[Warn
     Raises:
         ValueError: the index does not name one case of this solution.
     """
+    check_kind("warnings", solution, "Solution", "SetSolution")
     without_readings: Any = {} if isinstance(solution, Solution) else [{}] * len(solution.rows)
     return [each.said() for each in every_remark(solution, without_readings, index)]
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
@@ -204,11 +205,6 @@ def asked_for(found: dict[str, Any]) -> str:
     return named.replace("_", " ")
 
 
-def duration(seconds: float) -> str:
-    """How long a solve took."""
-    return f"{seconds:.2g} s" if seconds >= 0.1 else f"{seconds * 1e3:.2g} ms"
-
-
 FROM_MIDDLE = "axial from middle"
 
 
@@ -261,7 +257,7 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
         return []
     heading = ("", "growth\nµm", "bending\nµm", "seat pressure\nMPa", "least\nMPa", "largest\nMPa")
     share = elastic["share_of_axial_displacement"]
-    part = "" if share is None else f"; {100.0 * share:.3g} % of the axial displacement"
+    part = "" if share is None else f"; {plain(100.0 * share, '.3g')} % of the axial displacement"
     rows = [
         (side, *(digits(elastic[side][key], 1e-9) for key, *_ in RING_SHAPE))
         for side in ("inner", "outer")

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
@@ -21,7 +22,7 @@ from qsbearing.remarks import bearing
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
-from qsbearing.remarks.preload import of_loads
+from qsbearing.remarks.preload import not_grown, of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
 from qsbearing.systems.sets.axial_growth import SIDES
@@ -62,7 +63,7 @@ def _why(solution: SetSolution, k: int) -> str:
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
-        reached = f"{100.0 * outcome.reached[k]:.3g} %"
+        reached = f"{plain(100.0 * outcome.reached[k], '.3g')} %"
         where = f" Followed from rest, the equilibrium exists up to {reached} of the loads and speeds."
     if outcome.fault[k] >= 0:
         number = int(outcome.fault[k])
@@ -102,7 +103,7 @@ def _overloaded(solution: SetSolution, k: int) -> str:
 
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
     """What there is to say of a set and of each row; nothing of a case that is not solved."""
-    said = in_case(solution, _of_set, index)
+    said = in_case(solution, of_set, index)
     if not np.any(solution.converged if index is None else np.ravel(solution.converged)[solution.flat_index(index)]):
         return []
     return in_order(said + [of_the_row(solution, n, each) for n, of_row in enumerate(of_rows) for each in of_row])
@@ -114,18 +115,25 @@ def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
     return replace(said, of=replace(said.of, rows=row.rows, bearing=row.bearing, carries=row.carries))
 
 
-def _of_set(solution: SetSolution, part: slice) -> Iterator[Found]:
+def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterator[Found]:
     """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks and
-    hypotheses, solved with all rows together: what one changes of a row moves the shaft."""
-    loads = solution.preload_loads
+    hypotheses, solved with all rows together: what one changes of a row moves the shaft.
+
+    Args:
+        may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
+    """
+    loads = None
+    if solution.set.is_opposed:
+        given = solution.preload_given
+        loads = solution.preload_loads if may_solve else not_grown(given, solution.axial_loads)
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
             yield where, partial(_of_preload, solution, number, make)
     yield from _pressing_rows(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
-    yield from missing_effects(solution, part)
+    yield from missing_effects(solution, part, may_solve)
     yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
-    yield from hypotheses(solution, part)
+    yield from hypotheses(solution, part, may_solve)
 
 
 def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:

@@ -13,6 +13,7 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.documents.numbers import plain
 from qsbearing.files.catalogue import Entry
 from qsbearing.model.scene.keys import PRINTED
 
@@ -21,11 +22,10 @@ _PRINTED = {key.name for key in PRINTED}
 
 
 def digits_of(value: Any) -> str:
-    """A number to five digits, without an exponent below a thousand million; a dash where there is none."""
+    """A number to five digits; a dash where there is none."""
     if not math.isfinite(value):
         return "-"
-    text = f"{float(value) + 0.0:.5g}"
-    return f"{float(text):.0f}" if 1e5 <= abs(float(text)) < 1e9 else text
+    return plain(float(value) + 0.0)
 
 
 def catalogue(entries: Sequence[Entry]) -> list[Block]:

@@ -14,9 +14,11 @@ from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
+from qsbearing.results.whole import all_taken
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import Result, find, known_results, read, why_unknown
+from qsbearing.studies.remarked import Look, look, looked_at, may_solve, together
+from qsbearing.studies.results import Result, find, is_of_solution, known_results, read, why_unknown
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -68,23 +70,41 @@ class Chunk(NamedTuple):
     iterations: NDArray
     residual: NDArray
     results: dict[str, NDArray]
+    remarks: Look
 
 
 def solve_chunk(plan: Plan, number: int, threads: int = 1) -> Chunk:
     """Make, solve and read off the points of one chunk."""
     points = Points(plan.study)
-    return solve_points(plan, points.values(points.chunk(number)), threads)
+    return solve_points(plan, points.values(points.chunk(number)), threads, may_solve(points.count))
 
 
-def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1) -> Chunk:
-    """Likewise of points given by the values of their keys."""
+def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1, solves: bool | None = None) -> Chunk:
+    """Likewise of points given by the values of their keys.
+
+    Args:
+        solves: whether remarks may solve points again; None: no remarks.
+    """
     count = max((array.size for array in values.values() if array.ndim), default=1)
-    parts, possible, impossible, why = scenes_of_points(plan.study, values, count)
+    looked = None if solves is None else looked_at(count)
+    parts, possible, impossible, why = scenes_of_points(plan.study, values, count, looked)
     chunk = empty_chunk(plan, count, ("", *map(str, Reason), *why))
     chunk.reason[:] = np.where(possible, 0, impossible + len(Reason))
-    for scene, numbers in parts:
-        put(plan, chunk, numbers, _solved(scene, plan.chosen, threads))
-    return chunk
+    looks = []
+    for scene, numbers, is_looked_at in parts:
+        solution = _solved(scene, plan.chosen, threads)
+        readings = None if solves is None or not is_looked_at else _taken(plan, solution)
+        put(plan, chunk, numbers, solution, readings)
+        if readings is not None:
+            looks.append(look(solution, readings, values, numbers, bool(solves)))
+    return chunk._replace(remarks=together(looks))
+
+
+def _taken(plan: Plan, solution: Solution | SetSolution) -> Any:
+    """The readings, if something of them is kept."""
+    if isinstance(solution, Solution) and all(is_of_solution(each.name) for each in plan.results):
+        return {}
+    return all_taken(solution)
 
 
 def _solved(
@@ -107,16 +127,20 @@ def empty_chunk(plan: Plan, count: int, reasons: tuple[str, ...]) -> Chunk:
     }
     status = np.full(count, IMPOSSIBLE, np.int8)
     residual = np.full(count, np.nan)
-    return Chunk(status, np.zeros(count, np.int16), reasons, np.zeros(count, np.int32), residual, results)
+    return Chunk(status, np.zeros(count, np.int16), reasons, np.zeros(count, np.int32), residual, results, together(()))
 
 
-def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution | SetSolution) -> None:
-    """Put the cases of a solution to these points of a chunk."""
+def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution | SetSolution, readings: Any) -> None:
+    """Put the cases of a solution to these points of a chunk.
+
+    Args:
+        readings: where they are taken already; of a set those of each row.
+    """
     chunk.status[numbers] = _codes(solution.status, STATUSES)
     chunk.reason[numbers] = _codes(solution.reason, chunk.reasons)
     chunk.iterations[numbers] = np.ravel(solution.iterations)
     chunk.residual[numbers] = np.ravel(solution.residual)
-    for name, found in read(solution, plan.results).items():
+    for name, found in read(solution, plan.results, readings).items():
         out = chunk.results[name]
         if out.ndim == 1:
             out[numbers] = np.reshape(found, numbers.size)

@@ -16,6 +16,8 @@ from qsbearing.results.provenance import commit
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points
+from qsbearing.studies.remarked import attributes as of_remarks
+from qsbearing.studies.remarked import together
 from qsbearing.studies.results import attributes_of
 from qsbearing.studies.scenes import base_scene, label_of
 
@@ -100,6 +102,7 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk]) -> xarray.D
     import xarray
 
     reasons = all_reasons(chunk.reasons for chunk in chunks.values())
+    seen = together(chunks[number].remarks for number in sorted(chunks))
     made = {}
     for name, (dims, kind, attrs) in variables_of(plan, points).items():
         shape = (*points.shape, plan.ball_axis) if dims[-1:] == (BALL,) else points.shape
@@ -110,7 +113,9 @@ def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk]) -> xarray.D
             whole: Any = (*points.chunk(number), ...)  # a view, of a grid without axes too
             block = made[name][1][whole]
             block[...] = values.reshape(block.shape)
-    return xarray.Dataset(made, coordinates(points, slice(0, points.study.samples)), attributes(plan))
+    return xarray.Dataset(
+        made, coordinates(points, slice(0, points.study.samples)), attributes(plan) | of_remarks(seen, points.count)
+    )
 
 
 def _flags(meanings: Iterable[str]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,7 +66,13 @@ def said(solution: Solution) -> list[Remark]:
     bearings, unsolved = solution.converged.size, int((~solution.converged).sum())
     lost = [remark("sheet_not_solved", unsolved=unsolved, bearings=bearings)] if unsolved else []
     of_list = [each.remark for each in solution.scene.bearing.inferred.remarks]
-    return in_order([*of_list, *lost, *every_remark(solution)])
+    return in_order([*of_list, *lost, *map(_of_bearings, every_remark(solution))])
+
+
+def _of_bearings(each: Remark) -> Remark:
+    """The cases are the bearings of the list."""
+    cases = each.of.cases and replace(each.of.cases, what="bearings of the list")
+    return replace(each, of=replace(each.of, cases=cases))
 
 
 def inferred_record(solution: Solution) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.usual_words import usual
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
-from qsbearing.model.validation import near, whole_number
+from qsbearing.model.validation import alike, question, whole_number
 
 _EITHER = (
     ("bearing.free_contact_angle_deg", "bearing.diametral_clearance_mm"),
@@ -144,11 +144,11 @@ def suggestion(name: str, document: dict[str, Any]) -> str:
     if by_word and by_word.key in ALL:
         return f"Did you mean {by_word}?"
     meant = (
-        near(word, [*ALL, EACH_BALL], 0.6)
-        or fields.get(near(word, fields, 0.5), "")
-        or stems.get(near(name, stems, 0.6), "")
+        alike(word, [*ALL, EACH_BALL])
+        or [fields[each] for each in alike(word, fields)]
+        or [stems[each] for each in alike(name, stems)]
     )
-    return f"Did you mean {meant}?" if meant else "Any number of the file, such as speed_rpm or rows.1.position_mm"
+    return question(meant) or "Any number of the file, such as speed_rpm or rows.1.position_mm"
 
 
 def _told(meant: list[str]) -> str:

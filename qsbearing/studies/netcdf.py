@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.studies import dataset
+from qsbearing.studies import dataset, remarked
 from qsbearing.studies.chunk import Chunk, Plan
 from qsbearing.studies.points import BLOCK, SAMPLE, Points
 
@@ -29,12 +29,14 @@ def write_netcdf(place: Path, plan: Plan, points: Points, chunks: Chunks) -> Non
     import h5netcdf
 
     _claim_room(place, plan, points)
-    reasons = dataset.all_reasons(chunk.reasons for _, chunk in chunks())
+    told = [(chunk.reasons, chunk.remarks) for _, chunk in chunks()]
+    reasons = dataset.all_reasons(each for each, _ in told)
+    seen = remarked.together(each for _, each in told)
     with h5netcdf.File(place, "w") as file:
         for name, length in zip(points.dims, points.shape, strict=True):
             file.dimensions[name] = length
         file.dimensions[dataset.BALL] = plan.ball_axis
-        file.attrs.update(dataset.attributes(plan))
+        file.attrs.update(dataset.attributes(plan) | remarked.attributes(seen, points.count))
         beside = _write_coordinates(file, points)
         for name, (dims, kind, attrs) in dataset.variables_of(plan, points).items():
             variable = file.create_variable(name, dims, kind)

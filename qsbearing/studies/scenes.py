@@ -38,6 +38,8 @@ class Part(NamedTuple):
     """Over these points, one case axis."""
     points: NDArray
     """Their numbers."""
+    is_looked_at: bool = True
+    """Whether remarks are looked for at them."""
 
 
 class PossibleScenes(NamedTuple):
@@ -52,8 +54,13 @@ class PossibleScenes(NamedTuple):
     """`key: what is wrong with it`."""
 
 
-def scenes_of_points(study: Study, values: dict[str, NDArray], count: int) -> PossibleScenes:
+def scenes_of_points(
+    study: Study, values: dict[str, NDArray], count: int, looked: NDArray | None = None
+) -> PossibleScenes:
     """The scenes of these points.
+
+    Args:
+        looked: numbers of points that make scenes of their own.
 
     Raises:
         SceneFileError: what is wrong with the study whatever the point.
@@ -65,10 +72,12 @@ def scenes_of_points(study: Study, values: dict[str, NDArray], count: int) -> Po
     if varied:
         number = np.unique(np.stack(varied), axis=1, return_inverse=True)[1].ravel()
         groups = np.split(np.argsort(number, kind="stable"), np.cumsum(np.bincount(number))[:-1])
+    is_looked = np.ones(count, bool) if looked is None else np.isin(np.arange(count), looked)
+    groups = [some for group in groups for some in (group[is_looked[group]], group[~is_looked[group]]) if some.size]
     for points in groups:
         own = {key: array[points] if array.ndim else array for key, array in values.items()}
         own |= {key: own[key].ravel()[0] for key in apart}
-        found = _with_scene(study, own, points, found, bool(apart))
+        found = _with_scene(study, own, points, found, bool(apart), bool(is_looked[points[0]]))
     return found
 
 
@@ -79,7 +88,12 @@ def _apart(study: Study) -> list[str]:
 
 
 def _with_scene(
-    study: Study, values: dict[str, NDArray], points: NDArray, found: PossibleScenes, by_value: bool
+    study: Study,
+    values: dict[str, NDArray],
+    points: NDArray,
+    found: PossibleScenes,
+    by_value: bool,
+    is_looked: bool,
 ) -> PossibleScenes:
     """With the scene of some points that one scene can hold, or why there is none.
 
@@ -92,7 +106,7 @@ def _with_scene(
         kept = {key: array[possible] if array.ndim else array for key, array in values.items()}
         try:
             scene = _over_one_axis(_scene(study, kept), int(possible.sum()))
-            parts = (*parts, Part(scene, points[possible]))
+            parts = (*parts, Part(scene, points[possible], is_looked))
             break
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]

@@ -10,10 +10,14 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.validation import check_kind
 from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
 from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
+from qsbearing.studies.remarked import Look, together
+from qsbearing.studies.remarked import attributes as of_remarks
+from qsbearing.studies.results import OVER_BALLS, SIZE
 from qsbearing.studies.scenes import check
 from qsbearing.studies.study import Study
 
@@ -57,10 +61,12 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
     """
     import xarray
 
+    check_kind("sobol_indices", study, "Study")
     study = study if study.quantities else study.replaced(quantities=MAIN)
     plan = _checked(study, count)
     keys, names = [each.key for each in study.distributions], [each.name for each in plan.results]
-    one, other, mixed = _results_of(plan, _base_samples(study, count))
+    looks: list[Look] = []
+    one, other, mixed = _results_of(plan, _base_samples(study, count), looks)
     first, total = _indices(one, other, mixed)
     random = np.random.default_rng(study.seed)
     again = [random.integers(0, count, count) for _ in range(RESAMPLES)]
@@ -75,6 +81,7 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
         },
         {"result": names, "key": keys, "unit": ("key", [known_keys.known(key).unit or "1" for key in keys])},
         attributes(plan)
+        | of_remarks(together(looks), count * (len(keys) + 2))
         | {
             "base_samples": count,
             "points": count * (len(keys) + 2),
@@ -116,23 +123,27 @@ def _base_samples(study: Study, count: int) -> Iterator[dict[str, NDArray]]:
         yield fixed | one | {each.key: other[each.key]}
 
 
-def _results_of(plan: Plan, samples: Iterator[dict[str, NDArray]]) -> tuple[NDArray, NDArray, NDArray]:
+def _results_of(
+    plan: Plan, samples: Iterator[dict[str, NDArray]], looks: list[Look]
+) -> tuple[NDArray, NDArray, NDArray]:
     """Results at the two sets, shape (result, sample), and at the mixed ones, shape (key, result, sample)."""
-    one, other, *mixed = (_solved(plan, values) for values in samples)
+    one, other, *mixed = (_solved(plan, values, looks) for values in samples)
     return one, other, np.array(mixed)
 
 
-def _solved(plan: Plan, values: dict[str, NDArray]) -> NDArray:
-    """Shape (result, sample)."""
+def _solved(plan: Plan, values: dict[str, NDArray], looks: list[Look]) -> NDArray:
+    """Shape (result, sample); what was seen of remarks is added to `looks`."""
     count = max(array.size for array in values.values())
     out = np.empty((len(plan.results), count))
     for start in range(0, count, CHUNK):
         part = slice(start, start + CHUNK)
         given = {key: array[part] if array.ndim else array for key, array in values.items()}
-        chunk = solve_points(plan, given, thread_count())
+        chunk = solve_points(plan, given, thread_count(), False)
+        looks.append(chunk.remarks)
         for row, result in enumerate(plan.results):
             found = chunk.results[result.name]
-            out[row, part] = np.fmax.reduce(found, axis=1) if result.is_per_ball else found
+            over = OVER_BALLS[SIZE if result.is_signed else "max"]
+            out[row, part] = over(found, axis=1) if result.is_per_ball else found
     return out
 
 

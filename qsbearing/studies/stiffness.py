@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
+from qsbearing.results.whole import all_taken
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.points import Points
+from qsbearing.studies.remarked import Look, look, looked_at, may_solve
 from qsbearing.studies.scenes import check, scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.rotor_dynamics import stiffness_columns
@@ -21,34 +23,42 @@ from qsbearing.systems.sets.set_solution import SetSolution
 IMPOSSIBLE = STATUSES[-1]
 
 
-def stiffness_of(study: Study, *, mirrored: bool = False) -> dict[str, NDArray]:
+def stiffness_of(study: Study, *, mirrored: bool = False, looks: list[Look] | None = None) -> dict[str, NDArray]:
     """The varied keys and the columns of `rotordynamics.stiffness_columns`, one row per point.
 
     Of a set the stiffness of its shaft about the reference position, then that of each row's contacts about the plane
     of its balls' centres, each after `row_1_`, ..., in the same axes. A point that describes no bearing has its row,
     with status "impossible" and why; one without equilibrium likewise.
 
+    Args:
+        looks: where to add what is seen of remarks; None: none are looked for.
+
     Raises:
         SceneError: the study is wrong whatever the point; every error, at once.
     """
     check(study)
     points = Points(study)
-    parts = [_of_chunk(study, points, number, mirrored) for number in range(points.chunk_count)]
+    parts = [_of_chunk(study, points, number, mirrored, looks) for number in range(points.chunk_count)]
     names = max(parts, key=len)
     return {
         name: np.concatenate([part.get(name, np.full(len(part["status"]), np.nan)) for part in parts]) for name in names
     }
 
 
-def _of_chunk(study: Study, points: Points, number: int, mirrored: bool) -> dict[str, NDArray]:
+def _of_chunk(
+    study: Study, points: Points, number: int, mirrored: bool, looks: list[Look] | None
+) -> dict[str, NDArray]:
     values = points.values(points.chunk(number))
     count = points.size(number)
-    parts, _, reason, reasons = scenes_of_points(study, values, count)
+    parts, _, reason, reasons = scenes_of_points(study, values, count, None if looks is None else looked_at(count))
     out = {key: np.broadcast_to(value, count) for key, value in values.items()}
     why = np.array(["", *reasons])[reason]
     labels = {"status": np.full(count, IMPOSSIBLE, object), "reason": why.astype(object)}
-    for scene, numbers in parts:
-        for name, column in _columns(solve(scene) if isinstance(scene, Scene) else solve_set(scene), mirrored).items():
+    for scene, numbers, is_looked_at in parts:
+        solution = solve(scene) if isinstance(scene, Scene) else solve_set(scene)
+        if looks is not None and is_looked_at:
+            looks.append(look(solution, all_taken(solution), values, numbers, may_solve(points.count)))
+        for name, column in _columns(solution, mirrored).items():
             out.setdefault(name, labels.get(name, np.full(count, np.nan)))[numbers] = column
     return out if parts else out | labels
 

@@ -176,7 +176,10 @@ class Store:
         Raises:
             SceneFileError: it cannot be written, as where the disk is full.
         """
-        fields: dict[str, Any] = chunk._asdict() | {"reasons": np.array(chunk.reasons)}
+        fields: dict[str, Any] = chunk._asdict() | {
+            "reasons": np.array(chunk.reasons),
+            "remarks": np.array([json.dumps(chunk.remarks)]),
+        }
         fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
         temporary = self.folder / f"{number}.part"
         try:
@@ -197,9 +200,10 @@ class Store:
         """A chunk that was kept."""
         # Opened here: numpy leaves a damaged file open.
         with (self.folder / f"{number}.npz").open("rb") as opened, np.load(opened) as file:
-            fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons")}
+            fields = {name: file[name] for name in Chunk._fields if name not in ("results", "reasons", "remarks")}
             results = {each.name: file[f"result_{each.name}"] for each in self.plan.results}
-            return Chunk(**fields, reasons=tuple(map(str, file["reasons"])), results=results)
+            reasons, remarks = tuple(map(str, file["reasons"])), json.loads(str(file["remarks"][0]))
+            return Chunk(**fields, reasons=reasons, remarks=remarks, results=results)
 
     def join(self) -> None:
         """Write the file from all chunks, in one step as its reader sees it, and remove them.

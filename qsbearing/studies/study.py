@@ -20,7 +20,7 @@ from qsbearing.files.toml import check_tables
 from qsbearing.model.above import Plotted
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.solution import quantities
-from qsbearing.model.validation import near
+from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
 from qsbearing.studies import keys
 from qsbearing.studies.results import reading_of
@@ -261,8 +261,7 @@ def _options(table: dict[str, Any], errors: list[FileErrorDetail]) -> dict[str, 
     for name, given in table.items():
         whole = isinstance(given, int) and not isinstance(given, bool)
         if name not in known:
-            meant = near(name, known, 0.5)
-            cause = f"Did you mean {meant}?" if meant else f"One of {', '.join(known)}"
+            cause = question(alike(name, known)) or f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"study.{name}", "unknown key", cause=cause))
         elif name == "sampling":
             if given not in list(Sampling):

@@ -14,12 +14,18 @@ import numpy as np
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.block_statistics import blocks, blocks_of, quantiles
 from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.studies.remarked import of_results, records_of
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 QUANTILES = (0.0, 0.05, 0.5, 0.95, 1.0)
 HEADS = ("smallest", "5 %", "median", "95 %", "largest")
+"""In data."""
+HEADINGS = ("minimum", *HEADS[1:-1], "maximum")
+"""Over points, signs included."""
+QUANTILE_COLUMNS = (2, 4, 3)
+"""Of the table, which a narrow terminal leaves out."""
 ITSELF = ("status", "reason", "iterations", "residual", "azimuth", "inner_raceway_controls")
 """What is said in words, or means nothing over all points."""
 _MANY = 1 << 16
@@ -86,7 +92,7 @@ def record(results: Dataset) -> dict[str, Any]:
         {"points": count, "status": status, "why": why, "first": keys} for status, count, why, keys in endings(results)
     ]
     found = {name: {**dict(zip(HEADS, row, strict=True)), "unit": unit} for name, row, unit in spread(results)}
-    return {"points": ends, "results": found}
+    return {"points": ends, **records_of(results.attrs), "results": found}
 
 
 def table(results: Dataset) -> list[Block]:
@@ -98,7 +104,8 @@ def table(results: Dataset) -> list[Block]:
     spreads = [(name, *(f"{value:.5g}" for value in row), unit) for name, row, unit in spread(results)]
     return [
         Table(("points", "status", "why", "first point"), ends, "rlll"),
-        Table(("result", *HEADS, "unit"), spreads, f"l{'r' * len(HEADS)}l"),
+        Table(("result", *HEADINGS, "unit"), spreads, f"l{'r' * len(HEADS)}l", spare=QUANTILE_COLUMNS),
+        *of_results(results.attrs),
     ]
 
 
@@ -126,7 +133,7 @@ def table_of_indices(indices: Dataset) -> list[Block]:
     if indices.attrs["unsolved"]:
         lack = f"{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
         found.append(Paragraph(lack))
-    return found
+    return [*found, *of_results(indices.attrs)]
 
 
 INDICES = ("first_order", "total")

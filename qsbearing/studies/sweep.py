@@ -11,6 +11,7 @@ from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.validation import check_kind
 from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
@@ -65,6 +66,7 @@ def sweep(
         TimeoutError: a Dask cluster has had no worker for a minute.
         ImportError: xarray is not installed (the `studies` extra).
     """
+    check_kind("sweep", study, "Study")
     scene = check(study)
     points = Points(study)
     plan = plan_of(study, scene, points)

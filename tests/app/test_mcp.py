@@ -26,9 +26,12 @@ import qsbearing as qs
 from qsbearing.app import work
 from qsbearing.app.mcp import server as of_server
 from qsbearing.app.mcp import tools as of_tools
+from qsbearing.app.mcp.folder import Folder
 from qsbearing.app.mcp.server import server
 from qsbearing.cli import cli
 from qsbearing.documents.model import Document
+from qsbearing.files import output_file
+from qsbearing.files.file_errors import SceneFileError
 from qsbearing.remarks.kinds import KINDS
 from tests.guide.pages import GUIDE, blocks, commands
 
@@ -140,10 +143,44 @@ def test_errors_arrive_with_their_fields(tmp_path: Path) -> None:
 
 
 def test_an_argument_that_a_tool_does_not_have_is_refused(tmp_path: Path) -> None:
-    """`goal` for `goals` would be a search without a goal."""
-    [found] = asyncio.run(_asked(server(tmp_path), [("solve", {"scene": "b218", "ball": True})]))
-    assert found.is_error
-    assert "ball" in found.content[0].text  # type: ignore[union-attr]
+    """`goal` for `goals` would be a search without a goal. Of every tool, in our words, all at once."""
+
+    async def tools() -> dict[str, list[str]]:
+        async with Client(server(tmp_path)) as client:
+            return {each.name: list(each.input_schema["properties"]) for each in (await client.list_tools()).tools}
+
+    known = asyncio.run(tools())
+    assert list(known) == ["describe", "solve", "explain", "find", "sweep", "report"]
+    for tool, names in known.items():
+        for name in names:
+            wrong = {f"{name}x": 1, "zzz": 2}
+            found = {each["key"]: each for each in refused(tmp_path, tool, **wrong)}
+            assert {found[each]["problem"] for each in wrong} == {"is no argument of this tool"}
+            assert found[f"{name}x"]["cause"] == f"Did you mean {name}?"
+            assert found["zzz"]["cause"] == f"It takes {', '.join(names)}"
+            assert "pydantic" not in json.dumps(found)
+    lacking, odd = refused(tmp_path, "find", scene="b218", points="many")
+    assert (lacking["key"], lacking["problem"]) == ("vary", "missing")
+    assert (odd["key"], odd["problem"], odd["value"]) == ("points", "is not what this tool takes", "'many'")
+
+
+LONG = "x" * 100_000
+
+
+def test_what_is_long_is_not_repeated(tmp_path: Path) -> None:
+    for tool, given in (
+        ("describe", {"topic": LONG}),
+        ("solve", {"scene": LONG}),
+        ("solve", {"scene": {"bearing": {"name": LONG}, "operation": {"axial_load_N": 1}, LONG: {LONG: 1}}}),
+        ("solve", {"scene": {"bearing": {LONG: LONG}, "operation": {LONG: 1}}}),
+        ("find", {"scene": "b218", "vary": {LONG: "1:2"}, "minimise": LONG, "goals": [LONG], "limits": [f"{LONG}<=1"]}),
+        ("sweep", {"scene": "b218", "vary": {"axial_load_N": LONG}, "quantities": [LONG], "out": f"{LONG}.csv"}),
+        ("report", {"scene": "b218", "name": LONG}),
+        ("solve", {LONG: LONG, "scene": "b218", "balls": LONG}),
+    ):
+        [found] = asyncio.run(_asked(server(tmp_path), [(tool, given)]))
+        assert found.is_error
+        assert len(found.content[0].text) < 12_000, tool  # type: ignore[union-attr]
 
 
 @pytest.fixture
@@ -156,6 +193,9 @@ def enclosed(tmp_path: Path) -> Path:
     (inside / "link.toml").symlink_to(tmp_path / "secret.toml")
     (inside / "out").symlink_to(tmp_path)
     (inside / "loop.toml").symlink_to(inside / "loop.toml")
+    (inside / "there.toml").symlink_to(inside / "back.toml")
+    (inside / "back.toml").symlink_to(inside / "there.toml")
+    (inside / "round").symlink_to(inside / "round")
     spectrum = (
         '[bearing]\nname = "b218"\n[operation]\nspeed_rpm = 1\n[readings.life]\n[spectrum]\nfile = "../secret.csv"\n'
     )
@@ -165,6 +205,27 @@ def enclosed(tmp_path: Path) -> Path:
 
 AROUND = ["../secret.toml", "{outside}/secret.toml", "/dev/stdin"]
 LINKED = ["link.toml", "out/secret.toml", "loop.toml", "spectrum.toml"]
+LOOPS = ["loop.toml", "there.toml", "round/a.toml", "round/../loop.toml"]
+
+
+@pytest.mark.parametrize("raises", [True, False])
+@pytest.mark.parametrize("way", LOOPS)
+def test_a_circle_of_links_leads_nowhere(
+    enclosed: Path, way: str, raises: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whether `Path.resolve` raises for one, as up to Python 3.12, or gives it back, as from 3.13 on."""
+    folder = Folder(enclosed)
+
+    def resolved(path: Path, strict: bool = False) -> Path:
+        found = Path(os.path.realpath(path))
+        if raises and found.is_symlink():
+            raise RuntimeError("Symlink loop")
+        return found
+
+    monkeypatch.setattr(Path, "resolve", resolved)
+    for place in (folder.place, folder.new):
+        with pytest.raises(SceneFileError, match="is not below the folder"):
+            place(way)
 
 
 @pytest.mark.parametrize("way", [*AROUND, *LINKED, "a\0.toml"])
@@ -193,6 +254,56 @@ def test_nothing_is_written_elsewhere(enclosed: Path, way: str) -> None:
     [error] = refused(enclosed, "report", scene="b218", name=name)
     assert error["problem"] == "is not below the folder of this server"
     assert sorted(enclosed.parent.rglob("*")) == before
+
+
+NO_NAMES = [
+    "",
+    " ",
+    ".",
+    "sub/",
+    "con",
+    "CON",
+    "nul",
+    "LPT1",
+    "com9",
+    "Aux.b",
+    "a:b",
+    "a?",
+    "a*b",
+    'a"b',
+    "a|b",
+    "a\tb",
+    "<a>",
+]
+
+
+@pytest.mark.parametrize("name", NO_NAMES)
+def test_a_name_that_not_every_system_has_is_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / "sub").mkdir()
+    [error] = refused(tmp_path, "report", scene="b218", name=name)
+    assert error["problem"] in ("is no name for a file", "is in a folder that does not exist")
+    if name:
+        [error] = refused(tmp_path, "sweep", scene="b218", vary={"axial_load_N": "1:2:2"}, out=f"{name}.csv")
+        assert error["problem"] == "is no name for a file"
+    assert [each.name for each in tmp_path.rglob("*")] == ["sub"]
+
+
+def test_a_report_is_written_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Wherever the disk is full, or the second form fails, nothing is left, not even a part."""
+    filled = output_file.Writer.fill
+    for allowed in (0, 1):
+        done: list[Path] = []
+
+        def fill(writer: Any, data: bytes, allowed: int = allowed, done: list[Path] = done) -> None:
+            if len(done) == allowed:
+                raise OSError(28, "No space left on device")
+            done.append(writer.place)
+            filled(writer, data)
+
+        monkeypatch.setattr(output_file.Writer, "fill", fill)
+        [error] = refused(tmp_path, "report", scene="b218", name="new")
+        assert "No space left" in error["problem"]
+        assert list(tmp_path.iterdir()) == []
 
 
 def test_nothing_is_written_over(tmp_path: Path) -> None:

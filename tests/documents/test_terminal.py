@@ -6,10 +6,13 @@ import html
 import re
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Badge, Block, Bullets, Group, Paragraph, Remark, Table
 from qsbearing.documents.terminal import text_of
+from tests.documents.names import broken
 
 BLOCKS: list[Block] = [
     Paragraph("B218 [old]  16 balls", lead="B218 [old]"),
@@ -58,6 +61,37 @@ def test_a_group_s_long_text_cuts_no_number(width: int) -> None:
     assert max(map(len, lines)) <= width
     assert lines[-1].split() == ["approach", "1.00482", "-0.004", "±", "0.030", "pass"]
     assert " ".join(line.strip() for line in lines[2:-1]) == text
+
+
+NAMES = st.integers(1, 50).map(lambda letters: ("ring_effective_stiffness_radial_" * 2)[:letters])
+NUMBERS = st.floats(-1e9, 1e9).map("{:.5g}".format)
+
+
+@st.composite
+def tables(draw: st.DrawFn) -> Table:
+    """Of names as long as any key, numbers, and columns that may be left out."""
+    names = draw(st.lists(NAMES, min_size=1, max_size=4))
+    align = "l" + draw(st.text("lr", min_size=1, max_size=7))
+    rows = [(name, *(draw(NAMES if side == "l" else NUMBERS) for side in align[1:])) for name in names]
+    headings = ("", *(draw(st.text("abcdef", min_size=1, max_size=9)) for _ in align[1:]))
+    return Table(headings, rows, align, spare=draw(st.permutations(range(1, len(align))))[: len(align) // 2])
+
+
+@given(tables(), st.integers(60, 120))
+def test_no_name_is_broken(table: Table, width: int) -> None:
+    """From 60 columns on; what does not fit beside it stands below it."""
+    assert broken(table, width) == set()
+
+
+@given(tables(), st.integers(60, 120))
+def test_columns_are_left_out_by_their_order_and_said_to_be(table: Table, width: int) -> None:
+    text = text_of([table], width)
+    *_, last = text.splitlines()
+    left = last.removeprefix("Too narrow for: ").removesuffix(".").split(", ") if last.startswith("Too narrow") else []
+    assert sorted(left) == sorted(table.headings[number] for number in table.spare[: len(left)])
+    assert sum("─" in line for line in text.splitlines()) == 1 or len(left) == len(table.spare)
+    numbers = [n for n, side in enumerate(table.alignment) if side == "r" and n not in table.spare[: len(left)]]
+    assert {row[number] for row in table.rows for number in numbers} <= set(text.split())
 
 
 def test_tables_and_what_is_apart_follow_an_empty_line() -> None:

@@ -31,6 +31,11 @@ FEW, MANY = (4, 8), (20, 80)
 MUTATED = int(os.environ.get("QSBEARING_MUTATED", "10000"))
 LONGEST = 5.0
 """Seconds of processor time of one answer to a mutated input."""
+STRANGE = [
+    *(b"&#10;", b"&#0;", b"&#x202e;", b"&#1114112;", b"&#xd800;", b"&lt;", b"]]>", b"\\u0000", b"\\ud800", b"\\n"),
+    *(letter.encode() for letter in "²٢２\u2028\x85\u202e\ufeff"),
+] * 8
+"""Character references and escapes of all forms, and what Python takes for a digit, a line end or nothing."""
 OUTSIDE = ("study nc",)
 """Asked in heavy runs alone: the file is read by "result nc" in the same way."""
 
@@ -81,6 +86,9 @@ def damaged(data: bytes, cuts: int, flips: int, seed: object) -> list[tuple[str,
     for _ in range(flips):
         place, byte = chance.randrange(len(data)), chance.randrange(256)
         found.append((f"byte {place} is {byte}", data[:place] + bytes([byte]) + data[place + 1 :]))
+    for piece in chance.sample(STRANGE, max(1, flips // 3)):
+        place = chance.randrange(len(data) + 1)
+        found.append((f"{piece!r} at {place}", data[:place] + piece + data[place:]))
     return found
 
 
@@ -279,6 +287,8 @@ def mutated(data: bytes, chance: random.Random) -> bytes:
             found[place:place] = bytes(chance.randrange(256) for _ in range(length))
         elif chance.random() < 0.2:
             del found[place:]
+        else:
+            found[place:place] = chance.choice(STRANGE)
     return bytes(found)
 
 

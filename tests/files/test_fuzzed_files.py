@@ -18,6 +18,7 @@ from qsbearing.cli import cli
 from qsbearing.files.file_keys import reading_tables, sections
 from qsbearing.model.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, SECTIONS
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
+from tests.systems.sets.arrangements import PAIR_FILE
 
 TOML_VALUE = st.one_of(
     st.floats().map(lambda value: repr(value).replace("inf", "inf") if value == value else "nan"),
@@ -260,3 +261,34 @@ def test_many_values(changes: list[tuple[str, str, str]]) -> None:
     for section, key, value in changes:
         tables.setdefault(section, {})[key] = value
     run_file(as_text(tables).encode("utf-8", "surrogatepass"))
+
+
+STEP = st.one_of(
+    st.sampled_from(
+        ["rows", "shaft", "loads", "bearing", "readings", "effects", "ball_material", "operation", "spacers"]
+    ),
+    st.sampled_from(
+        ["1", "2", "3", "0", "-1", "01", "1.0", "²", "٢", "２", "9" * 30, "9" * 5000, "", " ", "\u202e", "\x1b"]
+    ),
+    st.sampled_from([*(key for keys in SECTIONS.values() for key in keys), "offset_um", "position_mm", "axial_N"]),
+    st.text(max_size=6),
+)
+VALUES = st.one_of(
+    st.sampled_from(["0,1", "0:1:2", "٢,٣", "²", "", "1", "nan,inf", "normal(0,1)", "=", "1e400"]), st.text(max_size=6)
+)
+
+
+@few
+@given(st.lists(STEP, min_size=1, max_size=5), VALUES)
+def test_any_path_on_the_command_line(steps: list[str], values: str) -> None:
+    with bounded(), tempfile.TemporaryDirectory() as folder:
+        file, out = Path(folder) / "pair.toml", Path(folder) / "out.csv"
+        file.write_text(PAIR_FILE, encoding="utf-8")
+        call = ["sweep", str(file), "--vary", f"{'.'.join(steps)}={values}", "--samples", "2", "--out", str(out)]
+        result = CliRunner().invoke(cli, call)
+        assert result.exception is None or isinstance(result.exception, SystemExit), call
+        assert result.exit_code in (0, 1, 2) and "Traceback" not in result.stderr, call
+        assert out.exists() == (result.exit_code != 2), call
+        assert not any(
+            unicodedata.category(letter) in ("Cc", "Cf") and letter not in "\n\r" for letter in result.stderr
+        )

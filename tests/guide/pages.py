@@ -5,6 +5,8 @@
     ```sh       commands of qsbearing and fem-check, run in this process; `> FILE` keeps what they print
     ```python   one program from the page's top to its end; what a line `print(...)  # -> TEXT` prints must be TEXT
 
+    ```text     behind a block of commands that ran: lines that these print
+
 A block behind the comment `<!-- minutes long -->` is left to the heavy tests. Commands of qsbearing inside a sentence,
 in back quotes, run too, after the blocks, if they have arguments, none of which is a placeholder in
 capitals or opens a browser. A command that another page has run on the same files is not run again.
@@ -24,6 +26,7 @@ import click
 from click.testing import CliRunner
 
 import qsbearing.cli
+from tests.guide.mentions import CHECKED, printed, unmentioned
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "qsbearing" / "guide"
@@ -34,8 +37,8 @@ _INLINE = re.compile(r"`(qsbearing [a-z][^`\n]*)`")
 _PLACEHOLDER = re.compile(r"(?<![\w.])[A-Z]{3,}[A-Z.]*\b|\[|\.\.\.|--open")
 
 
-_RUN: set[tuple[str, ...]] = set()
-"""Commands that ended well, with the text of the scenes that they name."""
+_RUN: dict[tuple[str, ...], tuple[set[str], str]] = {}
+"""Commands that ended well, with the text of the scenes that they name: the remarks and all else that they print."""
 
 
 @dataclass(frozen=True)
@@ -64,12 +67,13 @@ def commands(text: str) -> Iterator[list[str]]:
             yield [words[0].removeprefix(".venv/bin/"), *words[1:]]
 
 
-def run_command(words: list[str], folder: Path) -> None:
-    """Run one command with the folder as the current one; it must end well."""
+def run_command(words: list[str], folder: Path) -> tuple[set[str], str]:
+    """Run one command with the folder as the current one; it must end well. The remarks that it prints, and all that it
+    prints."""
     scenes = [folder / word for word in words if word.endswith(".toml")]
     done = (*words, *(path.read_text(encoding="utf-8") for path in scenes if path.exists()))
     if done in _RUN and ">" not in words:
-        return
+        return _RUN[done]
     target = None
     program: click.Command
     if ">" in words:
@@ -80,12 +84,13 @@ def run_command(words: list[str], folder: Path) -> None:
     else:
         assert words[0] == "qsbearing", f"{words[0]} is not a command of this project"
         program = qsbearing.cli.cli
-    with contextlib.chdir(folder):
+    with contextlib.chdir(folder), printed() as said:
         result = CliRunner().invoke(program, words[1:], catch_exceptions=False)
     assert result.exit_code == 0, f"{shlex.join(words)}: exit code {result.exit_code}\n{result.output}"
-    _RUN.add(done)
+    _RUN[done] = said, result.output
     if target:
         target.write_text(result.stdout, encoding="utf-8")
+    return _RUN[done]
 
 
 def write_file(text: str, folder: Path) -> None:
@@ -94,6 +99,27 @@ def write_file(text: str, folder: Path) -> None:
     name, continued = named.groups() if named else ("my.toml", None)
     with (folder / name).open("a" if continued else "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def not_printed(text: str, output: str) -> list[str]:
+    """Lines that a page shows and the command does not print; numbers may differ by two in their last digit, as those
+    of finite elements do from one processor to another."""
+    lines = [line.split() for line in output.splitlines()]
+    return [line for line in text.splitlines() if not any(_alike(line.split(), each) for each in lines)]
+
+
+def _alike(shown: list[str], printed: list[str]) -> bool:
+    return len(shown) == len(printed) and all(map(_same, shown, printed))
+
+
+def _same(one: str, other: str) -> bool:
+    number = re.fullmatch(r"[-+]?\d+(?:\.(\d+))?(%|°)?", one)
+    if one == other or not number:
+        return one == other
+    try:
+        return abs(float(one.rstrip("%°")) - float(other.rstrip("%°"))) < 2.5 * 10.0 ** -len(number[1] or "")
+    except ValueError:
+        return False
 
 
 def run_program(text: str, folder: Path, names: dict[str, object]) -> None:
@@ -109,16 +135,26 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
     """Run the page's blocks in order; how many heavy ones there were."""
     names: dict[str, object] = {"__name__": "page"}
     count = 0
+    said: set[str] = set()
+    output = ""
     for block in blocks(page):
         count += block.is_heavy
         if block.language in ("toml", "xml"):
             write_file(block.text, folder)
+        elif block.language == "text" and output:
+            assert not_printed(block.text, output) == [], f"{page.name} shows what its commands do not print"
         elif block.is_heavy and not heavy:
-            continue
+            output = ""
         elif block.language == "sh":
+            output = ""
             for words in commands(block.text):
                 if words[0] not in NOT_HERE:
-                    run_command(words, folder)
+                    of_command, text = run_command(words, folder)
+                    said, output = said | of_command, output + text
         elif block.language == "python":
             run_program(block.text, folder, names)
+    sentences = _BLOCK.sub("", page.read_text(encoding="utf-8"))
+    if page.name in CHECKED:
+        lacking = sorted(unmentioned(sentences, said))
+        assert lacking == [], f"{page.name} does not mention what its commands remark: {lacking}"
     return count

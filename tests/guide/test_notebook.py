@@ -21,6 +21,7 @@ import qsbearing as qs
 from qsbearing.documents.terminal import text_of
 from qsbearing.results.readings_record import taken
 from qsbearing.results.report import result
+from tests.guide.mentions import printed, unmentioned
 from tests.guide.pages import GUIDE
 
 TUTORIAL = GUIDE / "tutorial.ipynb"
@@ -108,16 +109,21 @@ def numbers_and_words(text: str) -> tuple[list[float], list[str]]:
 def test_the_tutorial_shows_what_its_cells_give(tmp_path: Path) -> None:
     """Outputs no longer those of the program: `python -m tests.verification.benchmarks.guide_notebook`."""
     names: dict[str, Any] = {}
-    count = 0
+    count, remarked, told = 0, 0, ""
     with contextlib.chdir(tmp_path):
         for cell in cells():
             if cell["cell_type"] != "code":
+                told = "".join(cell["source"])
                 continue
             *body, last = ast.parse("".join(line for line in cell["source"] if not line.startswith("%"))).body
             exec(compile(ast.Module(body, []), "cell", "exec"), names)
             assert isinstance(last, ast.Expr)
             value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
             (output,) = cell["outputs"]
+            with printed() as said:
+                shown(value)
+            assert unmentioned(told, said) == set(), "the text above the cell does not mention its remarks"
+            remarked += bool(said)
             if "image/png" in output["data"]:
                 assert value.__class__.__name__ == "Figure"
                 continue
@@ -126,7 +132,7 @@ def test_the_tutorial_shows_what_its_cells_give(tmp_path: Path) -> None:
                 assert now[0] == pytest.approx(then[0], rel=1e-4, abs=1e-9)
                 assert now[1] == then[1]
                 count += len(now[0])
-    assert count > 200
+    assert count > 200 and remarked >= 2
     assert names["found"].is_feasible
     assert names["solution"].converged
 

@@ -4,14 +4,34 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from qsbearing.documents import terminal
+from qsbearing.documents.model import Table
+from tests.documents.names import WIDTHS, broken, shown
+from tests.guide.measured import STATED, stated
+from tests.guide.mentions import unmentioned
 from tests.guide.pages import GUIDE, ROOT, blocks, run_page
 
 pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
+
+
+@pytest.fixture(autouse=True)
+def tables_have_whole_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every table that a command of the guide prints."""
+
+    def checked(blocks: Any, width: int | None = None) -> str:
+        for each in (each for each in blocks if isinstance(each, Table)) if isinstance(blocks, Sequence) else ():
+            assert [broken(each, width) for width in WIDTHS] == [set() for _ in WIDTHS], each.caption
+        return shown(blocks, width)
+
+    monkeypatch.setattr(terminal, "text_of", checked)
+
 
 ELSEWHERE = {
     "adding_an_effect.md": "tests/model/effects/test_adding_an_effect.py, on a copy of the package",
@@ -88,6 +108,18 @@ def test_thousands_are_parted_by_commas(page: Path) -> None:
     """In prose: at a space, a line end makes two numbers of one."""
     text = re.sub(r"^```.*?^```$|`[^`]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     assert re.findall(r"\b[0-9]{1,3} [0-9]{3}\b", text) == []
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))], ids=lambda page: page.stem)
+def test_measured_numbers_are_made_from_records_or_stated_with_a_reason(page: Path) -> None:
+    """Times, sizes and counts in sentences: what is made from a record stands between its marks."""
+    assert stated(page) == set(STATED.get(page.name, {})), "make it from a record, or say in `STATED` why not"
+
+
+@pytest.mark.parametrize("code", ["preload_lost", "ring_expansion", "centrifugal_force", "friction_beyond"])
+def test_a_remark_that_no_text_mentions_is_found(code: str) -> None:
+    assert unmentioned("The bearing runs at 10,000 rpm.", {code}) == {code}
+    assert unmentioned("Preload is lost; the rings grow; inertia is not included; friction\nbeyond.", {code}) == set()
 
 
 @pytest.mark.parametrize("page", sorted(GUIDE.glob("*.md")), ids=lambda page: page.stem)

@@ -22,6 +22,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.patches import Ellipse  # noqa: E402
 
 from qsbearing import pictures  # noqa: E402
+from qsbearing.files.scene_tables import input_tables  # noqa: E402
 from qsbearing.files.set_file import set_of  # noqa: E402
 from qsbearing.pictures.style import (  # noqa: E402
     CHANNEL_LINES,
@@ -32,7 +33,9 @@ from qsbearing.pictures.style import (  # noqa: E402
     legend,
     legend_within,
     logarithmic,
+    of_results,
 )
+from qsbearing.studies.design.shown import picture as found_picture  # noqa: E402
 from tests.guide.pages import GUIDE, blocks  # noqa: E402
 
 EFFECTS: dict[str, Any] = {
@@ -361,3 +364,39 @@ def test_logarithmic_axes_show_numbers_not_powers() -> None:
     axes.figure.canvas.draw()
     shown = {label.get_text() for label in axes.get_xticklabels() + axes.get_xticklabels(minor=True)}
     assert {"1", "10", "100", "1,000"} <= shown and not any("^" in each for each in shown)
+
+
+# Axes -----------------------------------------------------------------------------------------------------------------
+
+LIFE_OVER = {"short": (3000.0, 3300.0), "long": (3000.0, 60_000.0)}
+"""Axial loads [N] over which the life of B218 changes by less and by more than ten times."""
+WITH_LIFE = input_tables(qs.load_scene("b218")) | {"readings": {"life": {}}}
+
+
+def drawn_by_find(low: float, high: float) -> Any:
+    limits = ["life_duration>=1"]
+    return found_picture(
+        qs.find(WITH_LIFE, {"axial_load_N": (low, high)}, limits=limits, maximise="life_duration", points=64)
+    )
+
+
+def drawn_by_sweep(low: float, high: float) -> Any:
+    return qs.Study.of(WITH_LIFE, {"axial_load_N": f"{low:g}:{high:g}:9"}).plot(y=["life_duration"])
+
+
+@pytest.mark.parametrize("drawn", [drawn_by_find, drawn_by_sweep])
+@pytest.mark.parametrize("which", LIFE_OVER)
+def test_axes_of_lives_are_logarithmic_where_these_differ_ten_times(drawn: Any, which: str) -> None:
+    """One rule for every picture; other results are drawn as they are."""
+    scales = {
+        axes.get_ylabel() + axes.get_title(loc="left"): axes.get_yscale() for axes in drawn(*LIFE_OVER[which]).axes
+    }
+    assert {"log" if which == "long" else "linear"} == {scale for name, scale in scales.items() if "life" in name}
+
+
+@pytest.mark.parametrize("unit", ["h", "Mrev", "N"])
+def test_the_scale_of_an_axis_follows_what_is_drawn(unit: str) -> None:
+    for values in ([1.0, 9.9], [1.0, 10.1], [np.nan, 1.0, 11.0], [np.nan], [0.0, 20.0], [-1.0, 30.0]):
+        axes = figure_of_size(2.0, 2.0).subplots()
+        is_log = unit != "N" and values in ([1.0, 10.1], [np.nan, 1.0, 11.0])
+        assert of_results(axes.yaxis, unit, values) == is_log == (axes.get_yscale() == "log")

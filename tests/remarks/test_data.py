@@ -54,7 +54,7 @@ from tests.qsbearing.scenes import (
     resting,
     turning,
 )
-from tests.systems.sets.arrangements import PAIR_FILE, pair, rows
+from tests.systems.sets.arrangements import PAIR_FILE, grooved_both_ways, pair, rows
 
 PRODUCT = Path(qs.__file__).parent
 CUTS = {
@@ -152,12 +152,15 @@ def of_solutions() -> Iterator[Any]:
         qs.Scene(B218, fast, ring_effects=(rings,)),
         qs.Scene(B218, qs.Operation(), ring_effects=(rings,), preload=qs.Preload(rigid=300.0)),
         qs.Scene(B218, pressed, ring_effects=(thin,)),
+        qs.Scene(B218, pressed, ring_effects=(qs.RingExpansion(90 * qs.mm, 160 * qs.mm, inner_ring_temperature=20.0),)),
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
         qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
     for interference in (-1 * qs.um, -18 * qs.um):
         yield in_housing(interference, radial_load_y=10e3)
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
+    across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
+    yield qs.solve_set(qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), across))
     operation = qs.Operation(
         np.array([424.2060708578242, 424.0]) * qs.rpm, axial_load=np.array([1168.8530554521644, 9000.0]),
         radial_load_y=np.array([103.73081221234129, 0.0]), moment_z=0.0,
@@ -215,7 +218,9 @@ def reached() -> dict[str, Remark]:
     """A remark of each code."""
     said = [each for solution in of_solutions() for each in qs.warnings(solution)]
     said += [each for reading in of_readings() for each in reading.warnings]
-    return {each.remark.code: each.remark for each in (*said, *of_a_data_sheet())}
+    other = {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 1.0}}
+    compared = [each.said() for each in compare(["b218", other]).remarks]
+    return {each.remark.code: each.remark for each in (*said, *of_a_data_sheet(), *compared)}
 
 
 def test_every_code_is_reached(reached: dict[str, Remark]) -> None:

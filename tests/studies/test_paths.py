@@ -181,7 +181,7 @@ def test_every_study_takes_paths() -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("position_mm", "Did you mean rows.1.position_mm or rows.2.position_mm or shaft.loads.1.position_mm, of 4 "),
+        ("position_mm", "Did you mean rows.1.position_mm, rows.2.position_mm or shaft.loads.1.position_mm, of 4 "),
         ("radial_y_N", r"Did you mean shaft\.loads\.1\.radial_y_N\?"),
         ("shaft.load.1.radial_y_N", r"Did you mean shaft\.loads\.1\.radial_y_N\?"),
         ("rows.2.positon_mm", r"Did you mean rows\.2\.position_mm\?"),

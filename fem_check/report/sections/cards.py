@@ -12,6 +12,7 @@ from fem_check.report.questions import WITH_RINGS, sector
 from fem_check.report.rows import Row, as_read, difference, largest, quantity, table, used, worst
 from fem_check.rows import row_text
 from qsbearing.documents.model import Block, Md, Paragraph, Remark, Section, Trace
+from qsbearing.documents.numbers import duration, plain
 
 VERIFICATION = (
     "Half-spaces and a parabolic gap, where Hertz is exact: every deviation is an error. A row passes if deviation and "
@@ -76,8 +77,8 @@ def card(name: str, kept: Kept) -> Section:
 
 def _size_of(entry: dict[str, Any]) -> str:
     unknowns = entry["mesh"].get("dofs")
-    minutes = f"{entry['seconds'] / 60.0:.0f} min" if entry["seconds"] > 90.0 else f"{entry['seconds']:.0f} s"
-    return f"{f'{unknowns:,} unknowns, ' if unknowns else ''}{minutes}, {entry['peak_memory_MB'] / 1e3:.1f} GB, "
+    took = duration(entry["seconds"])
+    return f"{f'{unknowns:,} unknowns, ' if unknowns else ''}{took}, {entry['peak_memory_MB'] / 1e3:.1f} GB, "
 
 
 def answer(name: str, kept: Kept) -> str:
@@ -126,7 +127,7 @@ def _true_geometry(_: Kept, findings: Sequence[Row]) -> str:
 def _conformity(kept: Kept, _: Sequence[Row]) -> str:
     told = kept.data["pictures"]["conformity"]
     ends = {f: max(abs(values[-1]) for values in told["curves"][f].values()) for f in told["curves"]}
-    said = " and ".join(f"{ends[f]:.2g} % with f = {f}" for f in (min(ends, key=float), max(ends, key=float)))
+    said = " and ".join(f"{plain(ends[f], '.2g')} % with f = {f}" for f in (min(ends, key=float), max(ends, key=float)))
     return f"At {told['load_N'][-1]:,.0f} N Hertz is off by up to {said}."
 
 

@@ -11,7 +11,7 @@ from qsbearing.files.file_errors import refused
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.result_keys import printed_unit
-from qsbearing.model.validation import near
+from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
 from qsbearing.remarks.kinds import KINDS
 from qsbearing.results.guide_lists import LISTS
@@ -44,7 +44,7 @@ def described(topic: str) -> dict[str, Any]:
         return {"text": skill_text()}
     if topic == RESULTS:
         every = {name: each.attributes for name, each in quantities.ALL.items()}
-        every |= {name: found for name, (_, found) in of_readings().items()}
+        every |= {name: each.attributes for name, each in of_readings().items()}
         return {name: f"{each['long_name']} [{printed_unit(each['units'])}]" for name, each in every.items()}
     if topic in tables:
         return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
@@ -57,8 +57,8 @@ def described(topic: str) -> dict[str, Any]:
     entry = catalogue.find(topic)
     if entry is not None:
         return {**vars(entry), "scene": {"bearing": {"name": entry.name}, **entry.example}}
-    meant = near(topic, [*tables, *KINDS, *pages], 0.7)
-    cause = f"Did you mean {meant}?" if meant else meant_by(page, pages) or catalogue.nearest(topic)
+    meant = question(alike(topic, [*tables, *KINDS, *pages]))
+    cause = meant or meant_by(page, pages) or catalogue.nearest(topic)
     raise refused(topic, "is no table, result list, remark, page of the guide or bearing", cause)
 
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from qsbearing.files.file_errors import refused
+
+DEVICES = {"CON", "PRN", "AUX", "NUL", *(f"{port}{number}" for port in ("COM", "LPT") for number in range(10))}
+"""Names that mean devices on Windows, with any ending."""
+_FORBIDDEN = re.compile(r'[<>:"|?*\\\x00-\x1f]')
 
 
 class Folder:
@@ -21,9 +26,11 @@ class Folder:
         """
         try:
             found = (self.path / name).resolve()
-        except (OSError, RuntimeError, ValueError):  # a circle of links, a null character
-            found = Path()
-        if not found.is_relative_to(self.path):
+            # Up to Python 3.12 a circle of links is an error; from 3.13 on what leads into it is given back as it is.
+            is_within = found.is_relative_to(self.path) and not any(map(Path.is_symlink, (found, *found.parents)))
+        except (OSError, RuntimeError, ValueError):  # a null character, a name too long
+            is_within = False
+        if not is_within:
             raise refused(name, "is not below the folder of this server", "Names of files count from that folder")
         return found
 
@@ -31,9 +38,12 @@ class Folder:
         """Likewise of a file that is to be written.
 
         Raises:
-            SceneFileError: there is something already, or no folder to hold it.
+            SceneFileError: there is something already, no folder to hold it, or not every system has such names.
         """
         found = self.place(name)
+        stem = found.name.partition(".")[0].strip().upper()
+        if not stem or stem in DEVICES or _FORBIDDEN.search(found.name):
+            raise refused(name, "is no name for a file", "Letters, digits, - and _ make one that every system has")
         if found.exists():
             raise refused(name, "exists already", "Nothing is written over: choose another name")
         if not found.parent.is_dir():

@@ -8,20 +8,25 @@ from __future__ import annotations
 import functools
 import json
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from mcp.server.mcpserver import MCPServer
 from mcp.server.mcpserver.tools import Tool
 from mcp.types import CallToolResult, TextContent, ToolAnnotations
+from pydantic import ValidationError
 
 from qsbearing.app.mcp.folder import Folder
 from qsbearing.app.mcp.tools import Tools
 from qsbearing.app.work import StoppedError, answered
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
-from qsbearing.model.validation import SceneError
+from qsbearing.files.table_checks import did_you_mean
+from qsbearing.model.validation import SceneError, printable
 from qsbearing.model.version import __version__
 
+LONGEST_TEXT = 2000
+"""Characters of one text of an error; the longest of ours, a list of all keys of a table, has 900."""
 LONGEST_ANSWER = 200_000
 """Characters; a bearing with all its balls takes 20,000."""
 WRITES = ("sweep", "report")
@@ -64,18 +69,56 @@ def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
             found = await answered(question, given)
         except SceneError as error:
             details = [each if isinstance(each, FileErrorDetail) else translate(each) for each in error.errors]
-            found = {"errors": [each.record() for each in details[:MOST_SHOWN]], "count": len(details)}
-            return _result({"file": getattr(error, "file", "")} | found, True)
+            return _refusal(details, getattr(error, "file", ""))
         except (StoppedError, OSError) as error:
-            return _result({"errors": [{"problem": str(error)}], "count": 1}, True)
+            return _refusal([FileErrorDetail("", str(error))])
         return _result(found)
 
     hints = ToolAnnotations(read_only_hint=question.__name__ not in WRITES, destructive_hint=False)
-    tool = Tool.from_function(answer, annotations=hints, structured_output=False)
+    tool = _Tool.from_function(answer, annotations=hints, structured_output=False)
     arguments = tool.fn_metadata.arg_model
     arguments.model_config["extra"] = "forbid"
     arguments.model_rebuild(force=True)
     return tool.model_copy(update={"parameters": tool.parameters | {"additionalProperties": False}})
+
+
+class _Tool(Tool):
+    """One whose wrong arguments are refused as wrong keys of a scene are, not in the words of pydantic."""
+
+    async def run(self, arguments: dict[str, Any], context: Any, convert_result: bool = False) -> Any:
+        """The answer, or what is wrong with the arguments."""
+        try:
+            self.fn_metadata.validate_arguments(arguments)
+        except ValidationError as error:
+            known = list(self.fn_metadata.arg_model.model_fields)
+            found = _refusal(list({each.key: each for each in map(partial(_wrong, known), error.errors())}.values()))
+            return self.fn_metadata.convert_result(found) if convert_result else found
+        return await super().run(arguments, context, convert_result)
+
+
+def _wrong(known: list[str], error: Any) -> FileErrorDetail:
+    """An argument that pydantic refuses."""
+    name = str(error["loc"][0])
+    if error["type"] == "extra_forbidden":
+        cause = did_you_mean(name, known) or f"It takes {', '.join(known)}"
+        return FileErrorDetail(name, "is no argument of this tool", cause=cause)
+    if error["type"] == "missing":
+        return FileErrorDetail(name, "missing")
+    return FileErrorDetail(name, "is not what this tool takes", error["input"], cause=error["msg"])
+
+
+def _refusal(details: list[FileErrorDetail], file: str = "") -> CallToolResult:
+    """Errors as data; what repeats the question is cut where it is long."""
+    errors = [
+        {name: shorten(each) if isinstance(each, str) else each for name, each in detail.record().items()}
+        for detail in details[:MOST_SHOWN]
+    ]
+    return _result({"file": shorten(printable(file))} | {"errors": errors, "count": len(details)}, True)
+
+
+def shorten(text: str) -> str:
+    """The beginning of a text, as far as it helps."""
+    return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 3]}..."
 
 
 def _result(found: dict[str, Any], is_error: bool = False) -> CallToolResult:

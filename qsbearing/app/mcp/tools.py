@@ -129,8 +129,11 @@ class Tools:
 
     def report(self, scene: Tables, name: str) -> Answer:
         """Write the design report, NAME.html and NAME.pdf below the folder; the answer names both."""
+        from contextlib import ExitStack
+
         from qsbearing.documents.html import html
         from qsbearing.documents.pdf import pdf
+        from qsbearing.files.output_file import output_file
         from qsbearing.reports.of_any import document_of_any
         from qsbearing.results.remarks import message
 
@@ -141,8 +144,13 @@ class Tools:
             status = np.ravel(solution.status)[np.argmin(solution.converged)]
             return {"status": str(status), "message": message(solution)}
         made = document_of_any(solution, of, self._text(scene), "the tool `report` of qsbearing mcp")
-        for place, form in zip(places, (lambda: html(made).encode(), lambda: pdf(made)), strict=True):
-            place.write_bytes(form())
+        forms = html(made).encode(), pdf(made)
+        with ExitStack() as stack:  # both or none
+            writers = [stack.enter_context(output_file(str(place))) for place in places]
+            for writer, data in zip(writers, forms, strict=True):
+                writer.fill(data)
+            for writer in writers:
+                writer.put()
         return {"status": "converged", "files": [self.folder.named(place) for place in places]}
 
     def _read(self, scene: str | dict[str, Any], of_study: bool = False) -> Read:

@@ -5,7 +5,6 @@ Worked examples of the literature stand in a TOML file each; standard spindle be
 
 from __future__ import annotations
 
-import difflib
 import tomllib
 import warnings
 from collections.abc import Set
@@ -17,7 +16,7 @@ from typing import Any
 from qsbearing.files.catalogue.entry import Entry
 from qsbearing.files.catalogue.spindle_series import spindle_bearing, spindle_bearings
 from qsbearing.files.designations import Designation, angles_of, read
-from qsbearing.model.validation import printable
+from qsbearing.model.validation import alike, printable, question
 from qsbearing.remarks.wording import listed
 
 __all__ = ["Entry", "chosen", "entries", "find", "named", "nearest"]
@@ -95,10 +94,6 @@ def chosen(
     return sorted(kept, key=lambda entry: (entry.dimensions["bore_diameter_mm"], entry.name))
 
 
-LONGEST_NAME = 60
-"""Letters of a name that is compared with others, which takes the square of its length."""
-
-
 _RADII = ("inner_groove_radius_mm", "outer_groove_radius_mm")
 NEEDED = frozenset(("ball_count", "ball_diameter_mm", "pitch_diameter_mm", *_RADII, "free_contact_angle_deg"))
 """What a bearing needs that no designation tells; an angle stands for a clearance too."""
@@ -115,12 +110,9 @@ def nearest(name: str, lacking: Set[str] = NEEDED) -> str:
     told = read(name)
     if told is not None:
         return f"It is {told.what}. {told.instead}." if told.is_refused else _told(told, lacking)
-    names = {entry.name.lower(): entry.name for entry in (*entries(), *spindle_bearings().values())}
-    wanted = name.strip().lower()[:LONGEST_NAME]
-    alike = {each: difflib.SequenceMatcher(None, wanted, each).ratio() for each in names}
-    similar = max(alike, key=lambda each: alike[each])  # of several alike the first, a worked example
-    if alike[similar] >= 0.5:
-        return f"Did you mean {names[similar]}?"
+    names = [entry.name for entry in (*entries(), *spindle_bearings().values())]
+    if meant := question(alike(name.strip(), names)):
+        return meant
     examples = ", ".join(entry.name for entry in entries())
     return f"The catalogue holds {examples}, and spindle bearings such as 71914C: `qsbearing catalogue --bore 70`."
 

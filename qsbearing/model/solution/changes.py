@@ -83,10 +83,21 @@ def _against_others(entry: Entry, solution: Any) -> list[Change]:
     finest = None if members is None else members.finest
     by_it = [each for each in others if finest is not None and getattr(each.of, entry.switch.slot) == finest]
     found = [(each, solution.solve_alike(each.of)) for each in by_it or others]
+    if entry.hypothesis:
+        found = [(each, solution if _is_same(other, solution) else other) for each, other in found]
     return [
         _made(each, by_quantity(solution, other) if by_it else by_quantity(other, solution), other)
         for each, other in found
     ]
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    """Whether solutions by two hypotheses agree to the last digit, as where Jones's criterion gives all balls to the
+    raceway that controls them anyway: nothing is read off twice."""
+    return all(
+        np.array_equal(getattr(one, name), getattr(other, name), equal_nan=name != "status")
+        for name in ("displacement", "load", "status")
+    )
 
 
 def _with_it(entry: Entry, solution: Any) -> list[Assumed]:

@@ -75,6 +75,14 @@ def lever_of(solution: Any) -> NDArray:
     return np.asarray(0.5 * np.mean(pitch, axis=0))
 
 
+def moved(solution: Any, displacement: Any) -> NDArray:
+    """By how much displacements, as those of another solution of the same cases, differ from a solution's, tilts times
+    dm/2 [m]; shape (*cases)."""
+    lever = lever_of(solution)[..., None]
+    gap = _gap(solution.displacement, displacement)
+    return np.asarray(_nan_max(np.concatenate([gap[..., :3], gap[..., 3:] * lever], axis=-1)))
+
+
 def errors(found: Results, full: Results) -> dict[str, NDArray]:
     """Error of each result against the full one's; shape (*cases).
 

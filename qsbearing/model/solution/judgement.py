@@ -73,21 +73,39 @@ def _names(value: Any) -> Any:
 
 def estimated(error: float, unit: str = " %") -> str:
     """A predicted relative error in per cent: with ≈, in as many digits as it is good for, which is one."""
-    if error > 1.0:
-        return f"{ANOTHER_RESULT}{unit}"
+    if not NOTHING <= error <= 1.0:
+        return changed(error, unit)
     return f"≈ {float(f'{100.0 * error:.1g}'):.0f}{unit}" if error > 0.0095 else f"≈ {100.0 * error:.1g}{unit}"
 
 
 ANOTHER_RESULT = "> 100"
 """Per cent; by how much more does not matter."""
+NOTHING = 1e-6
+"""A relative change below it is not worth showing: two solutions differ by as much as their solver allows."""
 
 
 def percent(error: float, unit: str = " %", digits: int = 2) -> str:
     """A relative error in as many digits as it is good for, which are two; a share in more."""
+    if abs(error) < NOTHING:
+        return f"0{unit}"
     text = f"{100.0 * error:.{digits}g}"
-    return f"{text}{unit}" if error < 0.99 else f"{float(text):g}{unit}"
+    return f"{text}{unit}" if error < 0.99 else f"{float(text):.0f}{unit}"
 
 
 def changed(error: float, unit: str = " %") -> str:
     """A relative change of a result."""
     return f"{ANOTHER_RESULT}{unit}" if error > 1.0 else percent(error, unit)
+
+
+ATOM = 1e-4
+"""Displacements below it are nothing [µm]."""
+
+
+def shifted(by: float) -> str:
+    """A change of a displacement [µm], without its unit."""
+    return "0" if by < ATOM else f"{by:.2g}" if by < 99.5 else f"{by:.0f}"
+
+
+def unit_of(quantity: str) -> str:
+    """What a change of one of `WORDS` is told in: a displacement has no size of its own to be a part of."""
+    return "µm" if quantity == "displacement" else "%"

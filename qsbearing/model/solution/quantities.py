@@ -75,6 +75,8 @@ class Quantity:
     """Whether tables have it; else it follows from what they have."""
     symbol: str = ""
     source: str = ""
+    is_signed: bool = False
+    """As of `Shown`."""
     ring: tuple[str, str, str] | None = None
     """Of a channel of the ring: what of it (displacement, load, ...), and name and column without "ring_"."""
 
@@ -85,9 +87,10 @@ class Quantity:
 
 
 def _quantity(prefix: str, of: str | Shown, is_per_ball: bool, read: Callable[[Solution], NDArray | None]) -> Quantity:
-    key, symbol, source = (of.key, of.symbol, of.source) if isinstance(of, Shown) else (of, "", "")
-    name, unit = split(key)
-    return Quantity(f"{prefix}{name}", unit, f"{prefix}{key}", is_per_ball, read, True, symbol, source)
+    shown = of if isinstance(of, Shown) else Shown(of, "")
+    (name, unit), column = split(shown.key), f"{prefix}{shown.key}"
+    about = shown.symbol, shown.source, shown.is_signed
+    return Quantity(f"{prefix}{name}", unit, column, is_per_ball, read, True, *about)
 
 
 def _of_case(prefix: str, shown: Shown, holder: Callable[[Solution], Any]) -> Quantity:

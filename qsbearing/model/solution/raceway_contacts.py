@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from numpy.typing import NDArray
 
 from qsbearing.model.kernel import results
+from qsbearing.model.validation import alike, question
 
 CODES = {
     name: getattr(results, name.upper())
@@ -52,9 +52,8 @@ class RacewayContacts:
         def __getattr__(self, name: str) -> Any:
             """A name that there is not, with those that may be meant."""
             names = [each for each in dir(type(self)) if not each.startswith("_")]
-            meant = [each for each in names if name in each] or get_close_matches(name, names, cutoff=0.5)
-            hint = f"did you mean {' or '.join(meant)}?" if meant else f"there are {', '.join(names)}"
-            raise AttributeError(f"contacts have no {name!r}: {hint}", name=name, obj=self)
+            hint = question(alike(name, names)) or f"There are {', '.join(names)}"
+            raise AttributeError(f"contacts have no {name!r}. {hint}", name=name, obj=self)
 
     angle = Array[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
     sine = Array[NDArray]("Of the angle [-].")

@@ -51,6 +51,8 @@ class Shown(NamedTuple):
     """In formulas, in LaTeX, without the index of a raceway."""
     source: str = ""
     """Of its equation; of a reading's result the reading states it."""
+    is_signed: bool = False
+    """Whether its sign is a direction, so that the largest of several is the one of the largest size."""
 
     def of(self, holder: Any) -> Any:
         """The number in the key's unit; None where the holder has none, or there is no holder."""
@@ -90,7 +92,7 @@ BALANCE, HERTZ, NO_SLIP = "Jones 1960; Harris & Kotzalas 2006", "Hertz 1881; Joh
 
 CONTACT = (
     Shown("load_N", "load", 1.0, "normal load of a contact", "Q", BALANCE),
-    Shown("angle_deg", "angle", deg, "angle of the loaded contact", r"\alpha", BALANCE),
+    Shown("angle_deg", "angle", deg, "angle of the loaded contact", r"\alpha", BALANCE, True),
     Shown("approach_um", "approach", um, "negative: gap of an unloaded contact", r"\delta", HERTZ),
     Shown("semi_major_axis_mm", "semi_major_axis", mm, "semi-axis of the contact ellipse, across rolling", "a", HERTZ),
     Shown("semi_minor_axis_mm", "semi_minor_axis", mm, "semi-axis of the contact ellipse, along rolling", "b", HERTZ),
@@ -99,11 +101,11 @@ CONTACT = (
 )
 BALL = (
     Shown("centrifugal_force_N", "centrifugal_force", 1.0, "on the ball", "F_c", BALANCE),
-    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm, "on the ball", "M_g", BALANCE),
-    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre round x", r"\omega_m", NO_SLIP),
-    Shown("rotation_speed_rpm", "rotation_speed", rpm, "of the ball about its axis", r"\omega_R", NO_SLIP),
-    Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um),
-    Shown("groove_deflection_um", "groove_deflection", um),
+    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm, "on the ball", "M_g", BALANCE, True),
+    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre round x", r"\omega_m", NO_SLIP, True),
+    Shown("rotation_speed_rpm", "rotation_speed", rpm, "of the ball about its axis", r"\omega_R", NO_SLIP, True),
+    Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um, is_signed=True),
+    Shown("groove_deflection_um", "groove_deflection", um, is_signed=True),
 )
 """Arrays of a solution (*cases, ball), those of contacts for either raceway."""
 

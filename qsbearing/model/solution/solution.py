@@ -181,8 +181,9 @@ class Solution(SolutionOfCases):
 
     @property
     def residual(self) -> Any:
-        """Largest imbalance of any ball or of the ring over the largest applied or inertial force; shape (*cases)."""
-        return self._shaped(self.results["residual"])
+        """Largest imbalance of a ball or the ring over the largest applied or inertial force; NaN: not computed."""
+        is_known = (self.results["status"] == CONVERGED) | (self.results["iterations"] > 0)
+        return self._shaped(np.where(is_known, self.results["residual"], np.nan))
 
     @property
     def speed_reached(self) -> Any:
@@ -266,11 +267,13 @@ class Solution(SolutionOfCases):
         "without a ball effect."
     )
     attitude_angle = Array[NDArray | None](
-        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]; None without a "
-        "ball effect."
+        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
+        "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect."
     )
-    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball [rad/s]; None without a ball effect.")
-    radial_rotation = Array[NDArray | None]("omega_R sin(beta) of each ball [rad/s]; None without a ball effect.")
+    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball, about +x [rad/s]; None likewise.")
+    radial_rotation = Array[NDArray | None](
+        "omega_R sin(beta) of each ball, positive towards the bearing axis: minus the outward component; None likewise."
+    )
 
     @cached_property
     def raceway_control(self) -> NDArray | None:

@@ -22,7 +22,7 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
 from qsbearing.model.solution.solved_cases import KEPT
-from qsbearing.model.validation import ErrorDetail, raise_if_any
+from qsbearing.model.validation import ErrorDetail, check_kind, raise_if_any
 
 TOLERANCE = 1e-12
 LEAST_BATCH = 100
@@ -143,6 +143,8 @@ def stiffness(scene: Scene, solution: Solution) -> NDArray:
     Raises:
         ValueError: the solution belongs to another scene.
     """
+    check_kind("stiffness", scene, "Scene")
+    check_kind("stiffness", solution, "Solution")
     if not (scene is solution.scene or _is_equal(scene, solution.scene)):
         raise ValueError(
             "this solution belongs to another scene: solution.stiffness needs none, or solve this one first"

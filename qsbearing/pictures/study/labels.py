@@ -65,7 +65,7 @@ def words(name: str) -> str:
     side, rest = stem(name)[1], stem(name)[0]
     if side in ("inner", "outer") and name not in _NAMES:
         return f"{side} {words(rest)}"
-    for ending, said in (("_max", ", largest"), ("_min", ", smallest")):
+    for ending, said in (("_max", ", maximum"), ("_min", ", minimum"), ("_size", ", largest size")):
         if name.endswith(ending):
             found = words(name.removesuffix(ending))
             return found if found.startswith("maximum") else found + said

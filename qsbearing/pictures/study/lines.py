@@ -23,7 +23,16 @@ from qsbearing.pictures.study.labels import (
     words,
 )
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
-from qsbearing.pictures.style import CHANNEL_LINES, GREY, ROW_LINES, STYLE, figure_of_size, logarithmic, plain
+from qsbearing.pictures.style import (
+    CHANNEL_LINES,
+    GREY,
+    ROW_LINES,
+    STYLE,
+    figure_of_size,
+    logarithmic,
+    of_results,
+    plain,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,8 +52,6 @@ _MARKS = {
 }
 MOST_MARKS = 30
 """On a curve; more would hide it."""
-DECADE = 10.0
-"""Times the least life, from which on the axis of lives is logarithmic."""
 ROUNDING = 1e-6
 """Of the printed unit: a result that is nowhere larger is zero but for rounding, and drawn as such."""
 
@@ -104,12 +111,13 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
         logarithmic(axes.xaxis)
     else:
         axes.xaxis.set_major_locator(MaxNLocator(5, integer=bool(np.all(x == np.rint(x)))))
-    _limits(axes, is_life=any(name.startswith("life_") for name in names))
+    unit = str(results[names[0]].attrs.get("units", ""))
+    _limits(axes, unit)
     axes.set_xlabel(key_heading(results[chosen.x]), fontsize=9)
     said = words(stem(names[0])[0])
     if len(names) == 1 and stem(names[0])[1]:
         said += f" ({stem(names[0])[1].replace('_', ' ')})"
-    heading = with_unit(said, str(results[names[0]].attrs.get("units", "")))
+    heading = with_unit(said, unit)
     title_panel(axes, heading, PANEL)
     plain(axes)
     _say_unsolved(axes, chosen)
@@ -140,13 +148,10 @@ def _style(which: str) -> dict[str, Any]:
     return STYLE[which] if which in STYLE else {"marker": "D", **CHANNEL_LINES.get(which, CHANNEL_LINES[""])}
 
 
-def _limits(axes: Axes, is_life: bool) -> None:
-    """Of lives, which change by powers of ten, and of all others; neither has a power above the axis."""
+def _limits(axes: Axes, unit: str) -> None:
+    """Of lives and of all others; neither has a power above the axis."""
     low, high = axes.get_ylim()
-    drawn = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.lines])
-    known = drawn[np.isfinite(drawn)]
-    if is_life and known.size and known.min() > 0.0 and known.max() > DECADE * known.min():
-        logarithmic(axes.yaxis)
+    if of_results(axes.yaxis, unit, np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.lines])):
         return
     axes.ticklabel_format(axis="y", useOffset=False, scilimits=(-5, 7))
     if max(-low, high) < ROUNDING:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.files.block_statistics import blocks, varies_from_zero
-from qsbearing.model.validation import near
+from qsbearing.model.validation import alike, question
 from qsbearing.pictures.study.labels import stem
 
 if TYPE_CHECKING:
@@ -82,8 +82,8 @@ def select(
     axes = [str(dim) for dim in results["status"].dims if dim != SAMPLE]
     for name in (*(at or {}), *([x] if x else [])):
         if name not in axes:
-            meant = near(name, axes, 0.4)
-            raise PictureError(f"{name} is not an axis of these results: {', '.join(axes) or 'none'}. {_meant(meant)}")
+            meant = question(alike(name, axes))
+            raise PictureError(f"{name} is not an axis of these results: {', '.join(axes) or 'none'}. {meant}".rstrip())
     fixed = {}
     for name, value in (at or {}).items():
         along = results[name].values
@@ -137,8 +137,9 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
         names = [spelled.get(named(name, spelled) or "", name) for name in names]
     for name in names:
         if name not in known:
-            meant = near(name, known, 0.4)
-            raise PictureError(f"{name} is not a result in this file. {_meant(meant) or ', '.join(known)}")
+            raise PictureError(
+                f"{name} is not a result in this file. {question(alike(name, known)) or ', '.join(known)}"
+            )
     if not names:
         raise PictureError("no point of these results is solved: status and reason say why")
     panels: dict[str, list[str]] = {}
@@ -184,7 +185,3 @@ def _varies(results: Dataset, name: str) -> bool:
     if name not in results:
         return False
     return varies_from_zero(partial(blocks, results[name]))
-
-
-def _meant(name: str) -> str:
-    return f"Did you mean {name}?" if name else ""

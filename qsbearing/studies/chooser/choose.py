@@ -16,8 +16,7 @@ fields, one choice serves all cases: what any of them needs.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -31,6 +30,7 @@ from qsbearing.model.solution.comparison import largest
 from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import check_kind, raise_if_any
 
 DEFAULT_TOLERANCE = 0.01
 FINEST, COARSEST = 1e-12, 1.0
@@ -43,6 +43,18 @@ MARGIN = 5.0
 """What a prediction may be wrong by without harm: of 6,500 random scenes without a light ball none erred by more."""
 SHARE = 0.25
 """Part of the tolerance that predictions, with their margin, may use up where others have to be tried."""
+
+
+def check_readings(asked: Mapping[str, Any]) -> None:
+    """See that what is to be read off are readings, before anything is solved.
+
+    Raises:
+        SceneError: names that no reading has.
+    """
+    if asked:
+        from qsbearing.readings.asked import name_errors  # a scene without readings does not load them
+
+        raise_if_any(name_errors(asked))
 
 
 def solve(
@@ -75,8 +87,8 @@ def solve(
             a tolerance without effects to choose.
         TypeError: not a scene.
     """
-    if not isinstance(scene, Scene):
-        raise TypeError(f"solve takes a Scene, not {_kind(scene)}")
+    check_kind("solve", scene, "Scene")
+    check_readings(scene.readings)
     least, most = RESIDUALS
     if not least <= residual_tolerance <= most:
         raise ValueError(
@@ -102,19 +114,6 @@ def solve(
     if not FINEST <= asked <= COARSEST:
         raise ValueError(f"tolerance = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
     return _Chooser(replace(scene, tolerance=None), asked, start, threads, residual_tolerance).choose()
-
-
-def _kind(given: object) -> str:
-    """What was given in place of a scene, and what to do about it."""
-    if isinstance(given, str | os.PathLike):
-        return f"the name of one: qs.solve(qs.load_scene({str(given)!r}))"
-    remedies = {
-        "BallBearing": ": qs.solve(qs.Scene(bearing, qs.Operation(...)))",
-        "BearingSet": ": qs.solve_set(...)",
-        "Study": ": qs.sweep(...)",
-    }
-    name = type(given).__name__
-    return f"{name}{remedies.get(name, '')}"
 
 
 def completed(scene: Scene) -> Scene:

@@ -17,8 +17,9 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.comparison import largest
 from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.model.validation import check_kind
 from qsbearing.studies.chooser import choose
-from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST
+from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST, check_readings
 from qsbearing.systems.sets import solve as systems
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -50,6 +51,9 @@ def solve_set(
     Raises:
         ValueError: array fields that do not broadcast, a tolerance, accuracy or thread count out of range.
     """
+    check_kind("solve_set", of, "BearingSet")
+    for readings in (of.readings, *(row.readings or {} for row in of.rows)):
+        check_readings(readings)
     if effects not in (None, "auto"):
         raise ValueError(f'effects = {effects!r}: "auto", or None for those that the set names')
     if effects is None and of.tolerance is None:

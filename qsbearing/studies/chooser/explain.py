@@ -8,17 +8,27 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.documents.numbers import plain
 from qsbearing.files.file_keys import IN_FILE, line
 from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import Change, alternatives, asked, changes
-from qsbearing.model.solution.comparison import by_quantity
-from qsbearing.model.solution.judgement import ANOTHER_RESULT, judge, settings_to_add
+from qsbearing.model.solution.comparison import by_quantity, moved
+from qsbearing.model.solution.judgement import (
+    WORTH_A_WARNING,
+    changed,
+    judge,
+    percent,
+    settings_to_add,
+    shifted,
+    unit_of,
+)
 from qsbearing.model.solution.ranges import KEYS, ranges
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
+from qsbearing.model.units import um
 from qsbearing.model.validation import Setting
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
@@ -26,8 +36,6 @@ from qsbearing.studies.chooser import choose
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 DATA_MISSING = "likely needed, data missing"
 
-NOTHING = 1e-6
-"""Changes below it are not worth showing."""
 FEWEST, REPEATS = 3, 5
 """Solves, at least and at most, of which the median is the time."""
 ENOUGH = 0.1
@@ -54,14 +62,16 @@ class Row:
     add: list[str]
     """Lines for a scene file that lacks it, under [effects]."""
     assumed: list[dict[str, Any]]
-    """What solving with usual parameters finds where its own are not known: `actual` under each assumption, with words
-    for it; empty else."""
+    """What solving with usual parameters finds where its own are not known: `actual` and `displacement_um` under each
+    assumption, with words for it; empty else."""
     alternatives: list[dict[str, Any]]
     """Likewise of a choice, by each other member that the scene's is judged against, with all displacements and
     stiffnesses; `actual` of the row is the largest of them. Empty for an effect."""
     range: dict[str, dict[str, Any]]
     """From where to where displacement and locked stiffness go by all that was solved, and by which; see
     `qsbearing.model.solution.ranges`."""
+    displacement_um: float | None = None
+    """By how much `actual` changes displacements; of others see `assumed`."""
 
     @property
     def solved(self) -> list[dict[str, float | None]]:
@@ -78,23 +88,37 @@ class Row:
         """The one of `QUANTITIES` that it changes most; empty where nothing was solved."""
         return max(QUANTITIES, key=self.size) if self.solved else ""
 
+    @property
+    def is_large(self) -> bool:
+        """Whether it changes some result by so much that a scene without it is warned of."""
+        is_told = all(value is not None for each in self.solved for value in each.values())
+        return not is_told or any(self.size(name) > WORTH_A_WARNING for name in QUANTITIES)
+
     def change(self, quantity: str) -> str:
-        """What leaving it out changes of one of `QUANTITIES`, in per cent; after ≈ where its parameters are assumed,
+        """What leaving it out changes of one of `QUANTITIES`, in its unit; after ≈ where its parameters are assumed,
         from the first assumption to the last."""
-        if self.actual is not None or not self.assumed:
-            return two_digits(None if self.actual is None else self.actual[quantity], 100.0)
-        found = [each["actual"][quantity] for each in self.assumed if each["actual"] is not None]
-        shown = [ANOTHER_RESULT if value is not None and value > 1.0 else two_digits(value, 100.0) for value in found]
-        if not any(found):
-            return "0" if found else "-"
-        return "≈ " + "\nto ".join(dict.fromkeys(shown))
+        is_own = self.actual is not None
+        own = {"actual": self.actual, "displacement_um": self.displacement_um}
+        found = [each for each in ([own] if is_own else self.assumed) if each["actual"] is not None]
+        shown = list(dict.fromkeys(_change(each, quantity, is_own) for each in found)) or ["-"]
+        return shown[0] if is_own or shown in (["0"], ["-"]) else "≈ " + "\nto ".join(shown)
+
+    def change_in(self, quantity: str) -> str:
+        """Likewise with its unit, on one line."""
+        return f"{self.change(quantity)} {unit_of(quantity)}".replace("\n", " ")
 
 
-def two_digits(value: float | None, size: float = 1.0) -> str:
-    """A number in so many, times a size; a dash where there is none."""
-    if value is None:
+def _change(found: dict[str, Any], quantity: str, is_own: bool) -> str:
+    """Of one of the quantities, as a solve with and one without found it, with the scene's own parameters or not."""
+    part = found["actual"][quantity] if unit_of(quantity) == "%" else found["displacement_um"]
+    if part is None:
         return "-"
-    return "0" if value < NOTHING else f"{value * size:.2g}" if value * size < 100.0 else f"{value * size:.0f}"
+    return shifted(part) if unit_of(quantity) != "%" else percent(part, "") if is_own else changed(part, "")
+
+
+def two_digits(value: float | None) -> str:
+    """A number in so many; a dash where there is none."""
+    return "-" if value is None else plain(value, ".2g")
 
 
 def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Solution, list[Row]]:
@@ -124,8 +148,8 @@ def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Ro
         found = against_others(entry, solution)
         is_timed = bool(found.alternatives) and is_compiled(solve_cases)
         if finer is not coarser and (entry.switch.members is None or is_timed):
-            actual, ratio = _solved(finer, coarser)
-            found = found if is_timed else Compared(actual)
+            actual, by, ratio = _solved(finer, coarser)
+            found = found if is_timed else Compared(actual, by)
     row = row_of(entry, solution, entry.is_in(scene), found, tolerance, words)
     if found.actual is None:
         return row
@@ -140,6 +164,8 @@ class Compared:
 
     actual: dict[str, Any] | None = None
     """The largest change of each quantity; None where its parameters are not known, or nothing is compared."""
+    moved: Any = None
+    """The largest change of a displacement [m]; likewise."""
     assumed: list[Change] = field(default_factory=list)
     alternatives: list[Change] = field(default_factory=list)
     beyond: str = ""
@@ -151,10 +177,13 @@ def against_others(entry: Entry, solution: Any) -> Compared:
     if entry.switch.members is None:
         return Compared(assumed=changes(entry, solution))
     found = alternatives(entry, solution)
-    counted = [each.errors for each in found if each.is_solved or not entry.hypothesis]
-    actual = {name: np.max([each[name] for each in counted], axis=0) for name in QUANTITIES} if counted else None
+    counted = [each for each in found if each.is_solved or not entry.hypothesis]
+    actual = {name: np.max([each.errors[name] for each in counted], axis=0) for name in QUANTITIES} if counted else None
+    by = max((float(moved(solution, each.displacement)) for each in counted), default=None)
     without = [each.under for each in found if not each.is_solved]
-    return Compared(actual, alternatives=found, beyond=f"without a solution: {'; '.join(without)}" if without else "")
+    return Compared(
+        actual, by, alternatives=found, beyond=f"without a solution: {'; '.join(without)}" if without else ""
+    )
 
 
 def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance: float, words: Words = IN_FILE) -> Row:
@@ -165,7 +194,8 @@ def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance:
     spans = ranges(solution, several)
     is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
     said = [each.text for each in spans.values() if is_open and each.moves]
-    others = [told | _channels(each) for told, each in zip(_told(found.alternatives), found.alternatives, strict=True)]
+    told = _told(solution, found.alternatives)
+    others = [one | _channels(each) for one, each in zip(told, found.alternatives, strict=True)]
     return Row(
         effect=entry.name,
         what=entry.what,
@@ -177,9 +207,10 @@ def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance:
         verdict=judged,
         why="; ".join(filter(None, (why, ", ".join(said), found.beyond))),
         add=lines_to_add(asked(solution), entry),
-        assumed=_told(found.assumed),
+        assumed=_told(solution, found.assumed),
         alternatives=others,
         range={name: vars(each) for name, each in spans.items()},
+        displacement_um=in_um(found.moved),
     )
 
 
@@ -208,12 +239,22 @@ def largest_of(found: list[Change]) -> float | None:
     return max(solved) if solved else None
 
 
-def _told(found: list[Change]) -> list[dict[str, Any]]:
+def _told(solution: Any, found: list[Change]) -> list[dict[str, Any]]:
     """As a row has them."""
     return [
-        {"under": each.under, "what": each.what, "actual": as_floats(each.errors) if each.is_solved else None}
+        {
+            "under": each.under,
+            "what": each.what,
+            "actual": as_floats(each.errors) if each.is_solved else None,
+            "displacement_um": in_um(moved(solution, each.displacement)) if each.is_solved else None,
+        }
         for each in found
     ]
+
+
+def in_um(length: Any) -> float | None:
+    """A plain number; null for what is none."""
+    return float(length / um) if length is not None and np.isfinite(length) else None
 
 
 def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
@@ -254,17 +295,18 @@ def verdict(
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 
-def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], float | None]:
-    """What a solve with it and one without differ by, and the time of the first over that of the other: medians of
-    solves in turn, of the compiled kernel; None where it runs as plain Python."""
+def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], Any, float | None]:
+    """What a solve with it and one without differ by, of a displacement [m] too, and the time of the first over that of
+    the other: medians of solves in turn, of the compiled kernel; None where it runs as plain Python."""
     scenes = finer, coarser
     found = [solve(each, threads=1) for each in scenes]
     times = [[each.seconds] for each in found]
     with_it, without = found
     if not is_compiled(solve_cases):
-        return by_quantity(without, with_it), None
+        return by_quantity(without, with_it), moved(without, with_it.displacement), None
     while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
         found = [solve(each, threads=1) for each in scenes]
         for taken, each in zip(times, found, strict=True):
             taken.append(each.seconds)
-    return by_quantity(without, with_it), statistics.median(times[0]) / statistics.median(times[1])
+    ratio = statistics.median(times[0]) / statistics.median(times[1])
+    return by_quantity(without, with_it), moved(without, with_it.displacement), ratio

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from qsbearing.model.effects import EFFECTS, Entry
-from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.studies.chooser.explain import Compared, Row, against_others, row_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -55,7 +55,7 @@ def _row(entry: Entry, solution: SetSolution, tolerance: float) -> Row:
         if entry.switch.members is None and fine is not coarse:
             without, full = solve_set(coarse), solve_set(fine)
             actual = by_quantity(without, full)
-            found = Compared(actual, beyond=_beyond(without, full, actual))
+            found = Compared(actual, moved(without, full.displacement), beyond=_beyond(without, full, actual))
         else:
             found = against_others(entry, solution)
     return row_of(entry, solution, fine is of and coarse is not of, found, tolerance)

@@ -7,13 +7,15 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from qsbearing.files import paths
+from qsbearing.files import catalogue, paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
@@ -22,7 +24,8 @@ from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks.remark import Remark
+from qsbearing.remarks.remark import Remark, remark
+from qsbearing.remarks.wording import listed
 from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chooser.choose_set import solve_set
@@ -36,6 +39,8 @@ MOST = 20
 """Bearings: of more no table is read."""
 OF_JOB = ("operation", "effects", "tolerance", "readings")
 """What a set takes from the job; its shaft, the loads on it and its preload are its own."""
+NOT_SOLVED = ("vary", "study", *OTHER_TABLES)
+"""Tables that say nothing of a bearing or its job."""
 SHOWN = (
     *MAIN, "ring_effective_stiffness_tilt_z", "outer_required_friction_max", "centrifugal_force_max", "balls_off_inner",
     "inner_film_film_parameter_min", "outer_film_film_parameter_min",
@@ -72,14 +77,18 @@ class Comparison:
     conditions: tuple[tuple[str, float, str], ...]
     """Of all bearings: the keys of the operation, preload and loads on the shaft, with their values and units."""
     solutions: tuple[Solution | SetSolution, ...] = field(repr=False, compare=False)
+    unused: tuple[tuple[str, ...], ...] = ()
+    """Tables of each bearing's file that say otherwise than the job."""
 
     @cached_property
     def remarks(self) -> list[Remark]:
         """What there is to beware of in the results of each bearing."""
+        of_solutions = [every_remark(solution) for solution in self.solutions]
+        of_files = [_of_another(tables, self.job) for tables in self.unused or [()] * len(self.labels)]
         return [
             replace(each, of=replace(each.of, bearings=(label,)))
-            for label, solution in zip(self.labels, self.solutions, strict=True)
-            for each in every_remark(solution)
+            for label, *both in zip(self.labels, of_solutions, of_files, strict=True)
+            for each in chain(*both)
         ]
 
     @property
@@ -106,6 +115,10 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
     return solved(job_of(sources, at))
 
 
+def _is_no_source(given: object) -> bool:
+    return not isinstance(given, str | os.PathLike | dict)
+
+
 class Job(NamedTuple):
     """Bearings at one job, as they can be solved."""
 
@@ -113,10 +126,14 @@ class Job(NamedTuple):
     files: list[str]
     where: str
     """Where the job stands."""
+    unused: list[tuple[str, ...]]
+    """Tables of each file that say otherwise than the job."""
 
 
 def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
+    if not isinstance(sources, Sequence) or isinstance(sources, str) or any(map(_is_no_source, sources)):
+        raise TypeError("compare takes a list of scenes, each by its file, its name in the catalogue, or its tables")
     count = len(sources)
     if not 2 <= count <= MOST:
         given = f"{count} scene{'' if count == 1 else 's'} given"
@@ -137,7 +154,8 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
     if errors:
         raise SceneFileError("compare", errors)
     where = "the first scene" if at is None else ("tables" if isinstance(at, dict) else str(at))
-    return Job(made, [file for _, file, _ in documents], where)
+    unused = [_unused(document, job, file) for document, file, _ in documents]
+    return Job(made, [file for _, file, _ in documents], where, unused)
 
 
 def solved(job: Job) -> Comparison:
@@ -151,7 +169,21 @@ def solved(job: Job) -> Comparison:
     statuses = tuple(str(np.asarray(solution.status)) for solution in solutions)
     conditions = _conditions(job.made[0])
     lines = _inputs(bearings) if are_sets_alike else of_sets, _results(solutions)
-    return Comparison(labels, statuses, *lines, job.where, conditions, tuple(solutions))
+    return Comparison(labels, statuses, *lines, job.where, conditions, tuple(solutions), tuple(job.unused))
+
+
+def _unused(document: dict[str, Any], job: dict[str, Any], file: str) -> tuple[str, ...]:
+    """Tables of a file that a comparison leaves out and that say otherwise than the job; an example of the catalogue
+    has none of its own."""
+    if catalogue.named(file) is not None:
+        return ()
+    own = ("bearing", *NOT_SOLVED) if "rows" not in document else (*document.keys() - OF_JOB,)
+    return tuple(f"[{name}]" for name, table in document.items() if name not in own and table != job.get(name))
+
+
+def _of_another(tables: tuple[str, ...], job: str) -> list[Remark]:
+    verb = "is" if len(tables) == 1 else "are"
+    return [remark("job_of_another", tables=listed(tables), verb=verb, job=job)] if tables else []
 
 
 def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.compiler.threads import thread_count
@@ -22,7 +23,7 @@ from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
 from qsbearing.studies.design.wanted import Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.results import Result, why_unknown
+from qsbearing.studies.results import SIZE, Result, why_unknown
 from qsbearing.studies.results import find as find_result
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
@@ -88,8 +89,9 @@ def find(
     """Find values of a scene's keys that meet goals and limits.
 
     A sample over all ranges finds the regions of good points, and SLSQP of scipy refines the best of them. Of a result
-    of each ball the worst ball counts: the largest for `<=`, a goal and `minimise`, the smallest for `>=` and
-    `maximise`. Without a result to minimise or maximise, the point with the largest margin to its limits is found.
+    of each ball the worst ball counts: for `<=`, a goal and `minimise` the maximum, or the largest size where the sign
+    is a direction (`_size`); for `>=` and `maximise` the minimum. Without a result to minimise or maximise, the point
+    with the largest margin to its limits is found.
 
     Args:
         source: a scene or set: its file, catalogue name, tables, or the object.
@@ -217,7 +219,8 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
 
 
 def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Result, ...]]:
-    """The conditions by the results' full names, those of all balls with _max or _min; a plan that keeps these alone.
+    """The conditions by the results' full names, those of all balls with an ending of `OVER_BALLS`; a plan that keeps
+    these alone.
 
     Raises:
         SceneFileError: names that no result has.
@@ -238,8 +241,8 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     senses = [each.sense for each in asked.conditions] + [">=" if asked.is_maximised else "<="]
     kept: list[Result] = []
     for result, sense in zip(full, senses, strict=False):
-        ending = "_min" if sense == ">=" else "_max"
-        found = find_result(result.name + ending, known) if result.is_per_ball else result
+        ending = "min" if sense == ">=" else SIZE if result.is_signed else "max"
+        found = find_result(f"{result.name}_{ending}", known) if result.is_per_ball else result
         assert found is not None
         kept.append(found)
     conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(asked.conditions))
@@ -286,7 +289,7 @@ def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
 
 def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
     return tuple(
-        f"{each}: found {value:.6g}, off by {100.0 * off:.3g} %"
+        f"{each}: found {value:.6g}, off by {plain(100.0 * off, '.3g')} %"
         for each, value, off in zip(asked.conditions, best.results, best.violation, strict=False)
         if off > MET
     )

@@ -18,6 +18,7 @@ from qsbearing.model.compiler.threads import thread_count
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
 from qsbearing.studies.points import CHUNK, Points
+from qsbearing.studies.remarked import Look, may_solve
 from qsbearing.studies.results import Result
 from qsbearing.studies.results import find as find_result
 from qsbearing.studies.scenes import base_scene, check_base, scenes_of_points
@@ -26,8 +27,6 @@ from qsbearing.studies.variables import Axis
 
 LABELS = ("name", "label", "point", "remark")
 """Headings of columns that are copied: whatever tells the rows apart."""
-CASE_ENDS = ("max", "min")
-"""Of a result that each ball has, a row holds the largest and the smallest."""
 OF_BALLS = ("load", "angle", "max_pressure", "required_friction", "film_parameter", "overrun_load", "edge_distance")
 """Results of each ball that a row holds, by the ends of their names."""
 
@@ -50,6 +49,7 @@ def solve_table(
     file: str = "points",
     progress: Callable[[int, int], object] | None = None,
     keep: Callable[[Columns], object] | None = None,
+    looks: list[Look] | None = None,
 ) -> Columns:
     """Solve a scene at each row of a table.
 
@@ -59,6 +59,7 @@ def solve_table(
         file: what to call the table in errors.
         progress: called with the rows done and all of them.
         keep: called with the columns of some rows, as they are returned, as soon as these are solved.
+        looks: where to add what is seen of remarks; None: none are looked for.
 
     Returns:
         The columns of the table, then `status` (a row that describes no bearing is "impossible"), `reason`, and the
@@ -84,7 +85,11 @@ def solve_table(
         found = {result.column: np.full(rows.stop - rows.start, np.nan) for result in plan.results}
         status = ["impossible"] * (rows.stop - rows.start)
         if numbers.size:
-            chunk = solve_points(plan, {key: column[numbers] for key, column in values.items()}, thread_count())
+            solves = None if looks is None else may_solve(count)
+            given_here = {key: column[numbers] for key, column in values.items()}
+            chunk = solve_points(plan, given_here, thread_count(), solves)
+            if looks is not None:
+                looks.append(chunk.remarks)
             for place, row in enumerate(numbers):
                 status[row - start] = STATUSES[chunk.status[place]]
                 reasons[row] = chunk.reasons[chunk.reason[place]]
@@ -170,14 +175,15 @@ def _plan(study: Study, values: dict[str, NDArray], count: int) -> Plan:
 
 
 def _kept(known: tuple[Result, ...]) -> list[Result]:
-    """Results of the whole bearing, and the largest and smallest of what each ball has."""
+    """Results of the whole bearing, and maximum, minimum and, where a sign is a direction, largest size of what each
+    ball has."""
     by_name = {each.name: each for each in known}
     kept: list[Result | None] = []
     for each in known:
         if not each.is_per_ball:
             kept.append(each)
         elif each.name.endswith(OF_BALLS):
-            kept += [find_result(f"{each.name}_{end}", by_name) for end in CASE_ENDS]
+            kept += [find_result(f"{each.name}_{end}", by_name) for end in each.endings]
     return [each for each in kept if each is not None]
 
 

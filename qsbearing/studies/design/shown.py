@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.version import __version__
@@ -14,6 +15,7 @@ from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
+from qsbearing.studies.results import SIZE, stem_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,16 +28,37 @@ GRID = 81
 
 def heading(found: Found) -> str:
     """How the search ended, in a sentence."""
-    share = f"{100.0 * found.feasible_share:.3g} % of the sampled points meet all goals and limits"
+    if found.is_feasible and found.feasible_share == 0.0:
+        return _at_one_point(found)
+    share = f"{plain(100.0 * found.feasible_share, '.3g')} % of the sampled points meet all goals and limits"
     goals = " (goals within 1 %)" if any(each.sense == "=" for each in found.wanted.conditions) else ""
-    end = f"{share}{goals}." if found.feasible_share > 0.0 else "No point of the sample meets all goals and limits."
     if not found.is_feasible:
         nearest = "The nearest point is shown: its largest violation, relative to the limit, is the smallest"
         return f"No point is feasible. {nearest}."
     if found.wanted.objective:
         kind = "Largest" if found.wanted.is_maximised else "Smallest"
-        return f"{kind} {found.wanted.objective} found. {end}"
-    return f"All goals and limits are met. {end}"
+        return f"{kind} {found.wanted.objective} found. {share}{goals}."
+    return f"All goals and limits are met. {share}{goals}."
+
+
+def _at_one_point(found: Found) -> str:
+    """Where no sampled point meets them, but one between."""
+    count = len(found.wanted.conditions)
+    goals = all(each.sense == "=" for each in found.wanted.conditions)
+    what, one = ("goal" if goals else "limit" if not _has_goals(found) else "goals and limits"), count == 1
+    are = f"The {what} is" if one else f"All {what if what.endswith('s') else what + 's'} are"
+    best = f", where {found.wanted.objective} is {'largest' if found.wanted.is_maximised else 'smallest'}"
+    return f"{are} met at one point, between those sampled{best * bool(found.wanted.objective)}."
+
+
+def sizes(found: Found) -> list[str]:
+    """What counts of results whose sign is a direction."""
+    stems = {name: stem_of(name) for name in found.results}
+    return [
+        f"{name}: the size of {stem}, of the ball where it is largest"
+        for name, (stem, end) in stems.items()
+        if end == SIZE
+    ]
 
 
 def found_remarks(found: Found) -> list[Remark]:
@@ -62,10 +85,11 @@ def tables(found: Found) -> list[Block]:
         within = found.wanted.objective or ("each goal" if _has_goals(found) else "")
         change = f" and {within} stays within 1 %" if within else ""
         lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
+    lines += [f"{each}." for each in sizes(found)]
     lines += [f"Binding: {each}" for each in found.binding]
     lines += [f"Not met: {each}" for each in found.failed]
     more = found.evaluations - found.sampled
-    lines.append(f"{found.sampled:,} points over all ranges and {more:,} near the best ones, {found.seconds:.2g} s")
+    lines.append(f"{found.sampled:,} points over all ranges and {more:,} near the best ones, {duration(found.seconds)}")
     return [
         Paragraph(heading(found)),
         Table(("key", "found", "from", "to", "unit"), variables, "lrrrl", "Variables"),
@@ -85,6 +109,7 @@ def record(found: Found) -> dict[str, Any]:
         "values": found.values,
         "results": found.results,
         "units": found.units,
+        "sizes": sizes(found),
         "binding": list(found.binding),
         "failed": list(found.failed),
         **remarks_record(found_remarks(found)),

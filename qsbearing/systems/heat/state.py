@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.case_index import Index, place_of
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.model.validation import ErrorDetail
@@ -112,18 +113,18 @@ class Course:
         state = f"{hottest.replace('_', ' ')} at {ends[hottest] - zero_celsius:.1f} °C"
         if self.end != "time":
             what = "The temperature limit is reached" if self.end == "limit" else "The bearing loses its equilibrium"
-            return f"{what} after {self.time[-1]:.4g} s{self.bound}: {state}, axial load {_digits(last)} N."
-        text = f"After {self.time[-1]:.4g} s{self.bound}: {state}, axial load {_digits(last)} N"
+            return f"{what} after {_digits(self.time[-1])} s{self.bound}: {state}, axial load {_digits(last)} N."
+        text = f"After {_digits(self.time[-1])} s{self.bound}: {state}, axial load {_digits(last)} N"
         if loads[peak] <= (1.0 + OVERSHOOT) * last:
             return f"{text}. The axial load never exceeds this value by more than {100 * OVERSHOOT:.0f} %."
         over = 100.0 * (loads[peak] / last - 1.0)
-        highest = f"{_digits(float(loads[peak]))} N ({over:+.0f} %) at {self.time[peak]:.4g} s"
+        highest = f"{_digits(float(loads[peak]))} N ({over:+.0f} %) at {_digits(self.time[peak])} s"
         return f"{text}. Before that, the axial load overshoots to {highest}."
 
 
 def _digits(load: float) -> str:
     """Four digits, without a power of ten."""
-    return f"{float(f'{load:.4g}'):.15g}"
+    return plain(load, ".4g")
 
 
 class WholeBearing(NamedTuple):

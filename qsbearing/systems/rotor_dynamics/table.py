@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from qsbearing.model.solution.columns import scene_numbers
 from qsbearing.model.solution.result_keys import LOAD
 from qsbearing.model.units import mm
+from qsbearing.model.validation import check_kind
 from qsbearing.systems.rotor_dynamics.axes import NAMES, in_rotor_axes, load_centres
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ def stiffness_table(solution: Solution, *, mirrored: bool = False) -> pandas.Dat
     """
     import pandas
 
+    check_kind("stiffness_table", solution, "Solution")
     varied: dict[str, Any] = {
         key: np.ravel(np.broadcast_to(values, solution.shape))
         for key, values in scene_numbers(solution.scene).items()

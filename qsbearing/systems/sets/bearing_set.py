@@ -317,8 +317,8 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
     elif given := [what for what, there in beyond.items() if there]:
         problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
         cause = (
-            "At rest, without ball effects and elastic rings, it is exact; beyond, a ball with three or four contacts "
-            "is not modelled. Lives in revolutions need no speed"
+            "Four-point bearings are solved at rest only, without ball effects and elastic rings: set speed_rpm = 0. "
+            "Lives in revolutions need no speed"
         )
     else:
         return []

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.preload_state import PreloadState
 from qsbearing.model.units import rpm, um
-from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, within
+from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, check_kind, within
 from qsbearing.remarks.wording import spanned
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.preload_search import Change, changes, firsts, opposed_errors, sentence, together
@@ -56,6 +57,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
     Raises:
         SceneError: a highest speed that is not positive, arrays in the set, or rows that all carry in one direction.
     """
+    check_kind("preload_speeds", of, "BearingSet")
     found = firsts(speed_changes(of, highest_speed, threads))
     return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in found]
 
@@ -113,6 +115,7 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
         SceneError: a highest multiple that is not positive, arrays in the set, no load, or rows that all carry in one
             direction.
     """
+    check_kind("preload_loads", of, "BearingSet")
     found = firsts(load_changes(of, highest, threads))
     return [PreloadLoad(each.value, each.row, each.after, load_sentence(of, each)) for each in found]
 
@@ -227,7 +230,7 @@ def _fitted(solution: SetSolution) -> list[str]:
 
 
 def _span(values: NDArray, digits: int = 4) -> str:
-    return " to ".join(dict.fromkeys(f"{each:.{digits}g}" for each in (values.min(), values.max())))
+    return " to ".join(dict.fromkeys(plain(each, f".{digits}g") for each in (values.min(), values.max())))
 
 
 def _at_speed(solution: SetSolution) -> list[str]:

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 OF_ROW = (
     *((f"{side}_load", "max") for side in ("inner", "outer")),
     *((f"{side}_max_pressure", "max") for side in ("inner", "outer")),
-    *((f"{side}_angle", end) for side in ("inner", "outer") for end in ("min", "max")),
+    *((f"{side}_angle", end) for side in ("inner", "outer") for end in ("min", "max", "size")),
 )
-"""Of each row's balls: the result, and whether its largest or its smallest."""
+"""Of each row's balls: the result, and its maximum, its minimum or, as its sign is a direction, its largest size."""
 
 
 class SetQuantity(NamedTuple):
@@ -85,6 +85,7 @@ def _of_rows(solution: SetSolution) -> Iterator[SetQuantity]:
 
             def read(of: Callable[..., NDArray | None] = quantity.read, i: int = i, end: str = end) -> NDArray:
                 values = np.asarray(of(solution.rows[i]), float)
-                return (np.fmax if end == "max" else np.fmin).reduce(values, axis=-1)
+                over = np.fmin if end == "min" else np.fmax
+                return over.reduce(np.abs(values) if end == "size" else values, axis=-1)
 
             yield SetQuantity(own, quantity.unit, column, read)

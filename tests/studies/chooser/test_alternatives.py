@@ -155,6 +155,7 @@ def test_a_run_says_what_rests_on_a_hypothesis() -> None:
 
 def test_page_one_of_a_report_says_it() -> None:
     front = document(qs.solve(SCENE), SCENE, "", "qsbearing report b218").head
+    assert "the hypothesis of raceway control and moment shares (any other instead)" in str(front)
     assert "Raceway control is a hypothesis. By all hypotheses that have a solution, the axial displ" in str(front)
 
 

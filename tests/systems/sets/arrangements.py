@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 import qsbearing as qs
 from tests.qsbearing.scenes import BOTH, OUTER
@@ -60,6 +61,16 @@ def spindle(name: str, f: float) -> qs.BallBearing:
         ring_material=PRINTED_STEEL,
         name=name.removesuffix(" TA"),
     )
+
+
+def grooved_both_ways(diametral_clearance: ArrayLike) -> qs.BallBearing:
+    """Of 60 mm pitch diameter with this clearance [m], whose grooves carry both ways."""
+    ball = 11.90625 * qs.mm
+    return qs.BallBearing.from_diametral_clearance(
+        kind=qs.BearingKind.DEEP_GROOVE, ball_count=9, ball_diameter=ball, pitch_diameter=60 * qs.mm,
+        inner_groove_radius=0.52 * ball, outer_groove_radius=0.52 * ball, diametral_clearance=diametral_clearance,
+        ball_material=qs.STEEL, ring_material=qs.STEEL,
+    )  # fmt: skip
 
 
 S6210C, S6210E = spindle("S 6210 C TA", 0.5182), spindle("S 6210 E TA", 0.5182)

@@ -6,26 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import qsbearing as qs
-from tests.systems.sets.arrangements import S6210E, solved
+from tests.systems.sets.arrangements import S6210E, grooved_both_ways, solved
 from tests.systems.sets.test_equilibrium import load_of_springs
 
 CHANNELS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 FEW, MORE = 20, 30
 """Iterations that a case with gaps takes at most, of those drawn here: without thrust it starts where its balls touch;
 with a light one, from a shaft that the thrust alone has centred."""
-
-
-def deep_groove(diametral_clearance: NDArray) -> qs.BallBearing:
-    """With grooves that carry both ways."""
-    ball = 11.90625 * qs.mm
-    return qs.BallBearing.from_diametral_clearance(
-        kind=qs.BearingKind.DEEP_GROOVE, ball_count=9, ball_diameter=ball, pitch_diameter=60 * qs.mm,
-        inner_groove_radius=0.52 * ball, outer_groove_radius=0.52 * ball, diametral_clearance=diametral_clearance,
-        ball_material=qs.STEEL, ring_material=qs.STEEL,
-    )  # fmt: skip
 
 
 def drawn(seed: int, count: int, *, thrust: float) -> qs.BearingSet:
@@ -40,7 +29,7 @@ def drawn(seed: int, count: int, *, thrust: float) -> qs.BearingSet:
     loads = size * generator.uniform(-1.0, 1.0, (5, count))
     loads[0] *= thrust
     loads[3:] *= 0.5 * apart
-    rows = qs.Row(deep_groove(first), 0.0), qs.Row(deep_groove(second), apart)
+    rows = qs.Row(grooved_both_ways(first), 0.0), qs.Row(grooved_both_ways(second), apart)
     return qs.BearingSet(rows, qs.Operation(**dict(zip(CHANNELS, loads, strict=True))))
 
 
@@ -93,7 +82,7 @@ def test_rows_with_clearance_are_solved_by_way_of_their_own_solve(monkeypatch: p
 
 def test_rows_of_every_kind_across_a_gap() -> None:
     """A located pair with end play beside a row that floats: one sleeve more whose gap is to be closed."""
-    deep = deep_groove(np.array(40 * qs.um))
+    deep = grooved_both_ways(np.array(40 * qs.um))
     located = qs.Row(S6210E, 0.0, "+x", offset=-5e-6), qs.Row(S6210E, 0.02, "-x", offset=-5e-6)
     of = qs.BearingSet(
         (*located, qs.Row(deep, 0.3)),

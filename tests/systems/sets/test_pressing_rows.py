@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.results.set_record import set_record
-from tests.systems.sets.arrangements import ROWS, S6210C, rows, solved
+from tests.systems.sets.arrangements import ROWS, S6210C, grooved_both_ways, rows, solved
 
 FILE = """
 rows = [{position_mm = -100, carries = "+x"}, {position_mm = 100, carries = "-x"}]
@@ -30,16 +30,6 @@ ring_material = "steel"
 """
 
 
-def deep_groove(clearance: float) -> qs.BallBearing:
-    """With this diametral clearance [m]."""
-    ball = 11.90625 * qs.mm
-    return qs.BallBearing.from_diametral_clearance(
-        kind=qs.BearingKind.DEEP_GROOVE, ball_count=9, ball_diameter=ball, pitch_diameter=60 * qs.mm,
-        inner_groove_radius=0.52 * ball, outer_groove_radius=0.52 * ball, diametral_clearance=clearance,
-        ball_material=qs.STEEL, ring_material=qs.STEEL,
-    )  # fmt: skip
-
-
 def said_of(solution: qs.SetSolution) -> list[tuple[tuple[int, ...], float]]:
     """(rows, force) of each such remark."""
     remarks = set_record(solution, [{}] * len(solution.rows))["remarks"]
@@ -53,7 +43,7 @@ RADIAL = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
 @pytest.mark.parametrize("clearances", [(10.0, 40.0), (10.0, 10.0), (60.0, 25.0)])
 def test_what_rows_press_each_other_with_is_said(arrangement: str, clearances: tuple[float, ...]) -> None:
     """Of any number of rows: what those pushed in +x carry is what those pushed in -x do, since nothing else acts."""
-    bearings = [deep_groove(each * qs.um) for each in clearances]
+    bearings = [grooved_both_ways(each * qs.um) for each in clearances]
     found = solved(qs.BearingSet(rows(arrangement, *bearings, distance=0.1), RADIAL))
     along = found.axial_loads * [row.sign for row in found.set.rows]
     force = np.maximum(along, 0.0).sum()
@@ -68,7 +58,7 @@ def test_what_rows_press_each_other_with_is_said(arrangement: str, clearances: t
 
 def test_nothing_is_said_where_nothing_presses_or_it_is_meant() -> None:
     """A row that slides; thrust, which both carry; angular contact; and a pressure that offsets or a preload state."""
-    pressed = qs.BearingSet(rows("DB", deep_groove(10 * qs.um), distance=0.2), RADIAL)
+    pressed = qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), RADIAL)
     assert len(said_of(solved(pressed))) == 1
     first, second = pressed.rows
     for other in (
@@ -82,7 +72,7 @@ def test_nothing_is_said_where_nothing_presses_or_it_is_meant() -> None:
 
 
 def test_of_several_cases_each_has_its_own() -> None:
-    of = qs.BearingSet(rows("DB", deep_groove(10 * qs.um), distance=0.2), RADIAL)
+    of = qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), RADIAL)
     many = solved(replace(of, operation=replace(RADIAL, radial_load_y=np.array([1000.0, 10.0, 3000.0]))))
     forces = [next(each.remark.values["pressed_N"] for each in qs.warnings(many, k) if "press" in each) for k in (0, 2)]
     np.testing.assert_allclose(forces, many.axial_loads[[0, 2], 0], rtol=1e-12)

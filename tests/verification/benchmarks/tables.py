@@ -131,6 +131,26 @@ def _tolerance(entry: dict[str, Any], quantity: str) -> float:
     return float(next(row["tolerance_percent"] for row in entry["rows"] if row["quantity"] == quantity))
 
 
+def coverage() -> str:
+    """How often the true error of exact cases exceeds its uncertainty."""
+    rows = records_store.read_all()["convergence_order"]["rows"]
+    (share,) = (row for row in rows if row["quantity"] == "share whose error exceeds its uncertainty")
+    return (
+        f"{100.0 * share['found']:.2g} % of cases ({share['case']}; at most {share['tolerance_percent']:g} % allowed)"
+    )
+
+
+def sector_costs() -> str:
+    """What the sector at the release level takes."""
+    entry = records_store.read_all()["bearing_sector"]
+    series = entry["pictures"]["bearing_sector"].values()
+    count = sum(len(state["load_N"]) for states in series for state in states.values())
+    return (
+        f"{entry['cpu_seconds'] / 60.0:.0f} minutes of processor time for {count} comparisons, and "
+        f"{entry['peak_memory_MB'] / 1e3:.1f} GB of memory"
+    )
+
+
 def true_geometry() -> str:
     """Deviation of B218's true bodies from Hertz."""
     table: dict[str, dict[str, float]] = {}
@@ -283,6 +303,8 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "true geometry": true_geometry,
         "sector": sector,
         "finite elements": finite_elements,
+        "coverage": coverage,
+        "costs of the sector": sector_costs,
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
     "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},

@@ -1,0 +1,26 @@
+"""Whether a terminal shows every name of a table whole."""
+
+from __future__ import annotations
+
+from qsbearing.documents import terminal
+from qsbearing.documents.model import Badge, Group, Table
+
+WIDTHS = (60, 80, 100)
+shown = terminal.text_of
+"""The terminal's own, whatever a test puts in its place."""
+
+
+def words_of(table: Table) -> set[str]:
+    """Those of headings and of columns of words, but for columns that a narrow terminal may leave out."""
+    kept = [number for number in range(len(table.headings)) if number not in table.spare]
+    rows = [row for row in table.rows if not isinstance(row, Group)]
+    cells = [row[number] for row in rows for number in kept if table.alignment[number] == "l"]
+    texts = [*(table.headings[number] for number in kept), *cells]
+    return {word for text in texts for word in str(text.word if isinstance(text, Badge) else text).split()}
+
+
+def broken(table: Table, width: int) -> set[str]:
+    """What is not there as it should be, at a width."""
+    lines = shown([table], width).splitlines()
+    assert max(map(len, lines)) <= width
+    return words_of(table) - {word for line in lines for word in line.split()}

@@ -1,0 +1,183 @@
+"""The largest of results whose sign is a direction: every one of them has `_size`, which is the largest magnitude."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.model.solution import quantities
+from qsbearing.pictures.study.labels import words
+from qsbearing.readings.asked import READINGS
+from qsbearing.studies.chooser.choose_set import solve_any
+from qsbearing.studies.design.find import find as search
+from qsbearing.studies.design.shown import record
+from qsbearing.studies.results import Result, attributes_of, find, known_results, read
+from qsbearing.studies.sobol import sobol_indices
+from qsbearing.studies.study import Study
+from qsbearing.studies.sweep import sweep
+
+MEANS_SOMETHING_ELSE = {
+    "approach": "a gap, where it is negative",
+    "edge_distance": "beyond the edge, where it is negative",
+    "azimuth": "a place",
+}
+"""Results with a sign that is no direction."""
+READ = {
+    "kinematics": {},
+    "friction": {
+        "friction_coefficient": 0.06,
+        "hysteresis_loss": 0.01,
+        "drag_coefficient": 1.0,
+        "fluid_density_kg_m3": 50,
+    },
+    "film": {"ball_roughness_um": 0.02, "raceway_roughness_um": 0.05},
+    "lubricant": {"iso_viscosity_grade": 32, "oil_temperature_C": 60},
+    "overrun": {"inner_shoulder_diameter_mm": 66, "outer_shoulder_diameter_mm": 74, "edge_radius_mm": 0.3},
+    "stress": {},
+    "ball_advance": {},
+    "pivot_points": {},
+}
+BLUNT = {"overrun": {"inner_shoulder_diameter_mm": 66, "outer_shoulder_diameter_mm": 74}}
+FREE_RINGS = {"inner": {"width_mm": 20, "shaft": "free"}, "outer": {"width_mm": 20, "housing": "free"}}
+TURNING: dict[str, Any] = {
+    "bearing": {"name": "7210C"},
+    "operation": {"speed_rpm": 9000, "axial_load_N": 500, "radial_load_y_N": 400, "tilt_y_mrad": 0, "tilt_z_mrad": 0},
+    "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
+    "readings": READ,
+}
+
+
+def other(**tables: Any) -> dict[str, Any]:
+    return {name: table | tables.get(name, {}) for name, table in TURNING.items()}
+
+
+SCENES = (
+    TURNING,
+    other(effects={"raceway_control": "inner"}),
+    other(operation={"speed_rpm": -9000}, effects={"raceway_control": "minimum_dissipation"}),
+    other(operation={"speed_rpm": 3000, "radial_load_y_N": 900}, readings=BLUNT),
+    other(effects={"ball_diameter_deviations_um": [1, -3] + [0] * 13}),
+    other(
+        operation={"radial_load_y_N": 3000},
+        readings=BLUNT,
+        effects={"elastic_rings": FREE_RINGS},
+    ),
+    {
+        "bearing": {
+            "kind": "deep_groove", "ball_material": "steel", "ring_material": "steel",
+            "ball_count": 9, "ball_diameter_mm": 7.94, "pitch_diameter_mm": 39.04,
+            "groove_radius_coefficient": 0.52, "diametral_clearance_mm": 0.02,
+        },
+        "operation": {"speed_rpm": 3000, "axial_load_N": -400},
+        "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
+    },
+)  # fmt: skip
+
+
+@cache
+def solved() -> list[tuple[dict[str, Result], dict[str, Any]]]:
+    found = []
+    for tables in SCENES:
+        solution = solve_any(scene_or_set_of(tables, "", ""))
+        assert solution.converged
+        known = known_results(solution)
+        found.append((known, read(solution, known.values())))
+    return found
+
+
+def per_ball() -> dict[str, Result]:
+    return {name: each for known, _ in solved() for name, each in known.items() if each.is_per_ball}
+
+
+def test_every_result_of_each_ball_that_has_both_signs_is_described_as_signed_and_no_other() -> None:
+    of_balls = [shown.key for each in READINGS.values() for shown in (*each.of_contact, *each.of_ball)]
+    asked = {each.column for each in per_ball().values()}
+    for key in of_balls:
+        assert any(column.endswith(key) for column in asked), f"{key}: a reading that no scene here asks for"
+    ever = {name for _, values in solved() for name, found in values.items() if (found < -1e-9).any()}
+    for name, each in per_ball().items():
+        means = any(name.endswith(end) for end in MEANS_SOMETHING_ELSE)
+        assert each.is_signed == (name in ever and not means), name
+
+
+@pytest.mark.parametrize("name", [each.name for each in quantities.ALL.values() if each.is_signed])
+def test_every_signed_result_of_a_solution_has_a_size(name: str) -> None:
+    seen = [(known, values) for known, values in solved() if name in known]
+    assert seen
+    for known, values in seen:
+        size = find(f"{name}_size", known)
+        assert size is not None and find(f"{size.column}", known) == size
+        assert attributes_of(size)["long_name"].endswith(", largest size") and words(size.name).endswith("largest size")
+        assert known[name].endings == ("max", "min", "size")
+        assert np.nanmax(np.abs(values[name])) >= np.nanmax(values[name])
+
+
+def test_sizes_are_the_largest_magnitudes_and_the_other_extremes_stay_algebraic() -> None:
+    for tables in SCENES:
+        solution = solve_any(scene_or_set_of(tables, "", ""))
+        known = known_results(solution)
+        for name, each in known.items():
+            for ending in each.endings:
+                one = find(f"{name}_{ending}", known)
+                assert one is not None
+                own, every = read(solution, [one])[one.name], read(solution, [each])[name]
+                expected = {
+                    "max": np.fmax.reduce(every),
+                    "min": np.fmin.reduce(every),
+                    "size": np.fmax.reduce(np.abs(every)),
+                }[ending]
+                assert own == expected or (np.isnan(own) and np.isnan(expected)), one.name
+            if not each.is_signed:
+                assert find(f"{name}_size", known) is None
+
+
+def test_rows_of_sets_have_sizes_of_what_is_signed() -> None:
+    row = {"bearing": {"name": "7210C"}, "position_mm": 10, "carries": "-x"}
+    of = {
+        "operation": {"axial_load_N": 100},
+        "preload": {"rigid_N": 300},
+        "rows": [row | {"position_mm": -10, "carries": "+x"}, row],
+    }
+    solution = solve_any(scene_or_set_of(of, "", ""))
+    known = known_results(solution)
+    extremes = {name[: -len("_max")] for name in known if name.endswith("_max")}
+    assert extremes
+    for stem in extremes:
+        of_row, name = solution.rows[int(stem.split("_")[1]) - 1], stem.split("_", 2)[2]
+        assert (f"{stem}_size" in known) == quantities.ALL[name].is_signed, stem
+        if f"{stem}_size" in known:
+            every = np.abs(quantities.ALL[name].read(of_row))
+            assert read(solution, [known[f"{stem}_size"]])[f"{stem}_size"] == np.nanmax(every)
+
+
+def test_a_limit_and_an_objective_without_an_ending_are_of_the_size_and_say_so() -> None:
+    vary = {"speed_rpm": (3000.0, 12000.0)}
+    known, values = solved()[0]
+    for name in ("gyroscopic_moment", "inner_kinematics_spin_speed"):
+        full = find(name, known)
+        assert full is not None and full.is_signed
+        there = float(np.nanmax(np.abs(values[full.name])))
+        found = search(TURNING, vary, limits=[f"{full.name}<={there:.9g}"], maximise="centrifugal_force", points=64)
+        assert found.is_feasible and found.values["speed_rpm"] == pytest.approx(9000, rel=0.01), name
+        assert found.results[f"{full.name}_size"] == pytest.approx(there, rel=1e-3)
+        assert record(found)["sizes"] == [f"{full.name}_size: the size of {full.name}, of the ball where it is largest"]
+    least = search(TURNING, vary, minimise="gyroscopic_moment", points=64)
+    assert least.values["speed_rpm"] == pytest.approx(3000, rel=0.01)
+    assert least.results["gyroscopic_moment_size"] > 0.0
+
+
+def test_a_sweep_keeps_it_and_sobol_indices_are_of_it() -> None:
+    names = ["gyroscopic_moment_size", "gyroscopic_moment_max", "gyroscopic_moment_min"]
+    results = sweep(Study.of(TURNING, {"speed_rpm": [3000, 9000]}, quantities=names))
+    size, most, least = (results[name].values for name in names)
+    assert (size == -least).all() and (size > np.abs(most)).all()
+    study = Study.of(TURNING, {"radial_load_y_N": "normal(400,40)"}, quantities=["gyroscopic_moment", "inner_load"])
+    indices = sobol_indices(study, 64)
+    by_size = Study.of(
+        TURNING, {"radial_load_y_N": "normal(400,40)"}, quantities=["gyroscopic_moment_size", "inner_load_max"]
+    )
+    np.testing.assert_array_equal(indices["total"].values, sobol_indices(by_size, 64)["total"].values)
