@@ -99,7 +99,12 @@ def _of_row(solution: SetSolution, number: int, make: Any, i: int) -> Remark:
 def _of_readings(readings: Mapping[str, Any]) -> Iterator[Found]:
     for name, reading in readings.items():
         for where, each in getattr(reading, "remarks", ()):
-            yield where, replace(each, of=replace(each.of, readings=(name,)))
+            yield where, partial(_of_reading, name, each)
+
+
+def _of_reading(name: str, make: Any, i: int) -> Remark:
+    said = make if isinstance(make, Remark) else make(i)
+    return replace(said, of=replace(said.of, readings=(name,)))
 
 
 def _counted(said: Remark, varied: Mapping[str, NDArray], held: NDArray, worst: int) -> dict[str, Any]:
