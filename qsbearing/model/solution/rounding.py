@@ -25,6 +25,11 @@ def rounding_of(largest: Any, least: Any) -> NDArray:
     return np.asarray(np.maximum(NOISE * np.nan_to_num(largest), least))
 
 
+def rounding_of_load(load: Any, bearing: BallBearing) -> NDArray:
+    """Likewise beside a bearing's load (*cases, 5)."""
+    return rounding_of(np.abs(load[..., :3]).max(axis=-1), least_force(bearing))
+
+
 def without_rounding(forces: Any, rounding: Any) -> NDArray:
     """Forces, those that are rounding as zero."""
     return np.asarray(np.where(np.abs(forces) <= rounding, 0.0, forces))

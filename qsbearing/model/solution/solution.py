@@ -24,7 +24,7 @@ from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
-from qsbearing.model.solution.rounding import least_force, rounding_of
+from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.model.units import deg
@@ -339,8 +339,7 @@ class Solution(SolutionOfCases):
         if self.preload_at_rest is None:
             return None
         loads = self.preload_at_rest, self.preload_in_operation, self.load[..., 0]
-        largest = np.abs(self.load[..., :3]).max(axis=-1)
-        return PreloadLoads(*loads, rounding_of(largest, least_force(self.scene.bearing)))
+        return PreloadLoads(*loads, rounding_of_load(self.load, self.scene.bearing))
 
     @cached_property
     def inner_ring(self) -> RingState | None:
