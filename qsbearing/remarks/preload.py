@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.preload_state import EXCESSIVE, REDUCED, PreloadLoads, PreloadState, states
+from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
 
@@ -18,7 +19,9 @@ def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterato
     preload = solution.scene.preload
     if preload is None or preload.kind == "spring":
         return
-    found = solution.preload_loads if may_solve else not_grown(solution.preload_at_rest, solution.load[..., 0])
+    rounding = rounding_of_load(solution.load, solution.scene.bearing)
+    at_rest = not_grown(solution.preload_at_rest, solution.load[..., 0], rounding)
+    found = solution.preload_loads if may_solve else at_rest
     if found is None:
         return
 
@@ -35,9 +38,9 @@ def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterato
     yield from of_loads(PreloadLoads(*map(cases, found)), preload.state, stiffness, fitted)
 
 
-def not_grown(given: Any, carried: Any) -> PreloadLoads:
+def not_grown(given: Any, carried: Any, rounding: Any) -> PreloadLoads:
     """Loads of which nobody has solved what is left without external ones: as if it were what is given."""
-    return PreloadLoads(given, given, carried)
+    return PreloadLoads(given, given, carried, np.broadcast_to(rounding, np.shape(carried)))
 
 
 def of_loads(

@@ -124,8 +124,8 @@ def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterat
     """
     loads = None
     if solution.set.is_opposed:
-        given = solution.preload_given
-        loads = solution.preload_loads if may_solve else not_grown(given, solution.axial_loads)
+        at_rest = not_grown(solution.preload_given, solution.axial_loads, solution.rounding[..., None])
+        loads = solution.preload_loads if may_solve else at_rest
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
             yield where, partial(_of_preload, solution, number, make)

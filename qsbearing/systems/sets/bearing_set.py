@@ -22,7 +22,7 @@ from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
-from qsbearing.model.scene.scene import Scene, tolerance_errors
+from qsbearing.model.scene.scene import CHOICES, Scene, tolerance_errors
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
@@ -104,6 +104,8 @@ class BearingSet(InNotebooks):
         )
         object.__setattr__(self, "rows", tuple(rows))
         raise_if_any(_temperature_errors(self) or _scene_errors(self))
+        for name in CHOICES:
+            object.__setattr__(self, name, getattr(self.turning_scene(0), name))
 
     def effects_of(self, row: Row) -> tuple[RingEffect, ...]:
         """What changes the bearing of a row of the set: its own ring effects, or the set's."""

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.compiler import threads
+from qsbearing.model.scene.scene import CHOICES
+from qsbearing.results.remarks import every_remark
 from tests.qsbearing.scenes import (
     B218,
     BOTH,
@@ -324,3 +326,18 @@ def test_no_stiffness_where_raceway_control_contradicts_itself() -> None:
     assert np.isnan(found.stiffness).any(axis=(1, 2)).tolist() == [True, False]
     assert np.isnan(found.effective_stiffness[0]).all()
     assert any("No stiffness" in sentence for sentence in qs.warnings(found, 0))
+
+
+@pytest.mark.parametrize("name", CHOICES)
+def test_a_choice_is_given_as_a_member_or_its_word(name: str) -> None:
+    for member in CHOICES[name]:
+        if name != "orbit_radius" or member == "pitch_circle":  # others ask for their own raceway control
+            of = replace(pair("DB", 400.0), ball_effects=BOTH, raceway_control=OUTER)
+            assert getattr(replace(of, **{name: str(member)}), name) is member
+
+
+def test_a_set_whose_effects_are_chosen_is_told_of_hypotheses() -> None:
+    operation = qs.Operation(speed=10_000 * qs.rpm, radial_load_y=500.0, moment_z=0.0)
+    of = replace(pair("DB", 720.0), operation=operation)
+    chosen = qs.solve_set(replace(of, tolerance=0.01))
+    assert "hypotheses_differ" in [each.code for each in every_remark(chosen)]
