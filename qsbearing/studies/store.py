@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from qsbearing.files.netcdf import damage_told, json_of
 from qsbearing.files.output_file import is_locked, place_of, put_in_place
 from qsbearing.files.raw import check_regular, read_bytes
 from qsbearing.studies import dataset
-from qsbearing.studies.chunk import Chunk, Plan, empty_chunk
+from qsbearing.studies.chunk import Chunk, Plan, empty_chunk, solve_chunk
 from qsbearing.studies.netcdf import write_netcdf
 from qsbearing.studies.points import Points
 
@@ -27,6 +28,46 @@ if TYPE_CHECKING:
     import xarray
 
 PLAN, LOCK = "plan.json", "lock"
+
+
+class Here(NamedTuple):
+    """A store as processes on other machines find it, if they do."""
+
+    folder: str
+    run: str
+    """What its lock holds during this run: a folder of the same name may stand on their own disk."""
+
+
+def solve_into(here: Here, plan: Plan, number: int) -> Chunk | int:
+    """Solve a chunk and keep it: how many points it has; or the chunk, where this process cannot write there."""
+    chunk = solve_chunk(plan, number)
+    try:
+        if (Path(here.folder) / LOCK).read_text(encoding="ascii") != here.run:
+            return chunk
+        write_chunk(Path(here.folder), number, chunk)
+    except (OSError, ValueError):
+        return chunk
+    return int(chunk.status.size)
+
+
+def write_chunk(folder: Path, number: int, chunk: Chunk) -> None:
+    """A finished chunk as a file, whole or not at all; two processes may have been given the same one.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    fields: dict[str, Any] = chunk._asdict() | {
+        "reasons": np.array(chunk.reasons),
+        "remarks": np.array([json.dumps(chunk.remarks)]),
+    }
+    fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
+    temporary = folder / f"{number}-{secrets.token_hex(4)}.part"
+    try:
+        with temporary.open("wb") as file:
+            np.savez(file, **fields)
+        temporary.replace(folder / f"{number}.npz")
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def folder_of(out: str | os.PathLike[str]) -> Path:
@@ -44,20 +85,21 @@ def store_at(out: str | os.PathLike[str], plan: Plan, points: Points, *, resume:
             folder holds another study, or what no run has put there.
     """
     store = Store(out, plan, points)
-    with _alone(store.folder):
+    with _alone(store.folder) as run:
         store.claim(resume)
+        store.here = Here(str(store.folder.resolve()), run) if run else None
         yield store
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Keep other runs away; not on Windows, which has no locks that a kill lifts.
+def _alone(folder: Path) -> Iterator[str]:
+    """Keep other runs away; not on Windows, which has no locks that a kill lifts. Gives this run's name, there none.
 
     Raises:
         SceneFileError: another run is there, or the folder cannot be written.
     """
     if os.name == "nt":
-        yield
+        yield ""
         return
     place = folder / LOCK
     try:
@@ -74,7 +116,10 @@ def _alone(folder: Path) -> Iterator[None]:
         if not is_free:
             raise refused(folder, "another run is using it", "Wait until it has ended, or choose another --out")
         try:
-            yield
+            run = secrets.token_hex(16)
+            file.write(run.encode())
+            file.flush()
+            yield run
         finally:
             place.unlink(missing_ok=True)
 
@@ -89,6 +134,7 @@ class Store:
             SceneFileError: it cannot be written, or there is too little room.
         """
         self.out = Path(out)
+        self.here: Here | None = None
         self.plan = plan
         self.points = points
         try:
@@ -176,20 +222,10 @@ class Store:
         Raises:
             SceneFileError: it cannot be written, as where the disk is full.
         """
-        fields: dict[str, Any] = chunk._asdict() | {
-            "reasons": np.array(chunk.reasons),
-            "remarks": np.array([json.dumps(chunk.remarks)]),
-        }
-        fields |= {f"result_{name}": values for name, values in fields.pop("results").items()}
-        temporary = self.folder / f"{number}.part"
         try:
-            with temporary.open("wb") as file:
-                np.savez(file, **fields)
-            temporary.replace(self.folder / f"{number}.npz")
+            write_chunk(self.folder, number, chunk)
         except OSError as error:
             raise self._unwritten(error) from None
-        finally:
-            temporary.unlink(missing_ok=True)
 
     def _unwritten(self, error: Exception) -> SceneFileError:
         why = error.strerror if isinstance(error, OSError) else ""

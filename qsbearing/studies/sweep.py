@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import nullcontext
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.model.compiler.threads import thread_count
@@ -16,7 +17,7 @@ from qsbearing.studies.chunk import Chunk, Plan, plan_of, solve_chunk
 from qsbearing.studies.dataset import dataset_of
 from qsbearing.studies.points import Points
 from qsbearing.studies.scenes import check
-from qsbearing.studies.store import open_results, store_at
+from qsbearing.studies.store import Here, open_results, solve_into, store_at
 from qsbearing.studies.study import Study
 
 if TYPE_CHECKING:
@@ -77,12 +78,12 @@ def sweep(
         done = sum(points.size(number) for number in finished)
         report(done, points.count)
         left = [number for number in range(points.chunk_count) if number not in finished]
-        for number, chunk in solved_chunks(plan, left, executor):
-            if store:
+        for number, chunk in solved_chunks(plan, left, executor, store.here if store else None):
+            if store and isinstance(chunk, Chunk):
                 store.put(number, chunk)
-            else:
+            elif isinstance(chunk, Chunk):
                 chunks[number] = chunk
-            done += chunk.status.size
+            done += points.size(number)
             report(done, points.count)
         if store is None:
             return dataset_of(plan, points, chunks)
@@ -90,8 +91,15 @@ def sweep(
     return open_results(store.out)
 
 
-def solved_chunks(plan: Plan, numbers: list[int], executor: Executor | None) -> Iterator[tuple[int, Chunk]]:
-    """The chunks of these numbers, each as soon as it is there."""
+def solved_chunks(
+    plan: Plan, numbers: list[int], executor: Executor | None, here: Here | None = None
+) -> Iterator[tuple[int, Chunk | int]]:
+    """The chunks of these numbers, each as soon as it is there.
+
+    Args:
+        here: a store in which the processes of an executor keep what they solve, as far as they reach it: they give
+            back how many points that is, so that the client need not pass on the results.
+    """
     if executor is None:
         workers = min(thread_count(), len(numbers))
         if workers <= 1:  # one chunk is shared out within the solver
@@ -99,9 +107,10 @@ def solved_chunks(plan: Plan, numbers: list[int], executor: Executor | None) -> 
                 yield number, solve_chunk(plan, number, thread_count())
             return
         with ThreadPoolExecutor(workers) as pool:
-            yield from _through(plan, numbers, pool, workers)
+            yield from _through(partial(solve_chunk, plan), numbers, pool, workers)
         return
-    yield from _through(plan, numbers, executor, _workers(executor))
+    task = partial(solve_chunk, plan) if here is None else partial(solve_into, here, plan)
+    yield from _through(task, numbers, executor, _workers(executor))
 
 
 def _workers(executor: Executor) -> int:
@@ -111,7 +120,7 @@ def _workers(executor: Executor) -> int:
     return int(getattr(executor, "_max_workers", None) or thread_count())
 
 
-def _done(running: Iterable[Future[Chunk]], executor: Executor) -> Iterable[Future[Chunk]]:
+def _done(running: Iterable[Future[Any]], executor: Executor) -> Iterable[Future[Any]]:
     """Those that are done, as soon as one is.
 
     Raises:
@@ -130,13 +139,15 @@ def _done(running: Iterable[Future[Chunk]], executor: Executor) -> Iterable[Futu
     return done
 
 
-def _through(plan: Plan, numbers: list[int], executor: Executor, workers: int) -> Iterator[tuple[int, Chunk]]:
+def _through(
+    task: Callable[[int], Chunk | int], numbers: list[int], executor: Executor, workers: int
+) -> Iterator[tuple[int, Chunk | int]]:
     waiting = iter(numbers)
-    running: dict[Future[Chunk], int] = {}
+    running: dict[Future[Chunk | int], int] = {}
     try:
         while True:
             for number in waiting:
-                running[executor.submit(solve_chunk, plan, number)] = number
+                running[executor.submit(task, number)] = number
                 if len(running) >= CHUNKS_PER_WORKER * workers:
                     break
             if not running:

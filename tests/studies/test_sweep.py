@@ -6,8 +6,10 @@ import copy
 import subprocess
 import sys
 from concurrent.futures import ALL_COMPLETED, FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +19,7 @@ from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import dataset, keys, points
 from qsbearing.studies import sweep as sweeping
+from qsbearing.studies.points import Points
 from qsbearing.studies.results import reading_of
 from qsbearing.studies.store import Store
 from qsbearing.studies.study import Study
@@ -383,6 +386,7 @@ def test_two_runs_do_not_share_a_folder(resume: bool, tmp_path: Path) -> None:
 HOLDER = """
 import sys
 from qsbearing.studies.store import _alone
+from functools import partial
 from pathlib import Path
 with _alone(Path(sys.argv[1])):
     print("locked", flush=True)
@@ -456,6 +460,39 @@ def test_what_a_link_points_at_is_replaced(tmp_path: Path, monkeypatch: pytest.M
     link.symlink_to("/dev/null")
     with pytest.raises(qs.SceneError, match="is not a file, and cannot be replaced"):
         sweep(study, out=link)
+
+
+def test_workers_keep_what_they_solve_where_they_reach_the_folder_and_send_it_elsewhere(
+    small_chunks: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On the disk that all share the client is told how many points are done; the file is the same either way."""
+    study = Study.of(B218, {"speed_rpm": "0:9:20"})
+    sweep(study, out=tmp_path / "whole.nc").close()
+    sent: list[int] = []
+    put = Store.put
+    monkeypatch.setattr(Store, "put", lambda store, number, chunk: (sent.append(number), put(store, number, chunk))[1])
+    told: list[int] = []
+    with ThreadPoolExecutor(2) as pool:
+        out = tmp_path / "shared.nc"
+        sweep(study, pool, out=out, progress=lambda done, count: told.append(done)).close()
+        assert sent == []
+        assert told[-1] == 20
+        assert out.read_bytes() == (tmp_path / "whole.nc").read_bytes()
+        far = tmp_path / "far.nc"
+        sweep(study, _Elsewhere(pool), out=far).close()
+    assert len(sent) == Points(study).chunk_count
+    assert far.read_bytes() == out.read_bytes()
+
+
+class _Elsewhere(Executor):
+    """Workers that find a folder of the same name, but not of this run."""
+
+    def __init__(self, pool: Executor) -> None:
+        self.pool = pool
+
+    def submit(self, task: Any, *given: Any, **named: Any) -> Future:  # type: ignore[override]
+        here, plan = task.args
+        return self.pool.submit(partial(task.func, here._replace(run="another"), plan), *given)
 
 
 class Deserted(Executor):

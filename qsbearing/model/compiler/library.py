@@ -13,12 +13,12 @@ import json
 import os
 import platform
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from qsbearing.model.compiler.machine_code import MachineCode, reads_arrays
+from qsbearing.model.compiler.machine_code import called, reads_arrays
 
 ROOT = Path(__file__).parents[3]
 FOLDER = Path(__file__).parent / "libraries"
@@ -71,13 +71,13 @@ def forget() -> None:
     _found.cache_clear()
 
 
-def machine_code(name: str, kinds: tuple[Any, ...]) -> MachineCode | None:
+def machine_code(name: str, kinds: tuple[Any, ...]) -> Callable[..., Any] | None:
     """Of the entry with this name, if it was made for arguments of these kinds."""
     library = found()
     stated = None if library is None else library.entries.get(name)
     if library is None or stated is None or stated["kinds"] != [str(kind) for kind in kinds]:
         return None
-    return MachineCode(name, getattr(library.code, stated["symbol"]), kinds, stated["returns"])
+    return called(name, getattr(library.code, stated["symbol"]), kinds, stated["returns"])
 
 
 @cache

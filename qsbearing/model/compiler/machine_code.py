@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
+from collections.abc import Callable
 from operator import itemgetter
 from struct import Struct
 from typing import Any
@@ -27,49 +28,45 @@ RETURNED = -2
 """Beside 0, numba's code for a return; others are exceptions."""
 
 
-class MachineCode:
-    """One entry of a library.
+def called(name: str, run: Any, kinds: tuple[Any, ...], returns: str) -> Callable[..., Any]:
+    """One entry of a library, as Python calls it.
 
     Args:
         kinds: of its arguments, flat.
         returns: the numbers that it returns, in the letters of `struct`; "": None.
     """
+    run.argtypes, run.restype = (ctypes.c_char_p,) * 3, ctypes.c_int32
+    arrays = [place for place, kind in enumerate(kinds) if isinstance(kind, Array)]
+    numbers = [place for place, kind in enumerate(kinds) if not isinstance(kind, Array)]
+    in_order, count, size = itemgetter(*arrays, *numbers), len(arrays), len(kinds)
+    pack = Struct("=" + "q" * count + "".join("d" if kinds[place] is float else "q" for place in numbers)).pack
+    expected = Struct(f"={count + 1}q").pack(*(id(kinds[place].dtype) for place in arrays), id(np.ndarray))
+    returned = Struct(f"={returns}")
+    room_of = ctypes.c_char * returned.size
 
-    def __init__(self, name: str, run: Any, kinds: tuple[Any, ...], returns: str) -> None:
-        run.argtypes, run.restype = (ctypes.c_char_p,) * 3, ctypes.c_int32
-        self._name, self._run, self._kinds = name, run, kinds
-        arrays = [place for place, kind in enumerate(kinds) if isinstance(kind, Array)]
-        numbers = [place for place, kind in enumerate(kinds) if not isinstance(kind, Array)]
-        self._in_order = itemgetter(*arrays, *numbers)
-        self._count = len(arrays)
-        self._pack = Struct("=" + "q" * len(arrays) + "".join("d" if kinds[k] is float else "q" for k in numbers)).pack
-        self._dtypes = [kinds[place].dtype for place in arrays]
-        self._expected = Struct(f"={len(arrays) + 1}q").pack(*map(id, self._dtypes), id(np.ndarray))
-        self._returns = Struct(f"={returns}") if returns else None
-        self._room = None if self._returns is None else ctypes.c_char * self._returns.size
-
-    def __call__(self, *args: Any) -> Any:
-        kinds = self._kinds
-        given = args if len(args) == len(kinds) else tuple(flat(args))
-        if len(given) != len(kinds):
-            check(self._name, given, kinds)
-        ordered, count = self._in_order(given), self._count
+    def call(*args: Any) -> Any:
+        given = args if len(args) == size else tuple(flat(args))
+        if len(given) != size:
+            check(name, given, kinds)
+        ordered = in_order(given)
         try:
-            packed = self._pack(*map(id, ordered[:count]), *ordered[count:])
+            packed = pack(*map(id, ordered[:count]), *ordered[count:])
         except Exception:
-            check(self._name, given, kinds)
+            check(name, given, kinds)
             raise
-        room = None if self._room is None else self._room()
-        status = self._run(room, packed, self._expected)
+        room = room_of() if returns else None
+        status = run(room, packed, expected)
         if status == REFUSED:
-            check(self._name, given, kinds)  # which lets pass what differs by name alone
-            status = self._run(room, packed, None)
-        if status not in (0, RETURNED):
-            raise RuntimeError(f"{self._name} ended with status {status}")
-        if room is None or self._returns is None:
+            check(name, given, kinds)  # which lets pass what differs by name alone
+            status = run(room, packed, None)
+        if status != 0 and status != RETURNED:
+            raise RuntimeError(f"{name} ended with status {status}")
+        if room is None:
             return None
-        found = self._returns.unpack(room)
+        found = returned.unpack(room)
         return found if len(found) > 1 else found[0]
+
+    return call
 
 
 def reads_arrays() -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -96,10 +95,18 @@ def linked(name: str, text: str, folder: Path) -> Path:
         # The output's own name stands in some libraries.
         command = [*linker(target), "-shared", "-s", *target.flags, "-o", library.name, made.name]
         subprocess.run(command, check=True, cwd=work)
-        # At once, for processes may have the one before open.
-        shutil.copy(Path(work) / library.name, library.with_suffix(".new"))
-        library.with_suffix(".new").replace(library)
+        content = (Path(work) / library.name).read_bytes()
+    # At once, for processes may have the one before open.
+    half = library.with_suffix(".new")
+    half.write_bytes(without_time(content) if name.startswith("windows") else content)
+    half.replace(library)
     return library
+
+
+def without_time(content: bytes) -> bytes:
+    """A library of Windows whose head does not say when it was linked."""
+    at = int.from_bytes(content[0x3C:0x40], "little") + 8  # after "PE", the processor and the number of sections
+    return content[:at] + bytes(4) + content[at + 4 :]
 
 
 def linker(target: Target) -> list[str]:
