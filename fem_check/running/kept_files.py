@@ -20,7 +20,7 @@ RECORDS = (
     "tests/verification/hard_cases/*.json",
     "tests/verification/reference/*.json",
     "tests/verification/*.json",
-    "tests/*.json",
+    "tests/relations.json",
 )
 WRITTEN = (
     "qsbearing/reports/evidence.json",

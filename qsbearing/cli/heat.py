@@ -108,7 +108,7 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
         )
 
 
-def _show(found: dict[str, Any], remarks: Sequence[Block]) -> None:
+def _show(found: dict[str, Any], remarks: Sequence[Block] = ()) -> None:
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 

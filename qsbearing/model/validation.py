@@ -29,7 +29,7 @@ _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")
 
 LONGEST_VALUE = 60
 """Characters of a value that a message repeats."""
-FARTHEST, SHORTEST, MOST_ALIKE = 0.25, 3, 6
+FARTHEST, SHORTEST, MOST_ALIKE = 0.3, 3, 6
 """Of words that are alike: the part of the letters that may differ (chosen: `clearance` is no `tolerance`),
 letters of a word below which nothing is told, and how many are told."""
 MOST_DIGITS = 18
@@ -194,6 +194,8 @@ def printable(text: str) -> str:
 
     Whatever comes from a user goes through here before a message or a picture repeats it.
     """
+    if text.isprintable():
+        return text
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
 
 
@@ -354,7 +356,7 @@ def alike(word: str, known: Iterable[str]) -> list[str]:
     those of which the fewest letters differ, at most `FARTHEST` of the longer word, and of each longer part of it.
     Capitals do not count.
     """
-    plain, names = word.lower()[: 2 * LONGEST_VALUE], list(dict.fromkeys(known))
+    plain, names = word.lower()[:LONGEST_VALUE], list(dict.fromkeys(known))
     if same := [name for name in names if name.lower() == plain]:
         return same
     parts = _parts(plain)
@@ -382,8 +384,12 @@ def _parts(text: str) -> set[str]:
 
 
 def _distance(one: str, other: str) -> int | None:
-    """How many letters differ; None where they are too many, in all or in one of as many parts."""
+    """How many letters differ; None where they are too many, in all or in one of as many parts. A part may be cut
+    short, as temp of temperature."""
     parts, own = _BETWEEN.split(one), _BETWEEN.split(other)
+    if len(parts) == len(own):
+        parts = [b if len(a) >= SHORTEST and b.startswith(a) else a for a, b in zip(parts, own, strict=True)]
+        one, other = "_".join(parts), "_".join(own)
     pairs = [(a, b) for a, b in zip(parts, own, strict=False) if max(len(a), len(b)) >= SHORTEST]
     if len(parts) == len(own) and None in (_edits(a, b) for a, b in pairs):
         return None

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.preload_state import EXCESSIVE, REDUCED, PreloadLoads, PreloadState, states
-from qsbearing.model.solution.rounding import rounding_of_ring
+from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
 
@@ -19,7 +19,7 @@ def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterato
     preload = solution.scene.preload
     if preload is None or preload.kind == "spring":
         return
-    rounding = rounding_of_ring(solution.load, solution.scene.bearing)
+    rounding = rounding_of_load(solution.load, solution.scene.bearing)
     at_rest = not_grown(solution.preload_at_rest, solution.load[..., 0], rounding)
     found = solution.preload_loads if may_solve else at_rest
     if found is None:

@@ -20,7 +20,7 @@ from qsbearing.studies.results import known_results, why_unknown
 
 ROOT = Path(qs.__file__).parent
 LETTERS = "abcdefghijklmnopqrstuvwxyz_0123456789"
-BOUND = 0.25
+BOUND = 0.3
 """Of the letters of the longer name, as the page of the code states it; one letter of a name of three or four."""
 WRONG = (
     "preload", "torque", "clearance_class", "max_pressure", "temperature", "readings", "speed", "x", "", "zzzz",

@@ -127,7 +127,8 @@ def _told(told: Designation, lacking: Set[str]) -> str:
     )
     has_angle = told.angle is not None or "free_contact_angle_deg" not in lacking
     if told.kind == "angular_contact" and not has_angle:
-        is_open = told.maker in ("", "GMN") and not told.suffix and not told.ignored and told.is_prefix_known
+        is_open = told.maker in ("", "GMN") and not told.suffix and told.is_prefix_known
+        is_open &= not (told.ignored and told.angles)
         found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
         needs = _needs(lacking, [])
         also = f" No designation tells the balls: give {needs}." if needs else ""

@@ -199,7 +199,8 @@ def _say_slow(cases: int) -> None:
         return
     _process.is_slowness_said = True
     what = "solving as plain Python, hundreds of times slower"
-    print(f"qsbearing: {what} ({library.why_none()}): pip install 'qsbearing[compile]'", file=sys.stderr, flush=True)
+    remedy = "the extra `compile` brings a compiler, see `qsbearing guide timing`"
+    print(f"qsbearing: {what} ({library.why_none()}): {remedy}", file=sys.stderr, flush=True)
 
 
 def _after_fork() -> None:

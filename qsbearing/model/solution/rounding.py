@@ -25,8 +25,8 @@ def rounding_of(largest: Any, least: Any) -> NDArray:
     return np.asarray(np.maximum(NOISE * np.nan_to_num(largest), least))
 
 
-def rounding_of_ring(load: NDArray, bearing: BallBearing) -> NDArray:
-    """The same of one bearing under these loads (*cases, 5)."""
+def rounding_of_load(load: Any, bearing: BallBearing) -> NDArray:
+    """Likewise beside a bearing's load (*cases, 5)."""
     return rounding_of(np.abs(load[..., :3]).max(axis=-1), least_force(bearing))
 
 

@@ -24,7 +24,7 @@ from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
-from qsbearing.model.solution.rounding import rounding_of_ring
+from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.model.units import deg
@@ -336,8 +336,8 @@ class Solution(SolutionOfCases):
         """What is given, left without radial loads and moments, and carried; fields (*cases); None likewise."""
         if self.preload_at_rest is None:
             return None
-        rounding = rounding_of_ring(self.load, self.scene.bearing)
-        return PreloadLoads(self.preload_at_rest, self.preload_in_operation, self.load[..., 0], rounding)
+        loads = self.preload_at_rest, self.preload_in_operation, self.load[..., 0]
+        return PreloadLoads(*loads, rounding_of_load(self.load, self.scene.bearing))
 
     @cached_property
     def inner_ring(self) -> RingState | None:

@@ -125,7 +125,7 @@ def test_options_that_do_not_go_together_are_all_named(tmp_path: Path) -> None:
         assert words in result.output
     (tmp_path / "a.xlsx").write_bytes(b"no such thing")
     result = run("run", "b218", "--points", tmp_path / "a.xlsx", "--out", tmp_path / "b.csv")
-    assert result.exit_code == 2 and "cannot be read" in result.output
+    assert result.exit_code == 2 and "is not a zip file" in result.output
 
 
 def test_no_row_solved_is_exit_code_1(tmp_path: Path) -> None:

@@ -71,7 +71,7 @@ def test_the_command_prints_the_same(tmp_path: Path) -> None:
         assert [float(row[name] or "nan") for row in found] == pytest.approx(list(columns[name]), nan_ok=True)
     assert [float(row["axial_load_N"]) for row in found] == list(np.repeat(LOADS, 3))
     out = tmp_path / "table.csv"
-    assert CliRunner().invoke(cli, ["stiffness", "7210c", *VARY, "--out", str(out)]).output == ""
+    assert CliRunner().invoke(cli, ["stiffness", "7210c", *VARY, "--out", str(out)]).stdout == ""
     assert out.read_text(encoding="utf-8") == printed.stdout
 
 

@@ -93,7 +93,7 @@ def trap() -> dict[str, Any]:
     """What the traps catch when something walks into them."""
     watch = Watch(Path(__file__).parent)
     raised = []
-    entry = Entry(squared)
+    entry = Entry(squared, (float,))
     with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
         sys.setprofile(watch)
         squared(1e200)
