@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.numbers import plain
-from qsbearing.model.effects import EFFECTS
+from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.solution.judgement import ANOTHER_RESULT, WORDS, changed, estimated, shifted, unit_of
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Raceways, Reader, Words, listed, spanned
@@ -135,6 +135,12 @@ def _missing(fields: Mapping[str, Any], words: Words) -> str:
     return f"{listed(said)} {are} not included. {to_add(fields['add'], words)}"
 
 
+def needed(entry: Entry, has_size: bool, words: Words) -> str:
+    """What to give for an effect that needs numbers of the scene: in a file not what its bearing has."""
+    beside = entry.needs_beside_size if has_size and words.reader is not Reader.PYTHON else ""
+    return words.of(beside or entry.needs)
+
+
 def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     """An effect that needs numbers of the scene: what it would change, and what to give."""
     entry, quantity = EFFECT[fields["effect"]], fields["quantity"]
@@ -142,8 +148,7 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)
-    beside = entry.needs_beside_size if fields.get("has_size") and words.reader is not Reader.PYTHON else ""
-    needs = words.of(beside or entry.needs)
+    needs = needed(entry, bool(fields.get("has_size")), words)
     return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
 
 

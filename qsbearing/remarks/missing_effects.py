@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.effects.entry import has_size
-from qsbearing.model.solution.changes import Change, asked, changes, rows_of
+from qsbearing.model.solution.changes import Change, asked, changes, has_size_for, rows_of
 from qsbearing.model.solution.comparison import moved
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.model.units import um
@@ -91,22 +90,17 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
             of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
             matters = np.any([_matters(each, part) for each in found], axis=0)
             by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
-            size = all(has_size(rows[number - 1].scene) for number in lacking)
-            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, found, size, part.start)
+            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, found, part.start)
 
 
-def _lacks(solution: Any, entry: Entry, of: Of, found: list[Change], size: bool, start: int, i: int) -> Remark:
-    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved.
-
-    Args:
-        size: whether bore, outside diameter and width are known, so that nobody is asked for them.
-    """
+def _lacks(solution: Any, entry: Entry, of: Of, found: list[Change], start: int, i: int) -> Remark:
+    """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
     k = start + i
     quantity, by = _most(found, k)
     there = [each for each in found if np.ravel(each.is_solved)[k]]
     under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
-    values |= {"is_estimated": not is_solved, "has_size": size}
+    values |= {"is_estimated": not is_solved, "has_size": has_size_for(entry, solution)}
     return Remark("effect_data_missing", of, values | _moved(solution, there if quantity == DISPLACEMENT else [], k))
 
 

@@ -124,11 +124,7 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
         if row.in_scene and row.verdict == NEEDED:
             has.append(f"{row.what}: {change}")
         elif row.verdict in (NEEDED, DATA_MISSING):
-            give = (
-                f"give {IN_FILE.of(what[row.effect].needs)}"
-                if row.verdict == DATA_MISSING
-                else f"add {', '.join(row.add)}"
-            )
+            give = f"give {row.needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
             lines.append([row.what, Badge("no", _status(row)), change, give])
         elif what[row.effect].hypothesis and row.size(most) > tolerance:
             lines.append(

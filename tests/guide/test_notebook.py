@@ -40,7 +40,8 @@ def words(html: str | None) -> set[str]:
 def test_a_solution_shows_the_numbers_that_run_prints(scene: qs.Scene) -> None:
     loaded = dataclasses.replace(scene.operation, radial_load_y=300.0, tilt_z=0.0)
     solution = qs.solve(dataclasses.replace(scene, operation=loaded))
-    printed = {word for word in text_of(result(solution, taken(solution))).split() if re.search(r"\d", word)}
+    said = text_of(result(solution, taken(solution))).split()
+    printed = {word for word in said if re.search(r"\d", word) and '"' not in word}  # what files say is of files
     assert len(printed) > 60
     assert printed - words(solution._repr_html_()) == set()
 

@@ -62,10 +62,21 @@ def test_a_page_runs_with_its_long_commands(page: Path, tmp_path: Path) -> None:
         "Or `qsbearing catalogue no_such_bearing` shows it.\n",
         "```python\nprint(1 + 1)  # -> 3\n```\n",
         "```python\nraise ValueError\n```\n",
+        "```sh\nqsbearing catalogue b218\n```\n```text\nball count 15\n```\n",
         "A bearing:\n```sh\nqsbearing run b218\n```\n",
         "A bearing:\n```python\nimport qsbearing as qs\nqs.solve(qs.load_scene('b218'))._repr_html_()\n```\n",
     ],
-    ids=["refused", "misspelt", "another program", "in a sentence", "another result", "raises", "remarks", "shown"],
+    ids=[
+        "refused",
+        "misspelt",
+        "another program",
+        "in a sentence",
+        "another result",
+        "raises",
+        "output",
+        "remarks",
+        "shown",
+    ],
 )
 def test_a_page_that_does_not_run_is_found(wrong: str, tmp_path: Path) -> None:
     page = tmp_path / "page.md"

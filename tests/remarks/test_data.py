@@ -34,9 +34,13 @@ from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Of, Remark
 from qsbearing.remarks.wording import PYTHON, Reader
 from qsbearing.reports import document, effects, set_document
+from qsbearing.reports.effects import is_right
 from qsbearing.results.guide_lists import LISTS
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies import inferred
+from qsbearing.studies.chooser.choose_set import solve_any
+from qsbearing.studies.chooser.explain import Row, explain
+from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.studies.design import shown
 from qsbearing.studies.design.compare import compare
 from qsbearing.systems.sets import preload_limits
@@ -310,17 +314,36 @@ def test_a_file_is_not_asked_for_what_its_bearing_has(name: str, tmp_path: Path)
             assert named[Reader.PYTHON] == expected and named[Reader.FILE] == (expected and not has), texts
 
 
-def test_the_line_that_a_remark_gives_is_read(tmp_path: Path) -> None:
-    """`outer.housing = "free"` below [effects.elastic_rings] is all that a bearing of the catalogue needs."""
-    (said,) = [
-        each.remark.written(IN_FILE) for each in qs.warnings(qs.solve(qs.load_scene("7210C"))) if "rigid" in each
-    ]
-    line = re.search(r'such as (\S+ = "\w+")', said)
-    assert line is not None
+ONE = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 15000\naxial_load_N = 500\n'
+TWO = f'{ONE}[preload]\nrigid_N = 300\n[[rows]]\nposition_mm = 0\ncarries = "+x"\n'
+TWO += '[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
+
+
+def rows_of_explain(path: Path) -> list[Row]:
+    of = load_scene_or_set(path)
+    return explain(of, 0.01)[1] if isinstance(of, qs.Scene) else explain_set(of, 0.01)[1]
+
+
+@pytest.mark.parametrize("text", [ONE, TWO], ids=["scene", "set"])
+@pytest.mark.parametrize("effect", [entry.name for entry in EFFECTS if entry.needs_beside_size])
+def test_the_lines_that_a_remark_explain_and_the_report_give_are_the_same_and_are_read(
+    effect: str, text: str, tmp_path: Path
+) -> None:
+    """Such as `outer.housing = "free"` below [effects.elastic_rings]: all that a bearing of the catalogue needs."""
     path = tmp_path / "scene.toml"
-    text = '[bearing]\nname = "7210C"\n[operation]\naxial_load_N = 500\n[effects.elastic_rings]\n'
-    path.write_text(text + line[1], encoding="utf-8")
-    assert qs.load_scene(path).ring_effects[0].outer_width == pytest.approx(20 * qs.mm)
+    path.write_text(text, encoding="utf-8")
+    rows = rows_of_explain(path)
+    (row,) = (each for each in rows if each.effect == effect)
+    said = every_remark(solve_any(load_scene_or_set(path)))
+    (remark,) = (each.written(IN_FILE) for each in said if each.values.get("effect") == effect)
+    assert row.needs in remark and row.needs in row.why
+    table, _ = is_right(rows, 0.01)
+    assert f"give {row.needs}" in [line[-1] for line in table.rows]
+    found = re.match(r'(\[\S+\]).*such as (\S+ = "\w+")$', row.needs)
+    assert found is not None, row.needs
+    path.write_text(text + "\n".join(found.groups()), encoding="utf-8")
+    assert [each.name for each in load_scene_or_set(path).ring_effects] == [effect]
+    assert next(each.needs for each in rows_of_explain(path) if each.effect == effect) == ""
 
 
 # One list -------------------------------------------------------------------------------------------------------------

@@ -360,7 +360,7 @@ ENTRY = Entry(
     indicator=error_in("contact_angle", _errors),
     errors=_errors,
     needs=given(RingExpansion, " with bore, outside diameter, and fits or temperatures"),
-    needs_beside_size=given(RingExpansion, " with fits or temperatures"),
+    needs_beside_size=given(RingExpansion, " with fits or temperatures", shaft_fit="k5"),
     assume=_usual,
     tells_without=True,
 )

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import Entry
-from qsbearing.model.effects.entry import Assumed
+from qsbearing.model.effects.entry import Assumed, has_size
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.validation import SceneError
 
@@ -129,3 +129,8 @@ def asked(solution: Any) -> Any:
 def rows_of(solution: Any) -> Any:
     """The solutions of a set's rows, or the solution of a scene."""
     return getattr(solution, "rows", (solution,))
+
+
+def has_size_for(entry: Entry, solution: Any) -> bool:
+    """Whether bore, outside diameter and width of all that lack the effect are known, so that nobody asks for them."""
+    return all(has_size(row.scene) for row in rows_of(solution) if not entry.is_in(row.scene))

@@ -14,7 +14,7 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, alternatives, asked, changes
+from qsbearing.model.solution.changes import Change, alternatives, asked, changes, has_size_for
 from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.solution.judgement import (
     WORTH_A_WARNING,
@@ -30,6 +30,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import um
 from qsbearing.model.validation import Setting
+from qsbearing.remarks.kinds import needed
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 
@@ -72,6 +73,8 @@ class Row:
     `qsbearing.model.solution.ranges`."""
     displacement_um: float | None = None
     """By how much `actual` changes displacements; of others see `assumed`."""
+    needs: str = ""
+    """What to give to add it: of what the scene and the catalogue do not have."""
 
     @property
     def solved(self) -> list[dict[str, float | None]]:
@@ -189,7 +192,8 @@ def against_others(entry: Entry, solution: Any) -> Compared:
 def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance: float, words: Words = IN_FILE) -> Row:
     """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
     error = largest_of(found.assumed) if found.actual is None else float(max(found.actual.values()))
-    judged, why = verdict(entry, solution, is_in, error, tolerance, found.assumed, words)
+    needs = needed(entry, has_size_for(entry, solution), words) if entry.needs and not is_in else ""
+    judged, why = verdict(entry, solution, needs, error, tolerance, found.assumed)
     several = found.alternatives or found.assumed
     spans = ranges(solution, several)
     is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
@@ -211,6 +215,7 @@ def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance:
         alternatives=others,
         range={name: vars(each) for name, each in spans.items()},
         displacement_um=in_um(found.moved),
+        needs=needs,
     )
 
 
@@ -265,24 +270,24 @@ def as_floats(errors: dict[str, Any] | None) -> dict[str, float | None] | None:
 def verdict(
     entry: Entry,
     solution: Any,
-    is_in: bool,
+    needs: str,
     error: float | None,
     tolerance: float,
     assumed: list[Change],
-    words: Words = IN_FILE,
 ) -> tuple[str, str]:
     """Whether it is needed, and why not so where that cannot be judged.
 
     Args:
         solution: of the scene or set that has it or not.
+        needs: what to give to add it; empty where it is there or needs nothing.
         error: the largest change of all reported results; None where there is none.
         assumed: from which it is, where the parameters are not known.
     """
     of = "set" if hasattr(solution, "set") else "scene"
     if not solution.converged:
         return NOT_ASSESSED, f"the {of} has no solution to judge by"
-    if entry.needs and not is_in:
-        whats, needs = " and ".join(dict.fromkeys(each.what for each in assumed)), words.of(entry.needs)
+    if needs:
+        whats = " and ".join(dict.fromkeys(each.what for each in assumed))
         if error is None:
             unsolved = f"; solved with {whats}, the {of} has no solution" if assumed else ""
             return NOT_ASSESSED, f"needs {needs}{unsolved}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,7 @@ from qsbearing.documents.model import Paragraph
 from qsbearing.pictures.feasible_region import Along, Shown, draw_region
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.optimum import search
-from qsbearing.studies.design.shown import picture, record, tables
+from qsbearing.studies.design.shown import heading, picture, record, tables
 from qsbearing.studies.design.wanted import Variable, wanted
 from tests.studies.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
@@ -92,6 +93,19 @@ def test_a_goal_is_met_by_the_solver_itself() -> None:
     assert problem.violation(problem.solved(np.array(list(found.values.values())))) <= 2e-6
     assert found.is_feasible and found.failed == ()
     assert qs.solve(found.scene).effective_stiffness[1] / 1e6 == pytest.approx(200.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_the_head_says_that_goals_are_met_or_that_no_point_meets_them(name: str) -> None:
+    """Of a point between the sampled ones in one sentence."""
+    found = of_spindle(PROBLEMS[name])
+    for share in {found.feasible_share, 0.0}:
+        said = heading(replace(found, feasible_share=share))
+        assert ("No point" in said) == (not found.is_feasible), said
+        if found.is_feasible:
+            assert ("met at one point, between those sampled" in said) == (share == 0.0), said
+            assert ("sampled points meet all" in said) == (share > 0.0), said
+            assert share > 0.0 or said.count(".") == 1, said
 
 
 def test_the_benchmark_of_bearing_design_is_met() -> None:

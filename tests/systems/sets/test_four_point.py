@@ -161,6 +161,10 @@ def test_beyond_rest_two_rows_at_one_place_are_refused() -> None:
             set_of(tables, "a file")
         (error,) = raised.value.errors
         assert error.key == "row 2.position_mm" and words in str(error)
+        remedy = (
+            "Four-point bearings are solved at rest only, without ball effects and elastic rings: set speed_rpm = 0."
+        )
+        assert (remedy in str(error)) == (tables is not alike)
 
 
 @pytest.mark.parametrize(
