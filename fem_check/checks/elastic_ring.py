@@ -288,9 +288,9 @@ def equilibrium(problem: Problem, by_load: Array) -> tuple[Array, Array]:
         return np.concatenate([(on_shaft - problem.load)[free] * 1e-3, unknown[len(free) :] - moved / size])
 
     unknown = np.concatenate([at_rest(problem)[0][free] / size, np.zeros(len(row.azimuth))])
+    away = 100.0  # its steps are parts of each unknown: nothing for one that is 0 but for rounding
     for part in (0.0, 0.01, 0.03, 0.1, 0.3, 1.0):
-        found = root(left, unknown, args=(part,), tol=1e-12)
-        unknown = found.x
+        unknown = root(lambda moved, part: left(moved - away, part), unknown + away, args=(part,), tol=1e-12).x - away
     remains = float(np.abs(left(unknown, 1.0)).max())
     if remains > BALANCED:
         raise scenes.SceneProblemError(f"the balls' equilibrium in a ring that gives way leaves {remains:.1e}")
