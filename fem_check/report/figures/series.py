@@ -76,8 +76,8 @@ def true_geometry(entry: Entry) -> Figure:
                 )  # fmt: skip
             values = part["boundary_elements_percent"][name]
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
+        axes.axhline(0.0, **HERTZ)  # before the scale: on a logarithmic axis its ends at 0 and 1 warn
         axes.set_xscale("log")
-        axes.axhline(0.0, **HERTZ)
         axes.set(title=quantity(name), ylabel="off Hertz by, %")
     for axes in grid[1]:
         load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
