@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.documents.numbers import duration, plain
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.solution import comparison
 from qsbearing.model.version import __version__
@@ -38,8 +39,6 @@ SHOWN = {1: "1\ncase", 1_000: "1,000\ncases", 1_000_000: "1e6\ncases"}
 """Cases whose time is given, and the headings of their columns."""
 ROUNDS = 5
 """Of the calls with one case, each in turn; more cases average by themselves."""
-
-UNITS = (("h", 3600.0), ("min", 60.0), ("s", 1.0), ("ms", 1e-3), ("µs", 1e-6))
 
 Level = tuple[str, str, Asked]
 """Its key, its words, and the scene or set at that level."""
@@ -176,10 +175,9 @@ def blocks(found: dict[str, Any]) -> list[Block]:
 def _percent(errors: list[float | None]) -> str:
     """The largest, in per cent to two digits; "-" where one has no number."""
     known = [100.0 * error for error in errors if error is not None]
-    return f"{float(format(max(known), '.2g')):g}" if len(known) == len(errors) else "-"
+    return plain(max(known), ".2g") if len(known) == len(errors) else "-"
 
 
 def _duration(cost: dict[str, Any]) -> str:
-    """To two digits, in a unit that suits it; a star where it was not measured."""
-    unit, size = next((each for each in UNITS if cost["seconds"] >= each[1]), UNITS[-1])
-    return f"{float(format(cost['seconds'] / size, '.2g')):g} {unit}{'' if cost['measured'] else '*'}"
+    """Of a cost, with a star where it was not measured."""
+    return duration(cost["seconds"]) + "*" * (not cost["measured"])
