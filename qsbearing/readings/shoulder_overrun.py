@@ -200,7 +200,8 @@ def _raceway(
     if edge_radius is not None:
         # Numbers of cases, over the balls of each.
         modulus, rho = (np.asarray(value, float)[..., None] for value in (0.5 * numbers.effective_modulus, edge_radius))
-        pressure = np.minimum(edge_pressure(intensity, contacts.max_pressure, b, modulus, rho), STATIC_PRESSURE)
+        with np.errstate(divide="ignore", invalid="ignore"):  # NaN of a ball without load
+            pressure = np.minimum(edge_pressure(intensity, contacts.max_pressure, b, modulus, rho), STATIC_PRESSURE)
     ball_radius = 0.5 * np.asarray(numbers.ball_diameter, float)[..., None]
     edges = np.broadcast_to(edge, solution.shape)
     return RacewayOverrun(edges, distance, load, share, loss, centre * a / ball_radius, intensity, pressure)

@@ -151,10 +151,12 @@ def _indices(one: NDArray, other: NDArray, mixed: NDArray) -> NDArray:
     """First-order and total indices, shape (2, result, key)."""
     from scipy.stats import sobol_indices as by_scipy
 
+    # scipy fails at one result of one key, whose index it takes for a plain number: it gets each result twice.
+    given = {"f_A": np.repeat(one, 2, 0), "f_B": np.repeat(other, 2, 0), "f_AB": np.repeat(mixed, 2, 1)}
     with np.errstate(invalid="ignore", divide="ignore"):
-        found = by_scipy(func={"f_A": one, "f_B": other, "f_AB": mixed}, n=one.shape[1])
-    shape = (one.shape[0], mixed.shape[0])
-    both = np.array([np.reshape(found.first_order, shape), np.reshape(found.total_order, shape)])
+        indices = by_scipy(func=given, n=one.shape[1])
+    shape = (one.shape[0], 2, mixed.shape[0])
+    both = np.array([np.reshape(each, shape)[:, 0] for each in (indices.first_order, indices.total_order)])
     # scipy makes zeros of what is not finite, which would say that no key matters.
     known = np.isfinite(one).all(axis=1) & np.isfinite(other).all(axis=1) & np.isfinite(mixed).all(axis=(0, 2))
     both[:, ~known | (np.ptp(one, axis=1) == 0.0)] = np.nan

@@ -149,6 +149,15 @@ def test_a_cut_contact_says_how_bad_it_is() -> None:
     assert "load and angle hold" in small
 
 
+def test_a_ball_without_load_has_no_pressure_at_an_edge() -> None:
+    scene = resting(radial_load_y=3000.0, axial_load=100.0, tilt_y=0.0, tilt_z=0.0)
+    solution = solved(scene)
+    pressure = qs.readings.overrun(solution, inner_shoulder_diameter=113e-3, edge_radius=0.2e-3).inner.edge_pressure
+    is_loaded = solution.inner.load > 0.0
+    assert 0 < is_loaded.sum() < is_loaded.size
+    np.testing.assert_array_equal(np.isfinite(pressure), is_loaded)
+
+
 def test_no_pressure_is_told_at_a_sharp_edge() -> None:
     found = cut_off(90e3)
     assert found.inner.edge_pressure is None
