@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import Any
 
 from qsbearing.files.file_keys import find, spelled
+from qsbearing.files.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.material import BY_NAME
-from qsbearing.model.scene.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Reader, Words
 from qsbearing.studies import keys

@@ -12,6 +12,21 @@ from qsbearing.files import catalogue
 from qsbearing.files.data_sheet_table import bearing_of_sheet, is_data_sheet, without_sheet
 from qsbearing.files.designations import iso15, read
 from qsbearing.files.file_errors import FileErrorDetail, translate
+from qsbearing.files.keys import (
+    BEARING,
+    CLEARANCE,
+    COEFFICIENTS,
+    DIAMETERS,
+    FREE_ANGLE,
+    IN_PLACE,
+    MATERIALS,
+    PRINTED,
+    RACEWAYS,
+    RATINGS,
+    SHOULDERS,
+    Key,
+    required_of,
+)
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
 from qsbearing.model.bearing import (
     BallBearing,
@@ -21,18 +36,6 @@ from qsbearing.model.bearing import (
     pitch_and_clearance,
 )
 from qsbearing.model.bearing_errors import FREE_ANGLE_MAX
-from qsbearing.model.scene.keys import (
-    BEARING,
-    COEFFICIENTS,
-    DIAMETERS,
-    IN_PLACE,
-    MATERIALS,
-    PRINTED,
-    RACEWAYS,
-    RATINGS,
-    SHOULDERS,
-    Key,
-)
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.units import deg, mm
 from qsbearing.model.validation import SceneError, printable
@@ -107,7 +110,8 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
     if entry is not None or "name" not in table:
         _find_missing(set(good) | unusable, errors)
     materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
-    fields: dict[str, Any] = dict.fromkeys((key.field for key in BEARING), nan) | si(BEARING, good)
+    needed = (key.field for key in (*required_of(BallBearing), CLEARANCE))
+    fields: dict[str, Any] = dict.fromkeys(needed, nan) | si(BEARING, good)
     fields |= materials
     fields["outline"] = _outline(printed)
     fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
@@ -213,8 +217,8 @@ def _outline(printed: dict[str, Any]) -> Outline | None:
 
 def _find_missing(present: set[str], errors: Errors) -> None:
     """Keys that a bearing needs, from the file or its catalogue entry."""
-    for key in BEARING[:5]:
-        if key.name not in present:
+    for key in required_of(BallBearing):
+        if key.name not in present and key != FREE_ANGLE:
             cause = "A whole number" if key.name == "ball_count" else f"A number in {printed_unit(key.unit)}"
             errors.append(FileErrorDetail(f"bearing.{key.name}", "missing", cause=cause))
     for name in MATERIALS:

@@ -10,10 +10,7 @@ import numpy as np
 
 from qsbearing.files.designations import read
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.table_checks import Errors, material, si
-from qsbearing.inference.data_sheet import DataSheet
-from qsbearing.model.bearing import BallBearing, Outline
-from qsbearing.model.scene.keys import (
+from qsbearing.files.keys import (
     BEARING,
     COEFFICIENTS,
     DATA_SHEET,
@@ -24,6 +21,9 @@ from qsbearing.model.scene.keys import (
     RATINGS,
     SHEET_WORDS,
 )
+from qsbearing.files.table_checks import Errors, material, si
+from qsbearing.inference.data_sheet import DataSheet
+from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.validation import SceneError, printable
 
 if TYPE_CHECKING:

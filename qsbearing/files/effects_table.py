@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import MISSING, fields
 from math import nan
 from typing import Any
 
@@ -10,6 +9,17 @@ import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.fits import FITTED, fits_of
+from qsbearing.files.keys import (
+    BALL_DEVIATIONS,
+    EFFECT_SECTIONS,
+    EFFECT_TABLES,
+    EFFECTS,
+    RING_COMPLIANCES,
+    SEAT_MATERIALS,
+    SEATS,
+    named,
+    required_of,
+)
 from qsbearing.files.table_checks import (
     Errors,
     as_number,
@@ -35,15 +45,6 @@ from qsbearing.model.effects import (
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.ring_expansion_errors import Fit
-from qsbearing.model.scene.keys import (
-    BALL_DEVIATIONS,
-    EFFECT_SECTIONS,
-    EFFECT_TABLES,
-    EFFECTS,
-    RING_COMPLIANCES,
-    SEAT_MATERIALS,
-    SEATS,
-)
 from qsbearing.model.scene.scene import CHOICES, effect_errors
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
@@ -87,20 +88,21 @@ def effects_of(document: dict[str, Any], errors: Errors, found: frozenset[str] =
         table = {name: value for name, value in table.items() if name not in within}
     good, unusable = checked(_EFFECTS, "effects", table, errors)
     names, shares = good.get("ball", []), good.pop("moment_shares", None)
-    friction = good.pop("friction_coefficient", None)
+    numbers = {key.name: good.pop(key.name) for key in EFFECTS if key.name in good}
     for name in dict.fromkeys(name for name in names if name not in BALL_EFFECTS):
         cause = did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
         errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
         unusable.add("ball")
     made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
-    made[GyroscopicMoment.name] = _gyroscopic_moment(shares, friction, errors)
+    made[GyroscopicMoment.name] = _gyroscopic_moment(shares, si(EFFECTS, numbers), errors)
     effects = tuple(made[name] for name in names if name in made)
     if not unusable & {"ball", "raceway_control"}:
         asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
         errors += map(translate, effect_errors(effects, *asked))
     if "ball" not in unusable and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
-        for name, value, verb in (("moment_shares", shares, "share"), ("friction_coefficient", friction, "carry")):
+        of_moment = {"moment_shares": (shares, "share"), **{name: (each, "carry") for name, each in numbers.items()}}
+        for name, (value, verb) in of_moment.items():
             if value is not None:
                 problem = f"is given, but there is no gyroscopic moment to {verb}"
                 shown = value if isinstance(value, float) else str(value)
@@ -121,15 +123,9 @@ def _tolerance(value: Any, errors: Errors) -> float | None:
     return float(value)
 
 
-def _gyroscopic_moment(shares: MomentShares | None, friction: float | None, errors: Errors) -> GyroscopicMoment:
+def _gyroscopic_moment(shares: MomentShares | None, numbers: dict[str, Any], errors: Errors) -> GyroscopicMoment:
     shares = shares or MomentShares.CONTROLLING
-    return made(lambda: GyroscopicMoment(shares, friction), errors) or GyroscopicMoment(shares)
-
-
-def _needed(name: str) -> list[str]:
-    """The keys of an effect's table that have no usual value."""
-    required = {field.name for field in fields(_RING_EFFECTS[name]) if field.default is MISSING}
-    return [key.name for key in EFFECT_TABLES[name] if key.field in required]
+    return made(lambda: GyroscopicMoment(shares, **numbers), errors) or GyroscopicMoment(shares)
 
 
 def ring_effect(name: str, table: Any, errors: Errors, found: frozenset[str] = frozenset()) -> RingEffect | None:
@@ -148,7 +144,8 @@ def ring_effect(name: str, table: Any, errors: Errors, found: frozenset[str] = f
     if not is_table:
         return None
     later = [key.field for key in EFFECT_TABLES[name] if key.name in found]
-    missing = [key for key in _needed(name) if key not in good and key not in unusable and key not in found]
+    needed = named(required_of(_RING_EFFECTS[name]))
+    missing = [key for key in needed if key not in {*good, *unusable, *found}]
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = dict.fromkeys(later)
     numbers_si |= si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)

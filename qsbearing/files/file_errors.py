@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from qsbearing.files.file_keys import find, path_in_file, spelled
-from qsbearing.model.scene.keys import Key
+from qsbearing.files.keys import Key
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, UnitAdvice, printable, shown
 

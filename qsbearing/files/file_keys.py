@@ -1,11 +1,11 @@
-"""The keys of a scene file by their place in it; those of readings are loaded only where they matter."""
+"""The keys of a scene file by their place in it; those of readings, sets and heat are loaded only where they matter."""
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.files import thermal_keys
-from qsbearing.model.scene.keys import (
+from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     EFFECT_SECTIONS,
     EFFECT_TABLES,
@@ -15,10 +15,13 @@ from qsbearing.model.scene.keys import (
     RING_COMPLIANCES,
     SEATS,
     SECTIONS,
-    SET_NUMBERS,
+    SET_TABLES,
     SPECTRUM,
     SPECTRUM_POINT,
+    WITHIN_SET_TABLES,
     Key,
+    key_of,
+    named,
 )
 from qsbearing.model.validation import Setting, whole_number
 from qsbearing.remarks.wording import Reader, Words
@@ -46,15 +49,37 @@ def reading_tables() -> dict[str, Table]:
     return tables()
 
 
+@cache
+def reading_keys(name: str) -> tuple[Key, ...]:
+    """The keys that hold numbers in a table within [readings]."""
+    return tuple(map(key_of, reading_tables()[name].inputs))
+
+
 def numbers() -> dict[str, tuple[Key, ...]]:
-    """The keys that hold numbers, by their table."""
-    return NUMBERS | {name: table.keys for name, table in reading_tables().items()}
+    """The keys that hold numbers, by their table; those of sets and of heat: `set_numbers`, `thermal_numbers`."""
+    return NUMBERS | {name: reading_keys(name) for name in reading_tables()}
+
+
+def set_numbers() -> dict[str, tuple[Key, ...]]:
+    """Likewise, of the tables that only a set has."""
+    from qsbearing.files.set_keys import SET_NUMBERS
+
+    return SET_NUMBERS
+
+
+def thermal_numbers() -> dict[str, tuple[Key, ...]]:
+    """Likewise, of [thermal] and the tables within it."""
+    from qsbearing.files.thermal_keys import THERMAL_NUMBERS
+
+    return THERMAL_NUMBERS
 
 
 def sections() -> dict[str, tuple[str, ...]]:
     """Every key a file may hold, by its table, and by the tables within [effects] and [readings]."""
-    own = {name: (*(key.name for key in it.keys), *it.choices) for name, it in reading_tables().items()}
-    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | thermal_keys.SECTIONS | own
+    from qsbearing.files.thermal_keys import THERMAL_SECTIONS
+
+    own = {name: (*named(reading_keys(name)), *it.choices) for name, it in reading_tables().items()}
+    return SECTIONS | {"readings": tuple(own)} | EFFECT_SECTIONS | THERMAL_SECTIONS | own
 
 
 def find(path: str) -> Key | None:
@@ -68,10 +93,11 @@ def find(path: str) -> Key | None:
     if whole_number(number) is not None:
         table = NUMBERED.get(kind, table)
     if path.startswith("thermal."):
-        keys = thermal_keys.NUMBERS.get(table.partition(" ")[0], ())
+        keys = thermal_numbers().get(table.partition(" ")[0], ())
         return next((key for key in keys if name in (key.field, key.name)), None)
     known = numbers() if _is_of_reading(path) else NUMBERS
-    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else SET_NUMBERS.get(table) or known.get(table, ())
+    known = set_numbers() if table in (*SET_TABLES, *WITHIN_SET_TABLES) else known
+    keys = SPECTRUM if table.startswith(SPECTRUM_POINT) else known.get(table, ())
     keys = (*keys, *IN_PLACE) if table == "bearing" else keys
     return next((key for key in keys if name in (key.field, key.name)), None)
 

@@ -6,16 +6,23 @@ A set takes material and temperature of its ring expansions from its housing its
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
-from qsbearing.files.table_checks import Errors, as_it_is, checked, material, table_model
+from qsbearing.files.file_keys import set_numbers
+from qsbearing.files.keys import DIAMETERS, MATERIAL
+from qsbearing.files.table_checks import Errors, TableModel, as_it_is, checked, material, table_model
 from qsbearing.model.material import STEEL
-from qsbearing.model.scene.keys import DIAMETERS, HEATED, MATERIAL
 
-MODEL = table_model("housing", (*HEATED, DIAMETERS[1]), {"material": as_it_is})
 _FITTED = {"housing_interference_um", "housing_fit"}
-_ELASTIC = MATERIAL[:2]
+_ELASTIC = tuple(key for key in MATERIAL if key.field in ("elastic_modulus", "poisson_ratio"))
 """What an elastic housing takes of its material."""
+
+
+@cache
+def model() -> TableModel:
+    """How the table is built."""
+    return table_model("housing", set_numbers()["housing"], {"material": as_it_is})
 
 
 def with_housing(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
@@ -31,7 +38,7 @@ def with_housing(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     of_set = "rows" in document
     document = dict(document) if of_set else {name: each for name, each in document.items() if name != "housing"}
     wrong: Errors = [] if of_set else errors
-    good, _ = checked(MODEL, "housing", table, wrong)
+    good, _ = checked(model(), "housing", table, wrong)
     before = len(wrong)
     body = good.get("material", STEEL.name if of_set else None)  # of a set, `Housing` has it
     body = None if body is None else material("housing.material", body, wrong)

@@ -7,10 +7,9 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from qsbearing.files import catalogue
-from qsbearing.files.file_keys import numbers
-from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
+from qsbearing.files.file_keys import numbers, set_numbers, thermal_numbers
+from qsbearing.files.keys import EFFECT_TABLES, IN_PLACE, MATERIAL, MATERIALS, SET_TABLES, WITHIN_SET_TABLES, Key
 from qsbearing.model.material import STEEL, material_named
-from qsbearing.model.scene.keys import EFFECT_TABLES, IN_PLACE, MATERIAL, MATERIALS, SET_NUMBERS, Key
 from qsbearing.model.units import mm
 from qsbearing.model.validation import LENGTH, alike, question, whole_number
 
@@ -43,9 +42,9 @@ def key_at(path: Path) -> Key | None:
     if last.endswith("material"):
         keys: tuple[Key, ...] = MATERIAL
     elif tables[0] == "thermal":
-        keys = THERMAL_NUMBERS.get(last, ())
+        keys = thermal_numbers().get(last, ())
     else:
-        keys = SET_NUMBERS.get(last) or numbers().get(last, ())
+        keys = set_numbers().get(last) or numbers().get(last, ())
         keys = (*keys, *(key for key in IN_PLACE if key.name != "ball_set")) if last == "bearing" else keys
     return next((key for key in keys if key.name == name), None)
 
@@ -57,7 +56,7 @@ def spans_cases(path: Path, document: dict[str, Any]) -> bool:
         rows = document.get("rows")
         holders = [document.get("effects"), *(rows if isinstance(rows, list) else [])]
         return not any(isinstance(each, dict) and "ring_expansion" in each for each in holders)
-    if path[0] not in (*SET_NUMBERS, "thermal"):
+    if path[0] not in (*SET_TABLES, *WITHIN_SET_TABLES, "thermal"):
         return True
     return name.startswith(ONE_EACH) and name != "shaft.loads.position_mm"
 

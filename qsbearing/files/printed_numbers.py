@@ -17,11 +17,9 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import MODIFIED, bearing_of, changed_keys, designated, entry_of, kept
 from qsbearing.files.designations import read
 from qsbearing.files.effects_table import flattened
-from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.file_keys import reading_keys, reading_tables
 from qsbearing.files.fits import CLASS
-from qsbearing.model.bearing import BallBearing
-from qsbearing.model.effects import ElasticRings, RingExpansion
-from qsbearing.model.scene.keys import (
+from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
     EFFECT_TABLES,
@@ -29,6 +27,8 @@ from qsbearing.model.scene.keys import (
     PRINTED,
     SEAT_FITS,
 )
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.effects import ElasticRings, RingExpansion
 
 _OF_RINGS = {
     "outer.outside_diameter_mm": "outside_diameter_mm",
@@ -193,5 +193,5 @@ def _taken(name: str) -> dict[str, str]:
     if name == ElasticRings.name:
         return _OF_RINGS
     printed = {key.name for key in PRINTED}
-    keys = EFFECT_TABLES[name] if name in EFFECT_TABLES else reading_tables()[name].keys
+    keys = EFFECT_TABLES.get(name) or (reading_keys(name) if name in reading_tables() else ())
     return {key.name: key.name for key in keys if key.name in printed}

@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.file_keys import reading_keys, reading_tables
 from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, si, table_model
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import Field, Sentence, alike, question
@@ -18,7 +18,7 @@ OIL_TEMPERATURE = "oil_temperature_C"
 def _model(name: str) -> TableModel:
     """How a reading's table is built. What its words may be, the reading itself knows."""
     known = reading_tables()[name]
-    return table_model(name, known.keys, dict.fromkeys(known.choices, as_word))
+    return table_model(name, reading_keys(name), dict.fromkeys(known.choices, as_word))
 
 
 def asked_readings(
@@ -42,9 +42,9 @@ def asked_readings(
             cause = question(alike(str(name), known), "[readings.{}]") or f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
-        keys, choices = known[name].keys, known[name].choices
+        choices = known[name].choices
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
-        asked[name] = si(keys, good) | {choice: good[choice] for choice in choices if choice in good}
+        asked[name] = si(reading_keys(name), good) | {choice: good[choice] for choice in choices if choice in good}
     if asked and len(errors) == before:  # what cannot be used would be missing as well
         from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
 

@@ -15,6 +15,13 @@ from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
 from qsbearing.files.housing_table import with_housing
+from qsbearing.files.keys import (
+    EFFECT_SECTIONS,
+    MAKES_SET,
+    OPERATION,
+    PRELOAD,
+    SECTIONS,
+)
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
@@ -33,13 +40,6 @@ from qsbearing.files.table_checks import (
 )
 from qsbearing.files.toml import read_toml
 from qsbearing.model.operation import CHANNELS, Operation
-from qsbearing.model.scene.keys import (
-    EFFECT_SECTIONS,
-    MAKES_SET,
-    OPERATION,
-    PRELOAD,
-    SECTIONS,
-)
 from qsbearing.model.scene.preload import Preload, axial_channel_errors
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import SceneError, alike, printable, question

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.files.keys import MAKES_SET
 from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.model.scene.keys import MAKES_SET
 from qsbearing.model.scene.scene import Scene
 
 if TYPE_CHECKING:

@@ -13,34 +13,36 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
 from qsbearing.files.data_sheet_table import sheet_tables
 from qsbearing.files.effects_table import AUTO
-from qsbearing.files.file_keys import reading_tables
-from qsbearing.files.shaft_tables import stiffness_table, surroundings_tables
-from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
-from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
-from qsbearing.model.material import BY_NAME, Material
-from qsbearing.model.operation import CHANNELS
-from qsbearing.model.scene.keys import (
+from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
+    CLEARANCE,
     EFFECT_TABLES,
     EFFECTS,
+    FREE_ANGLE,
     MATERIAL,
     MATERIALS,
     OPERATION,
     PRELOAD,
     PRINTED,
     RING_COMPLIANCES,
-    ROW,
     SEAT_MATERIALS,
     SEATS,
     Key,
+    keys_of,
 )
+from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
+from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
+from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
 
 Tables = dict[str, Any]
+_BEARING = tuple(key for key in BEARING if key not in (FREE_ANGLE, CLEARANCE))
 NEIGHBOURS = 8
 """Floats on either side among which a file's number is looked for: on its way to SI it was rounded once or twice."""
 
@@ -55,6 +57,8 @@ def input_tables(of: Scene | BearingSet) -> Tables:
         SceneError: something that no file has a key for.
     """
     if isinstance(of, BearingSet):
+        from qsbearing.files.shaft_tables import surroundings_tables  # a scene does not load it
+
         common = of.rows[0].bearing
         is_common = all(row.bearing is common and row.ring_effects is None for row in of.rows)
         tables: Tables = {"bearing": _bearing(common)} if is_common else {}
@@ -84,8 +88,10 @@ def input_tables(of: Scene | BearingSet) -> Tables:
 
 
 def _row(row: Row, with_bearing: bool) -> Tables:
-    table: Tables = _numbers(ROW, row) | {"carries": str(row.carries), "sprung": row.sprung}
+    table: Tables = _numbers(keys_of(Row), row) | {"carries": str(row.carries), "sprung": row.sprung}
     if row.housing_stiffness is not None:
+        from qsbearing.files.shaft_tables import stiffness_table
+
         table["housing_stiffness"] = stiffness_table(row.housing_stiffness, _numbers)
     if with_bearing:
         table["bearing"] = _bearing(row.bearing)
@@ -98,7 +104,7 @@ def _bearing(bearing: BallBearing) -> Tables:
         tables = sheet_tables(bearing) | {side: _material(getattr(bearing, side)) for side in MATERIALS}
         return tables | _outline(bearing, None)
     entry = entry_of(bearing)
-    table: Tables = {"kind": str(bearing.kind), **_numbers(BEARING[:5], bearing), **_angle(bearing, entry)}
+    table: Tables = {"kind": str(bearing.kind), **_numbers(_BEARING, bearing), **_angle(bearing, entry)}
     table["ball_count"] = int(table["ball_count"])
     table |= {side: _material(getattr(bearing, side)) for side in MATERIALS}
     is_named = entry is not None and label_of(entry, table) == bearing.name
@@ -115,7 +121,7 @@ def _outline(bearing: BallBearing, entry: catalogue.Entry | None) -> Tables:
 
 def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, float]:
     """The free contact angle, or the clearance that it was made from."""
-    angle, clearance = BEARING[5:]
+    angle, clearance = FREE_ANGLE, CLEARANCE
     if np.any(bearing.radial_interference):
         wedged = _single(clearance, bearing.radial_interference)
         about = -2.0 * wedged / clearance.size
@@ -201,11 +207,11 @@ def _readings(asked: Mapping[str, Mapping[str, Any]]) -> Tables:
         if name == "spectrum":
             continue  # its points are the file's operation
         given = with_defaults(name, arguments)
-        own = reading_tables()[name]
-        words = {choice: str(given[choice]) for choice in own.choices if choice in given}
-        for field in set(given) - set(words) - {key.field for key in own.keys}:
+        keys, choices = reading_keys(name), reading_tables()[name].choices
+        words = {choice: str(given[choice]) for choice in choices if choice in given}
+        for field in set(given) - set(words) - {key.field for key in keys}:
             raise _without_key(f"readings.{name}.{field}", "only Python gives it")
-        tables[name] = words | _numbers(own.keys, given)
+        tables[name] = words | _numbers(keys, given)
     return tables
 
 

@@ -11,15 +11,9 @@ from typing import Any
 
 from qsbearing.files import catalogue, thermal_keys
 from qsbearing.files.effects_table import AUTO, BALL_EFFECTS
-from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_keys, reading_tables
 from qsbearing.files.fits import CLASS, FITTED, classes, names
-from qsbearing.files.preload_class import CLASSES
-from qsbearing.files.table_checks import CHOICES_OF_FILES
-from qsbearing.files.template import notes
-from qsbearing.model.effects import ElasticRings
-from qsbearing.model.material import BY_NAME
-from qsbearing.model.operation import CHANNELS, TILT_OF
-from qsbearing.model.scene.keys import (
+from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
     EFFECT_SECTIONS,
@@ -35,10 +29,18 @@ from qsbearing.model.scene.keys import (
     RING_COMPLIANCES,
     SEAT_MATERIALS,
     SEATS,
-    SET_NUMBERS,
     SPECTRUM,
     Key,
+    named,
+    required_of,
 )
+from qsbearing.files.preload_class import CLASSES
+from qsbearing.files.set_keys import SET_NUMBERS
+from qsbearing.files.table_checks import CHOICES_OF_FILES
+from qsbearing.files.template import notes
+from qsbearing.model.effects import ElasticRings
+from qsbearing.model.material import BY_NAME, Material
+from qsbearing.model.operation import CHANNELS, TILT_OF
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.readings.asked import READINGS
 from qsbearing.systems.sets.row import Direction
@@ -116,11 +118,13 @@ def _reading(name: str) -> Schema:
     own = reading_tables()[name]
     words = {word: _told(_WORD, notes().get((name, word), "")) for word in own.choices}
     gives = READINGS[name].gives if name in READINGS else own.note
-    return _told({"anyOf": [{"const": True}, closed(_numbers(own.keys, name) | words)]}, gives)
+    return _told({"anyOf": [{"const": True}, closed(_numbers(reading_keys(name), name) | words)]}, gives)
 
 
 def _thermal() -> Schema:
-    tables = {name: closed(_numbers(keys, name)) for name, keys in thermal_keys.NUMBERS.items() if name != "thermal"}
+    tables = {
+        name: closed(_numbers(keys, name)) for name, keys in thermal_keys.THERMAL_NUMBERS.items() if name != "thermal"
+    }
     conductance = _numbers(thermal_keys.CONDUCTANCE, thermal_keys.CONDUCTANCES)
     conductance |= {"between": _list(_WORD), "row": {"type": "integer"}}
     tables[thermal_keys.CONDUCTANCES] = _list(closed(conductance), 1)
@@ -163,7 +167,7 @@ def _rules() -> list[Schema]:
         acts = {"required": [in_file[name]], "properties": {in_file[name]: {"not": {"const": 0}}}}
         either = [{"required": [in_file[each]]} for each in (CHANNELS[channel].load, CHANNELS[channel].displacement)]
         tilts.append({"if": acts, "then": {"anyOf": either}})
-    needed = [key.name for key in BEARING[:2]]
+    needed = [key.name for key in BEARING if key.field in ("ball_count", "ball_diameter")]
     own = {"anyOf": [{"required": each} for each in (["name"], [RATINGS[0].name], [*needed, *MATERIALS])]}
     one_of = {"anyOf": [_WORD, {"minProperties": 1, "maxProperties": 1}]}
     given = {
@@ -240,7 +244,7 @@ def _material() -> Schema:
         "anyOf": [
             {"enum": list(spellings)},
             {"type": "string", "pattern": f"^({'|'.join(any_case)})$"},
-            closed(_numbers(MATERIAL, "material")) | {"required": [key.name for key in MATERIAL[:3]]},
+            closed(_numbers(MATERIAL, "material")) | {"required": list(named(required_of(Material)))},
         ],
     }
 

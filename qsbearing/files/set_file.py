@@ -12,6 +12,7 @@ from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.housing_table import with_housing
+from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -25,18 +26,18 @@ from qsbearing.files.scene_file import (
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
-from qsbearing.model.scene.keys import EFFECT_TABLES, ROW, SECTIONS, SET_SECTIONS
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.row import Direction, Row, placement_errors
+from qsbearing.systems.sets.row import PLACED, Direction, Row, placement_errors
 
-TABLES = (*SECTIONS, *SET_SECTIONS)
+TABLES = (*SECTIONS, *SET_TABLES)
 LISTED = ("rows", "spacers", "floating")
 """Those that are lists of tables."""
 OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
 """Tables within a row, which are judged as those of a scene are."""
 
-_ROW = table_model("rows", ROW, {"carries": as_word, "sprung": as_it_is})
+_NUMBERS = keys_of(Row)
+_ROW = table_model("rows", _NUMBERS, {"carries": as_word, "sprung": as_it_is})
 
 
 def load_set(source: str | os.PathLike[str]) -> BearingSet:
@@ -158,8 +159,9 @@ def _row(
         cause = did_you_mean(carries, list(Direction)) or 'The axial load on the shaft that presses it: "+x" or "-x"'
         problem = "missing" if carries is None else "is none of the choices"
         errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
-    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(ROW, good)
-    errors += map(translate, placement_errors(path, **numbers))
+    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(_NUMBERS, good)
+    placed = {name: numbers[name] for name in PLACED if name in numbers}
+    errors += map(translate, placement_errors(path, **placed))
     sprung = good.get("sprung", False)
     if not isinstance(sprung, bool):
         errors.append(FileErrorDetail(f"{path}.sprung", "is neither true nor false", sprung))

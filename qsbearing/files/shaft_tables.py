@@ -4,15 +4,15 @@ written."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, fields
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.housing_table import MODEL as HOUSING
+from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, required_of
 from qsbearing.files.scene_file import preload_of
+from qsbearing.files.set_keys import OF_SET, OTHERS, SET_NUMBERS
 from qsbearing.files.table_checks import (
     Errors,
     TableModel,
@@ -26,20 +26,6 @@ from qsbearing.files.table_checks import (
     table_model,
 )
 from qsbearing.model.material import Material
-from qsbearing.model.scene.keys import (
-    FLOATING,
-    HEATED,
-    HOUSING_STIFFNESS,
-    NUMBERED,
-    PRELOAD,
-    SECTION,
-    SHAFT,
-    SHAFT_LOAD,
-    SHAFT_MASS,
-    SHAFT_SUPPORT,
-    SPACER,
-    Key,
-)
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.shaft import (
     FloatingGroup,
@@ -56,26 +42,24 @@ from qsbearing.systems.sets.shaft import (
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
 _LISTED = ("section", "load", "support", "mass")
 WITHIN_SHAFT = (*(NUMBERED[kind] for kind in _LISTED), "points", "gravity_m_s2")
-_MATERIAL = {"material": as_it_is}
-_SHAFT = table_model("shaft", SHAFT)
-_STIFFNESS = table_model("housing_stiffness", HOUSING_STIFFNESS, {"matrix_SI": as_it_is})
-_LISTS: dict[str, tuple[Any, tuple[Key, ...], TableModel]] = {
-    "section": (ShaftSection, SECTION, table_model("sections", SECTION, _MATERIAL)),
-    "load": (ShaftLoad, SHAFT_LOAD, table_model("loads", SHAFT_LOAD)),
-    "support": (ShaftSupport, SHAFT_SUPPORT, table_model("supports", SHAFT_SUPPORT)),
-    "mass": (ShaftMass, SHAFT_MASS, table_model("masses", SHAFT_MASS)),
-    "spacer": (
-        Spacer,
-        SPACER,
-        table_model("spacers", SPACER, dict.fromkeys(("rows", "inner_material", "outer_material"), as_it_is)),
-    ),
-    "floating": (
-        FloatingGroup,
-        FLOATING,
-        table_model("floating", FLOATING, dict.fromkeys(("rows", "preload"), as_it_is)),
-    ),
+_LISTS: dict[str, Any] = {
+    "section": ShaftSection,
+    "load": ShaftLoad,
+    "support": ShaftSupport,
+    "mass": ShaftMass,
+    "spacer": Spacer,
+    "floating": FloatingGroup,
 }
-"""Of each table of which there are several: what it makes, its numbers, and how it is built."""
+"""Of each table of which there are several what it makes."""
+
+
+def _plain(name: str) -> TableModel:
+    """How a table of a set is built, what is no number taken as it is."""
+    return table_model(name, SET_NUMBERS[name], dict.fromkeys(OTHERS.get(name, ()), as_it_is))
+
+
+_MODELS = {name: _plain(name) for name in SET_NUMBERS if name != "shaft"}
+_SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 
 
 def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
@@ -83,8 +67,8 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     table = document.get("shaft", {})
     plain = {k: v for k, v in table.items() if k not in WITHIN_SHAFT} if isinstance(table, dict) else table
     good, _ = checked(_SHAFT, "shaft", plain, errors)
-    numbers: dict[str, Any] = si(SHAFT, good)
-    found = {"reference_position": numbers.pop("reference_position", None)}
+    numbers: dict[str, Any] = si(keys_of(Shaft), good)
+    found: dict[str, Any] = si(OF_SET, good)
     if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
         found["shaft"] = _shaft(table, numbers, errors)
     elif numbers:
@@ -106,13 +90,13 @@ def surroundings_tables(
         named: a material as a file has it.
     """
     tables: dict[str, Any] = {}
-    if of.shaft is not None or of.reference_position is not None:
-        tables["shaft"] = numbers(SHAFT[:1], of)
+    if of.shaft is not None or numbers(OF_SET, of):
+        tables["shaft"] = numbers(OF_SET, of)
     if of.shaft is not None:
-        tables["shaft"] |= numbers(SHAFT[1:], of.shaft)
+        tables["shaft"] |= numbers(SET_NUMBERS["shaft"], of.shaft)
         for kind in _LISTED:
-            name, keys = NUMBERED[kind], _LISTS[kind][1]
-            listed = [numbers(keys, each) for each in getattr(of.shaft, name)]
+            name = NUMBERED[kind]
+            listed = [numbers(SET_NUMBERS[name], each) for each in getattr(of.shaft, name)]
             tables["shaft"] |= {name: listed} if listed else {}
         for table, section in zip(tables["shaft"].get("sections", ()), of.shaft.sections, strict=True):
             table["material"] = named(section.material)
@@ -123,16 +107,20 @@ def surroundings_tables(
                 f"{name}_mm": float(f"{at * 1e3:.12g}") for name, at in of.shaft.points.items()
             }
     if of.housing is not None:
-        tables["housing"] = numbers(HEATED, of.housing) | {"material": named(of.housing.material)}
+        tables["housing"] = numbers(SET_NUMBERS["housing"], of.housing) | {"material": named(of.housing.material)}
     if of.spacers:
         sides = ("inner_material", "outer_material")
         tables["spacers"] = [
-            {"rows": list(each.rows), **numbers(SPACER, each), **{side: named(getattr(each, side)) for side in sides}}
+            {
+                "rows": list(each.rows),
+                **numbers(SET_NUMBERS["spacers"], each),
+                **{side: named(getattr(each, side)) for side in sides},
+            }
             for each in of.spacers
         ]
     if of.floating:
         tables["floating"] = [
-            {"rows": list(each.rows), **numbers(FLOATING, each)}
+            {"rows": list(each.rows), **numbers(SET_NUMBERS["floating"], each)}
             | ({} if each.preload is None else {"preload": numbers(PRELOAD, each.preload)})
             for each in of.floating
         ]
@@ -141,7 +129,7 @@ def surroundings_tables(
 
 def stiffness_table(of: HousingStiffness, numbers: Callable[..., Any]) -> dict[str, Any]:
     """The table [rows.housing_stiffness]."""
-    given: dict[str, Any] = numbers(HOUSING_STIFFNESS, of)
+    given: dict[str, Any] = numbers(SET_NUMBERS["housing_stiffness"], of)
     return given if of.matrix is None else {"matrix_SI": np.asarray(of.matrix, float).tolist()}
 
 
@@ -175,8 +163,8 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
 
 
 def _housing(table: Any, errors: Errors) -> Housing | None:
-    good, _ = checked(HOUSING, "housing", table, errors)
-    given: dict[str, Any] = si(HEATED, good)
+    good, _ = checked(_MODELS["housing"], "housing", table, errors)
+    given: dict[str, Any] = si(keys_of(Housing), good)
     if "material" in good:
         given["material"] = material("housing.material", good["material"], errors)
     return made(partial(Housing, **given), errors)
@@ -184,10 +172,10 @@ def _housing(table: Any, errors: Errors) -> Housing | None:
 
 def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness | None:
     """Of a row's table within [[rows]]."""
-    good, unusable = checked(_STIFFNESS, path, table, errors)
+    good, unusable = checked(_MODELS["housing_stiffness"], path, table, errors)
     if unusable:
         return None
-    given: dict[str, Any] = si(HOUSING_STIFFNESS, good)
+    given: dict[str, Any] = si(SET_NUMBERS["housing_stiffness"], good)
     if "matrix_SI" in good:
         given["matrix"] = good["matrix_SI"]
     return made(partial(HousingStiffness, **given), errors)
@@ -195,7 +183,7 @@ def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness
 
 def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: Errors) -> list[Any]:
     """What a list of tables makes."""
-    make, keys, model = _LISTS[kind]
+    make, keys, model = _LISTS[kind], SET_NUMBERS[name], _MODELS[name]
     tables = document.get(name, [])
     if not isinstance(tables, list):
         errors.append(FileErrorDetail(f"[[{'shaft.' * ('.' in path)}{name}]]", "is not a list of tables"))
@@ -205,10 +193,8 @@ def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: E
         at, before = f"{path} {number}", len(errors)
         good, unusable = checked(model, at, table, errors)
         given: dict[str, Any] = si(keys, good)
-        needed = [field.name for field in fields(make) if field.default is MISSING]
-        for key in keys:
-            if key.field in needed and key.name not in good and key.name not in unusable:
-                errors.append(FileErrorDetail(f"{at}.{key.name}", "missing"))
+        lacking = [key.name for key in required_of(make) if key.name not in good and key.name not in unusable]
+        errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in lacking]
         for side in ("material", "inner_material", "outer_material"):
             if side in good:
                 given[side] = material(f"{at}.{side}", good[side], errors)

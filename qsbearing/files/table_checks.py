@@ -13,13 +13,13 @@ import numpy as np
 
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
+from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, Key, named, required_of
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
 from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.material import BY_NAME, Material, material_named
-from qsbearing.model.scene.keys import BALL_DEVIATIONS, MATERIAL, Key
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, alike, comma_advice, question
@@ -103,7 +103,7 @@ def table_model(section: str, keys: tuple[Key, ...], others: Mapping[str, Check]
     return TableModel(section, {key.name: as_number for key in keys} | dict(others))
 
 
-_MATERIAL = table_model("material", MATERIAL)
+_MATERIAL, _NEEDED = table_model("material", MATERIAL), required_of(Material)
 
 
 def checked(model: TableModel, path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
@@ -196,7 +196,7 @@ def material(path: str, value: Any, errors: Errors) -> Material:
     unknown = Material(nan, nan, nan)
     if isinstance(value, dict):
         good, unusable = checked(_MATERIAL, path, value, errors)
-        missing = [key.name for key in MATERIAL[:3] if key.name not in good and key.name not in unusable]
+        missing = [name for name in named(_NEEDED) if name not in good and name not in unusable]
         errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
         return Material(**vars(unknown) | si(MATERIAL, good))
     if value is None:
@@ -206,7 +206,7 @@ def material(path: str, value: Any, errors: Errors) -> Material:
         return unknown
     found = material_named(value)
     if found is None:
-        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(key.name for key in MATERIAL[:3])}"
+        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(named(_NEEDED))}"
         cause = question(alike(value, BY_NAME)) or others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
         return unknown

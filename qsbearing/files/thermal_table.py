@@ -7,6 +7,7 @@ from math import nan
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.keys import required_of
 from qsbearing.files.readings_table import OIL_TEMPERATURE
 from qsbearing.files.table_checks import Errors, as_whole_number, as_word, checked, list_of, made, si, table_model
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
@@ -92,7 +93,7 @@ def _nodes(table: dict[str, Any]) -> set[str]:
 
 def _oil(table: Any, errors: Errors) -> OilFlow | None:
     good, unusable = checked(_OIL, "thermal.oil", table, errors)
-    missing = [key.name for key in OIL if key.name not in good and key.name not in unusable]
+    missing = [key.name for key in required_of(OilFlow) if key.name not in good and key.name not in unusable]
     errors += [FileErrorDetail(f"thermal.oil.{name}", "missing", detail="a flow of oil needs it") for name in missing]
     return None if missing or unusable else OilFlow(**si(OIL, good))
 

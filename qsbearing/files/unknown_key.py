@@ -4,19 +4,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections
-from qsbearing.files.thermal_keys import CONDUCTANCES
-from qsbearing.files.thermal_keys import NUMBERS as THERMAL_NUMBERS
+from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections, set_numbers, thermal_numbers
+from qsbearing.files.keys import EFFECT_SECTIONS, MATERIAL, SPECTRUM, Key, named
 from qsbearing.files.usual_words import is_preload, usual
-from qsbearing.model.scene.keys import (
-    EFFECT_SECTIONS,
-    MATERIAL_KEYS,
-    SET_NUMBERS,
-    SET_SECTIONS,
-    SHAFT_SECTIONS,
-    SPECTRUM,
-    Key,
-)
 from qsbearing.model.validation import alike, question
 
 TITLES = ("name", "title")
@@ -26,17 +16,13 @@ LARGEST = 1e30
 
 
 def _tables() -> dict[str, tuple[str, ...]]:
-    return sections() | {
-        **OTHER_TABLES,
-        "material": MATERIAL_KEYS,
-        **SET_SECTIONS,
-        **SHAFT_SECTIONS,
-        "spectrum": tuple(key.name for key in SPECTRUM),
-    }
+    from qsbearing.files.set_keys import SET_SECTIONS  # loaded for a mistake only
+
+    return sections() | {**OTHER_TABLES, "material": named(MATERIAL), **SET_SECTIONS, "spectrum": named(SPECTRUM)}
 
 
 def _keys(section: str) -> tuple[Key, ...]:
-    return (numbers() | THERMAL_NUMBERS | SET_NUMBERS | {"spectrum": SPECTRUM}).get(section, ())
+    return (numbers() | thermal_numbers() | set_numbers() | {"spectrum": SPECTRUM}).get(section, ())
 
 
 class Suggestion(NamedTuple):
@@ -96,8 +82,8 @@ def _title(table: str) -> str:
         return "[rows.housing_stiffness]"
     if table in ("rows", "spectrum", "spacers", "floating"):
         return f"[[{table}]]"
-    if table in THERMAL_NUMBERS and table != "thermal":
-        return f"[[thermal.{table}]]" if table == CONDUCTANCES else f"[thermal.{table}]"
+    if table in thermal_numbers() and table != "thermal":
+        return f"[[thermal.{table}]]" if table == "conductances" else f"[thermal.{table}]"
     outer = "effects." if table in EFFECT_SECTIONS else "readings." if table in reading_tables() else ""
     return f"[{outer}{table}]"
 

@@ -5,13 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import pi
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.bearing_errors import bearing_errors, clearance_errors
+from qsbearing.model.bearing_errors import (
+    BALL_COUNT_RANGE,
+    FREE_ANGLES,
+    LENGTH_RANGES,
+    bearing_errors,
+    clearance_errors,
+)
 from qsbearing.model.contact.hertz import effective_modulus
+from qsbearing.model.described import Input, given_in, number
 from qsbearing.model.material import STEEL, Material
 from qsbearing.model.validation import LENGTH, SceneError, choose, numeric, raise_if_any
 
@@ -43,17 +50,17 @@ class BallBearing:
         SceneError: some field describes no bearing; every error, at once.
     """
 
-    ball_count: ArrayLike
+    ball_count: ArrayLike = field(metadata=given_in("balls", BALL_COUNT_RANGE))
     """Z [-]."""
-    ball_diameter: ArrayLike
+    ball_diameter: ArrayLike = field(metadata=given_in("mm", LENGTH_RANGES["ball_diameter"]))
     """D [m]."""
-    pitch_diameter: ArrayLike
+    pitch_diameter: ArrayLike = field(metadata=given_in("mm", LENGTH_RANGES["pitch_diameter"]))
     """dm, of the circle of ball centres [m]."""
-    inner_groove_radius: ArrayLike
+    inner_groove_radius: ArrayLike = field(metadata=given_in("mm", LENGTH_RANGES["inner_groove_radius"]))
     """ri, across the groove [m]; more than half the ball diameter."""
-    outer_groove_radius: ArrayLike
+    outer_groove_radius: ArrayLike = field(metadata=given_in("mm", LENGTH_RANGES["outer_groove_radius"]))
     """ro, across the groove [m]; more than half the ball diameter."""
-    free_contact_angle: ArrayLike
+    free_contact_angle: ArrayLike = field(metadata=given_in("deg", FREE_ANGLES))
     """alpha0, of the line of contact when all clearance is just taken up without load [rad]."""
     ball_material: Material = STEEL
     ring_material: Material = STEEL
@@ -67,6 +74,8 @@ class BallBearing:
     """Its rings from outside. No solve looks at it: what elastic or expanding rings would change is told by it."""
     inferred: Any = field(default=None, compare=False, repr=False)
     """Of a bearing given by its data sheet, whose arrays are the sets that it allows: what they were inferred from."""
+    also_given: ClassVar[tuple[Input, ...]] = (number("diametral_clearance", "mm"),)
+    """In place of the free contact angle: `from_diametral_clearance`."""
 
     def __post_init__(self) -> None:
         kind, errors = choose("bearing.kind", self.kind, BearingKind)

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from qsbearing.model.described import given_in
 from qsbearing.model.units import zero_celsius
 from qsbearing.model.validation import DENSITY, EXPANSION, MODULUS, RATIO, ErrorDetail, within
+
+RANGES = {
+    "elastic_modulus": (1e9, 2e12),
+    "poisson_ratio": (0.0, 0.499),
+    "density": (100.0, 25000.0),
+    "thermal_expansion": (-1e-5, 1e-4),
+}
+"""Of each number of a material, in SI."""
 
 
 @dataclass(frozen=True)
 class Material:
     """An isotropic elastic material; SI units. Any number may be an array, which spans cases."""
 
-    elastic_modulus: ArrayLike
+    elastic_modulus: ArrayLike = field(metadata=given_in("GPa", RANGES["elastic_modulus"]))
     """Young's modulus E [Pa]."""
-    poisson_ratio: ArrayLike
+    poisson_ratio: ArrayLike = field(metadata=given_in(range=RANGES["poisson_ratio"]))
     """Poisson's ratio [-]."""
-    density: ArrayLike
+    density: ArrayLike = field(metadata=given_in("kg/m3", RANGES["density"]))
     """Density [kg/m^3]."""
-    thermal_expansion: ArrayLike | None = None
+    thermal_expansion: ArrayLike | None = field(default=None, metadata=given_in("1/K", RANGES["thermal_expansion"]))
     """Linear expansion [1/K]; needed by ring and ball expansion where temperatures are given, and by nothing else."""
     name: str = "unnamed"
     source: str = ""
@@ -97,15 +106,6 @@ def is_own_expansion(material: Material) -> Any:
     """Where the coefficient is one of this program, rather than one that is given for a temperature of its own."""
     known = [each.thermal_expansion for each in BY_NAME.values()]
     return np.isin(np.asarray(material.thermal_expansion, float), np.asarray(known, float))
-
-
-RANGES = {
-    "elastic_modulus": (1e9, 2e12),
-    "poisson_ratio": (0.0, 0.499),
-    "density": (100.0, 25000.0),
-    "thermal_expansion": (-1e-5, 1e-4),
-}
-"""Of each number of a material, in SI."""
 
 
 def material_errors(field: str, material: Material) -> list[ErrorDetail]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import pi
 from typing import NamedTuple
 
 from numpy.typing import ArrayLike
 
+from qsbearing.model.described import given_in
 from qsbearing.model.validation import (
     ANGLE,
     FORCE,
@@ -51,6 +52,12 @@ TILT_OF = {"radial_load_y": 4, "radial_displacement_y": 4, "radial_load_z": 3, "
 """The number of the channel whose load or displacement must be given with it, unless it is 0."""
 
 
+# Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite. In SI.
+SPEEDS, AZIMUTHS = (-1e7, 1e7), (-2.0 * pi, 2.0 * pi)
+LOADS, DISPLACEMENTS, TILTS = (-1e8, 1e8), (-0.1, 0.1), (-0.2, 0.2)
+"""Forces and moments, displacements, tilts of a channel."""
+
+
 @dataclass(frozen=True)
 class Operation:
     """Speeds and the load on the inner ring; the outer ring stays in its place. SI units, radians; arrays span cases.
@@ -68,23 +75,23 @@ class Operation:
         SceneError: every error, at once.
     """
 
-    speed: ArrayLike = 0.0
+    speed: ArrayLike = field(default=0.0, metadata=given_in("rpm", SPEEDS))
     """Inner ring about +x [rad/s]."""
-    outer_speed: ArrayLike | None = None
+    outer_speed: ArrayLike | None = field(default=None, metadata=given_in("rpm", SPEEDS))
     """Outer ring about +x [rad/s]; None: it stands still."""
-    axial_load: ArrayLike | None = None
-    axial_displacement: ArrayLike | None = None
+    axial_load: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    axial_displacement: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
     """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place. It
     is the displacement in operation: heat does not change it."""
-    radial_load_y: ArrayLike | None = None
-    radial_displacement_y: ArrayLike | None = None
-    radial_load_z: ArrayLike | None = None
-    radial_displacement_z: ArrayLike | None = None
-    moment_y: ArrayLike | None = None
-    tilt_y: ArrayLike | None = None
-    moment_z: ArrayLike | None = None
-    tilt_z: ArrayLike | None = None
-    first_ball_azimuth: ArrayLike = 0.0
+    radial_load_y: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    radial_displacement_y: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
+    radial_load_z: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    radial_displacement_z: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
+    moment_y: ArrayLike | None = field(default=None, metadata=given_in("N m", LOADS))
+    tilt_y: ArrayLike | None = field(default=None, metadata=given_in("mrad", TILTS))
+    moment_z: ArrayLike | None = field(default=None, metadata=given_in("N m", LOADS))
+    tilt_z: ArrayLike | None = field(default=None, metadata=given_in("mrad", TILTS))
+    first_ball_azimuth: ArrayLike = field(default=0.0, metadata=given_in("deg", AZIMUTHS))
     """Azimuth of ball 0 from +y towards +z [rad]; the others follow evenly."""
 
     def __post_init__(self) -> None:
@@ -99,12 +106,6 @@ class Operation:
     def unloaded(self) -> Operation:
         """The same speeds without any load, straight and centred."""
         return Operation(**self.turning, **STRAIGHT)  # type: ignore[arg-type]
-
-
-# Limits far outside any bearing: they catch mistakes of unit and keep the arithmetic finite. In SI.
-SPEEDS, AZIMUTHS = (-1e7, 1e7), (-2.0 * pi, 2.0 * pi)
-LOADS, DISPLACEMENTS, TILTS = (-1e8, 1e8), (-0.1, 0.1), (-0.2, 0.2)
-"""Forces and moments, displacements, tilts of a channel."""
 
 
 def operation_errors(operation: Operation) -> list[ErrorDetail]:
@@ -131,22 +132,22 @@ def operation_errors(operation: Operation) -> list[ErrorDetail]:
 
 def _unstated_tilts(operation: Operation) -> list[ErrorDetail]:
     errors = []
-    for field, number in TILT_OF.items():
+    for name, number in TILT_OF.items():
         tilt = CHANNELS[number]
-        value = getattr(operation, field)
+        value = getattr(operation, name)
         if (
             value is None
             or getattr(operation, tilt.load) is not None
             or getattr(operation, tilt.displacement) is not None
         ):
             continue
-        array, _ = numeric(f"operation.{field}", value, FORCE)  # its own errors are known already
+        array, _ = numeric(f"operation.{name}", value, FORCE)  # its own errors are known already
         if array is not None and array.any():
             why = "{given} tilts the ring, so give its moment or its tilt (the results differ widely)"
             cause = Sentence(
                 "Free to tilt: {moment} = 0. Fixed by a stiff shaft: {tilt} = 0",
                 moment=Field(tilt.load), tilt=Field(tilt.displacement),
             )  # fmt: skip
-            detail = Sentence(why, given=Field(field))
+            detail = Sentence(why, given=Field(name))
             errors.append(ErrorDetail(f"operation.{tilt.load}", "missing", cause=cause, detail=detail))
     return errors

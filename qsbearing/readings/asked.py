@@ -67,8 +67,8 @@ def tables() -> dict[str, Table]:
     for name, each in READINGS.items():
         if name == film_thickness.ENTRY.name:
             found[LUBRICANT] = lubricant.TABLE
-        if each.table is not None:
-            found[name] = each.table
+        if each.in_file is not None:
+            found[name] = each.in_file
     return found
 
 

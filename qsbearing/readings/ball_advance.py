@@ -23,13 +23,13 @@ raceway the speed has a kink, and eight balls tell the excursion to some per cen
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm, rpm
@@ -72,7 +72,7 @@ class BallAdvance(Remarked):
 class PocketClearance:
     """What `ball_advance` takes."""
 
-    pocket_clearance: ArrayLike | None = None
+    pocket_clearance: ArrayLike | None = field(default=None, metadata=given_in("mm", CLEARANCES))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Of a clearance that there cannot be."""
@@ -153,7 +153,6 @@ ENTRY = Reading(
     take=simply(ball_advance),
     record=PocketClearance,
     table=Table(
-        keys=(Key("pocket_clearance_mm", "pocket_clearance", "mm", mm, LENGTH, range=CLEARANCES),),
         example="pocket_clearance_mm = 0.3  # of the cage, along the pitch circle; left out: not compared\n",
     ),
     needs=(("load", "sine", "cosine"), AXIS),

@@ -6,7 +6,7 @@ Each part is computed only if its coefficient is given. What is in it, and what 
 
 from __future__ import annotations
 
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY, dataclass, field
 from math import pi
 from typing import Any
 
@@ -17,11 +17,11 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.elliptic import second_kind
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import Nmm, kg_m3
+from qsbearing.model.units import Nmm
 from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
 from qsbearing.readings.ball_motion import (
     AXIS,
@@ -89,11 +89,11 @@ class Friction(Remarked):
 class FrictionArguments:
     """What `friction` takes."""
 
-    friction_coefficient: ArrayLike
+    friction_coefficient: ArrayLike = field(metadata=given_in(range=PARTS))
     _: KW_ONLY
-    hysteresis_loss: ArrayLike | None = None
-    drag_coefficient: ArrayLike | None = None
-    fluid_density: ArrayLike | None = None
+    hysteresis_loss: ArrayLike | None = field(default=None, metadata=given_in(range=PARTS))
+    drag_coefficient: ArrayLike | None = field(default=None, metadata=given_in())
+    fluid_density: ArrayLike | None = field(default=None, metadata=given_in("kg/m3"))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Everything out of range, and what drag needs besides."""
@@ -211,12 +211,6 @@ ENTRY = Reading(
     take=simply(friction),
     record=FrictionArguments,
     table=Table(
-        keys=(
-            Key("friction_coefficient", "friction_coefficient", range=PARTS),
-            Key("hysteresis_loss", "hysteresis_loss", range=PARTS),
-            Key("drag_coefficient", "drag_coefficient"),
-            Key("fluid_density_kg_m3", "fluid_density", "kg/m3", kg_m3, DENSITY),
-        ),
         example="friction_coefficient = 0.05\n",
     ),
     needs=NEEDS,

@@ -9,13 +9,13 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar
 
 from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import Input, inputs_of
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, Quantity, check_kind, raise_if_any, within
@@ -95,14 +95,14 @@ def simply(function: Callable[..., Any]) -> Take:
 class Table:
     """What a table within [readings] of a scene file holds."""
 
-    keys: tuple[Key, ...] = ()
-    """Numbers."""
     choices: tuple[str, ...] = ()
     """Words."""
     example: str = ""
     """Its lines in the file of `qsbearing init`; empty for a reading that needs no numbers, which `true` asks for."""
     note: str = ""
     """Beside its heading there."""
+    inputs: tuple[Input, ...] = ()
+    """Numbers; left out, those that the reading's record takes."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -129,6 +129,11 @@ class Reading:
     """Of each ball; arrays of shape (*cases, ball)."""
     scope: str = ""
     """A sentence below its tables, where its name does not state what it covers."""
+
+    @functools.cached_property
+    def in_file(self) -> Table | None:
+        """Its table in a scene file, with the numbers that its record takes; None: it has none there."""
+        return self.table and replace(self.table, inputs=self.table.inputs or inputs_of(self.record))
 
     @functools.cached_property
     def parameters(self) -> Mapping[str, inspect.Parameter]:

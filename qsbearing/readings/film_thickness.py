@@ -26,7 +26,7 @@ thinner still: no source with constants was found.
 
 from __future__ import annotations
 
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY, dataclass, field
 from math import exp, log, nan
 from typing import Any
 
@@ -36,7 +36,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry, kernel
 from qsbearing.model.compiler.kinds import array_of
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -103,8 +103,8 @@ class FilmArguments:
 
     oil: OilState
     _: KW_ONLY
-    ball_roughness: ArrayLike | None = None
-    raceway_roughness: ArrayLike | None = None
+    ball_roughness: ArrayLike | None = field(default=None, metadata=given_in("um"))
+    raceway_roughness: ArrayLike | None = field(default=None, metadata=given_in("um"))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Everything out of range, and one roughness without the other."""
@@ -277,10 +277,6 @@ ENTRY = Reading(
     take=simply(film),
     record=FilmArguments,
     table=Table(
-        keys=(
-            Key("ball_roughness_um", "ball_roughness", "um", um, LENGTH),
-            Key("raceway_roughness_um", "raceway_roughness", "um", um, LENGTH),
-        ),
         example="""\
 ball_roughness_um = 0.02
 raceway_roughness_um = 0.1

@@ -8,7 +8,7 @@ the speed is of SKF's "The SKF model for calculating the frictional moment".
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any, NamedTuple
 
@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing, BearingKind
-from qsbearing.model.scene.keys import DIAMETERS, Key
+from qsbearing.model.described import given_in, inputs_of
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import N, Nmm, deg, mm, rpm
+from qsbearing.model.units import Nmm, deg, mm, rpm
 from qsbearing.model.validation import (
     FORCE,
     LENGTH,
@@ -115,13 +115,13 @@ class FrictionEstimates(Remarked):
 class EstimateArguments:
     """What `friction_estimates` takes: those of `skf_torque` and `palmgren_torque`."""
 
-    bore_diameter: float
-    outside_diameter: float
+    bore_diameter: float = field(metadata=given_in("mm"))
+    outside_diameter: float = field(metadata=given_in("mm"))
     kinematic_viscosity: ArrayLike
     series: Series | None = None
-    static_load_rating: float | None = None
-    lubrication_factor: float | None = None
-    speed_rating: float | None = None
+    static_load_rating: float | None = field(default=None, metadata=given_in("N", RANGES["static_load_rating"]))
+    lubrication_factor: float | None = field(default=None, metadata=given_in(range=RANGES["lubrication_factor"]))
+    speed_rating: float | None = field(default=None, metadata=given_in("rpm", RANGES["speed_rating"]))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Everything out of range; a deep-groove bearing needs its series and C0."""
@@ -310,12 +310,7 @@ ENTRY = Reading(
     take=simply(friction_estimates),
     record=_arguments,
     table=Table(
-        keys=(
-            *DIAMETERS,
-            Key("static_load_rating_N", "static_load_rating", "N", N, FORCE, range=RANGES["static_load_rating"]),
-            Key("lubrication_factor", "lubrication_factor", range=RANGES["lubrication_factor"]),
-            Key("speed_rating_rpm", "speed_rating", "rpm", rpm, SPEED, range=RANGES["speed_rating"]),
-        ),
+        inputs=inputs_of(EstimateArguments),
         choices=("series",),
         example="""\
 bore_diameter_mm = 90

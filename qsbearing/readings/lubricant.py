@@ -16,10 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.scene.keys import Key, celsius
-from qsbearing.model.units import GPa, kg_m3, mm
+from qsbearing.model.described import number
+from qsbearing.model.units import mm
 from qsbearing.model.validation import (
-    DENSITY,
     RATIO,
     ErrorDetail,
     Field,
@@ -241,14 +240,14 @@ def _reference_oils(hot: float) -> tuple[float, float]:
 
 
 TABLE = Table(
-    keys=(
-        Key("iso_viscosity_grade", "iso_viscosity_grade", range=RANGES["grade"]),
-        Key("viscosity_index", "viscosity_index", range=RANGES["viscosity_index"]),
-        Key("viscosity_at_40C_mm2_s", "viscosity_at_40", "mm2/s", mm**2),
-        Key("viscosity_at_100C_mm2_s", "viscosity_at_100", "mm2/s", mm**2),
-        celsius("oil_temperature"),
-        Key("oil_density_kg_m3", "oil_density", "kg/m3", kg_m3, DENSITY, range=RANGES["density"]),
-        Key("pressure_viscosity_per_GPa", "pressure_viscosity", "1/GPa", 1.0 / GPa, range=RANGES["pressure_viscosity"]),
+    inputs=(
+        number("iso_viscosity_grade", range=RANGES["grade"]),
+        number("viscosity_index", range=RANGES["viscosity_index"]),
+        number("viscosity_at_40", "mm2/s"),
+        number("viscosity_at_100", "mm2/s"),
+        number("oil_temperature", "C"),
+        number("oil_density", "kg/m3", RANGES["density"]),
+        number("pressure_viscosity", "1/GPa", RANGES["pressure_viscosity"]),
     ),
     example="""\
 iso_viscosity_grade = 68           # or viscosity_at_40C_mm2_s and viscosity_at_100C_mm2_s

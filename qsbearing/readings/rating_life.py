@@ -6,7 +6,7 @@ ISO 281:2007; G. Lundberg & A. Palmgren 1947. Lives are counted in revolutions o
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from math import pi
 
@@ -17,10 +17,10 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, N
+from qsbearing.model.units import MPa
 from qsbearing.model.validation import FORCE, RATIO, ErrorDetail, choose, within
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
@@ -141,14 +141,14 @@ def _reliability_errors(reliability: ArrayLike) -> list[ErrorDetail]:
 class LifeArguments:
     """What `life` takes."""
 
-    dynamic_load_rating: ArrayLike | None = None
+    dynamic_load_rating: ArrayLike | None = field(default=None, metadata=given_in("N", RANGES["dynamic_load_rating"]))
     rating: Rating = Rating.LUNDBERG_PALMGREN
-    rating_factor: float = RATING_FACTOR
+    rating_factor: float = field(default=RATING_FACTOR, metadata=given_in(range=RANGES["rating_factor"]))
     capacity: Capacity = Capacity.ISO_16281
-    reliability: ArrayLike = 0.9
-    viscosity_ratio: ArrayLike | None = None
-    contamination_factor: ArrayLike | None = None
-    fatigue_load_limit: ArrayLike | None = None
+    reliability: ArrayLike = field(default=0.9, metadata=given_in(range=RANGES["reliability"]))
+    viscosity_ratio: ArrayLike | None = field(default=None, metadata=given_in())
+    contamination_factor: ArrayLike | None = field(default=None, metadata=given_in())
+    fatigue_load_limit: ArrayLike | None = field(default=None, metadata=given_in("N", RANGES["fatigue_load_limit"]))
     fatigue_limit_by: FatigueLimit = FatigueLimit.HERTZ
     cleanliness: Cleanliness | None = None
     oil: OilState | None = None
@@ -353,14 +353,6 @@ ENTRY = Reading(
     take=simply(life),
     record=LifeArguments,
     table=Table(
-        keys=(
-            Key("dynamic_load_rating_N", "dynamic_load_rating", "N", N, FORCE, range=RANGES["dynamic_load_rating"]),
-            Key("rating_factor", "rating_factor", range=RANGES["rating_factor"]),
-            Key("reliability", "reliability", range=RANGES["reliability"]),
-            Key("viscosity_ratio", "viscosity_ratio"),
-            Key("contamination_factor", "contamination_factor"),
-            Key("fatigue_load_limit_N", "fatigue_load_limit", "N", N, FORCE, range=RANGES["fatigue_load_limit"]),
-        ),
         choices=("rating", "capacity", "cleanliness", "fatigue_limit_by"),
         example="""\
 dynamic_load_rating_N = 100000     # C; without it from the geometry

@@ -15,7 +15,7 @@ is the wrong one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field
 from math import copysign, cos, nan, sin
 from typing import Any
 
@@ -26,7 +26,7 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
@@ -81,11 +81,11 @@ class Overrun(Remarked):
 class OverrunArguments:
     """What `overrun` takes."""
 
-    inner_shoulder_diameter: ArrayLike | None = None
-    outer_shoulder_diameter: ArrayLike | None = None
-    inner_open_diameter: ArrayLike | None = None
-    outer_open_diameter: ArrayLike | None = None
-    edge_radius: ArrayLike | None = None
+    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
+    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
+    inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
+    outer_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
+    edge_radius: ArrayLike | None = field(default=None, metadata=given_in("mm"))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """No shoulder at all, and those of the bearing that make no groove."""
@@ -241,7 +241,6 @@ ENTRY = Reading(
     take=simply(overrun),
     record=OverrunArguments,
     table=Table(
-        keys=tuple(Key(f"{each.name}_mm", each.name, "mm", mm, LENGTH) for each in fields(OverrunArguments)),
         example="""\
 inner_shoulder_diameter_mm = 112
 outer_shoulder_diameter_mm = 139

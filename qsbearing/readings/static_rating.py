@@ -8,7 +8,7 @@ or ceramic balls cost. ISO 20056-2 allows hybrid bearings a somewhat higher pres
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from math import inf, nan
 
@@ -19,13 +19,13 @@ from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, N, deg, mm
+from qsbearing.model.units import MPa, deg, mm
 from qsbearing.model.validation import FORCE, ErrorDetail, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
@@ -165,7 +165,7 @@ class StaticSafety(Remarked):
 class StaticSafetyArguments:
     """What `static_safety` takes."""
 
-    static_load_rating: ArrayLike | None = None
+    static_load_rating: ArrayLike | None = field(default=None, metadata=given_in("N", RATINGS))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """A rating out of range."""
@@ -227,7 +227,6 @@ ENTRY = Reading(
     by="ISO 76",
     take=simply(static_safety),
     record=StaticSafetyArguments,
-    table=Table(keys=(Key("static_load_rating_N", "static_load_rating", "N", N, FORCE, range=RATINGS),)),
     needs=(("max_pressure",), ()),
     of_case=(
         Shown("static_load_rating_N", "static_load_rating"),

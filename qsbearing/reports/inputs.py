@@ -12,16 +12,8 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
 from qsbearing.files.bearing_table import entry_of
-from qsbearing.files.file_keys import reading_tables
-from qsbearing.files.printed_numbers import is_printed
-from qsbearing.files.scene_file import load_scene
-from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
-from qsbearing.files.thermal_table import NODE_KEYS
-from qsbearing.model.bearing import BallBearing
-from qsbearing.model.effects import ElasticRings, RingExpansion
-from qsbearing.model.effects.body_temperature import body_temperatures
-from qsbearing.model.material import BY_NAME, Material
-from qsbearing.model.scene.keys import (
+from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.keys import (
     BEARING,
     COEFFICIENTS,
     EFFECTS,
@@ -33,6 +25,14 @@ from qsbearing.model.scene.keys import (
     SEATS,
     Key,
 )
+from qsbearing.files.printed_numbers import is_printed
+from qsbearing.files.scene_file import load_scene
+from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
+from qsbearing.files.thermal_table import NODE_KEYS
+from qsbearing.model.bearing import BallBearing
+from qsbearing.model.effects import ElasticRings, RingExpansion
+from qsbearing.model.effects.body_temperature import body_temperatures
+from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.units import zero_celsius
@@ -242,7 +242,7 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing |
         found.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):
-                keys = reading_tables()[name].keys if name in reading_tables() else ()
+                keys = reading_keys(name) if name in reading_tables() else ()
                 known = None if isinstance(value, str) else _key(keys, key)
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
                 unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
@@ -263,9 +263,10 @@ def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
         parts.append((f"Heat: {name}", [(key, _text(value), printed_unit(unit), "") for key, value, unit in known]))
     conductances: list[Line] = []
     for each in thermal.conductances:
-        ((name, value, unit, origin),) = numbers(CONDUCTANCE, each)
         row = "" if each.row is None else f" of row {each.row}"
-        conductances.append((f"{name}, {' to '.join(each.between)}{row}", value, unit, origin))
+        whose = f"{' to '.join(each.between)}{row}"
+        lines = numbers(CONDUCTANCE, each)
+        conductances += [(f"{name}, {whose}", value, unit, origin) for name, value, unit, origin in lines]
     return [*parts, ("Heat: conductances", conductances)]
 
 

@@ -9,21 +9,8 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
-from qsbearing.model.scene.keys import (
-    FLOATING,
-    HEATED,
-    HOUSING_STIFFNESS,
-    OPERATION,
-    PRELOAD,
-    ROW,
-    SECTION,
-    SHAFT,
-    SHAFT_LOAD,
-    SHAFT_MASS,
-    SHAFT_SUPPORT,
-    SPACER,
-    Key,
-)
+from qsbearing.files.keys import OPERATION, PRELOAD, Key, keys_of
+from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.wording import numbered
 from qsbearing.reports.inputs import (
@@ -40,6 +27,7 @@ from qsbearing.reports.inputs import (
 )
 from qsbearing.systems.heat.network import Thermal
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import HousingStiffness
 
 
@@ -59,7 +47,7 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
     alike = of.rows[0].bearing if all(row.bearing is of.rows[0].bearing for row in of.rows) else None
     named = [*effect_lines((*rings, *of.ball_effects), bearing=alike), *choice_lines(of)]
     rows = grouped(
-        ("Shaft", [*shaft, *numbers(SHAFT, of.shaft)]),
+        ("Shaft", [*shaft, *_others(OF_SET, of, "reference_position"), *numbers(SET_NUMBERS["shaft"], of.shaft)]),
         *_around(of),
         ("Operation", numbers(OPERATION, of.operation)),
         ("Preload", numbers(PRELOAD, of.preload)),
@@ -105,18 +93,21 @@ def _by_rows(of_rows: Sequence[list[Line]]) -> list[tuple[list[int], list[Line]]
 def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
     """Sections, loads and supports of the shaft, what outer rings sit in, spacers and floating groups."""
     shaft = of.shaft
-    parts: list[tuple[str, tuple[Any, ...], tuple[Key, ...]]] = [
-        ("Shaft section", () if shaft is None else shaft.sections, SECTION),
-        ("Load on the shaft", () if shaft is None else shaft.loads, SHAFT_LOAD),
-        ("Support of the shaft", () if shaft is None else shaft.supports, SHAFT_SUPPORT),
-        ("Mass on the shaft", () if shaft is None else shaft.masses, SHAFT_MASS),
-        ("Spacer", of.spacers, SPACER),
-        ("Floating group", of.floating, FLOATING),
+    parts: list[tuple[str, tuple[Any, ...]]] = [
+        ("Shaft section", () if shaft is None else shaft.sections),
+        ("Load on the shaft", () if shaft is None else shaft.loads),
+        ("Support of the shaft", () if shaft is None else shaft.supports),
+        ("Mass on the shaft", () if shaft is None else shaft.masses),
+        ("Spacer", of.spacers),
+        ("Floating group", of.floating),
     ]
-    found = [(f"{title} {n}", _of_part(each, keys)) for title, all_, keys in parts for n, each in enumerate(all_, 1)]
+    found = [(f"{title} {n}", _of_part(each)) for title, all_ in parts for n, each in enumerate(all_, 1)]
     housings = [(f"Housing of row {n}", row.housing_stiffness) for n, row in enumerate(of.rows, 1)]
     found += [(title, _housing(own)) for title, own in housings if own is not None]
-    found += [(f"Alignment of row {n}'s housing", numbers(ROW[2:], row)) for n, row in enumerate(of.rows, 1)]
+    found += [
+        (f"Alignment of row {n}'s housing", _others(keys_of(Row), row, "position", "offset"))
+        for n, row in enumerate(of.rows, 1)
+    ]
     if shaft is not None:
         points = [(f"{name}_mm", f"{at / mm:.9g}", "mm", "") for name, at in shaft.points.items()]
         found.append(("Points of the shaft", points))
@@ -124,22 +115,27 @@ def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
             found.append(
                 ("Gravity", [("gravity_m_s2", ", ".join(f"{each:.9g}" for each in shaft.gravity), "m/s2", "")])
             )
-    return [*found, ("Housing", _of_part(of.housing, HEATED))]
+    return [*found, ("Housing", _of_part(of.housing))]
+
+
+def _others(keys: tuple[Key, ...], holder: Any, *shown: str) -> list[Line]:
+    """What another place does not show."""
+    return numbers(tuple(key for key in keys if key.field not in shown), holder)
 
 
 def _housing(of: HousingStiffness) -> list[Line]:
     """Its springs, or its matrix, a line for each row of it."""
     if of.matrix is None:
-        return numbers(HOUSING_STIFFNESS, of)
+        return numbers(keys_of(HousingStiffness), of)
     rows = np.asarray(of.matrix, float)
     return [
         (f"matrix_SI, row {n}", ", ".join(f"{value:.9g}" for value in row), "SI", "") for n, row in enumerate(rows, 1)
     ]
 
 
-def _of_part(part: Any, keys: tuple[Key, ...]) -> list[Line]:
+def _of_part(part: Any) -> list[Line]:
     """Its numbers, the rows that it names, its materials and its preload."""
-    lines = list(numbers(keys, part))
+    lines = numbers(keys_of(type(part)), part)
     for name in ("rows", "material", "inner_material", "outer_material"):
         value = getattr(part, name, None)
         if value is not None:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.files.file_keys import reading_keys, reading_tables
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import Shown, printed_unit, split
@@ -56,8 +57,8 @@ def _of_bearing(title: str, name: str, reading: Any, scene: Scene) -> Table | No
 
 def _origin(name: str, shown: Shown, scene: Scene) -> str:
     """Of a number that a scene may give or leave to the geometry: which, in brackets; of others nothing."""
-    table = READINGS[name].table
-    key = next((each for each in table.keys if each.name == shown.key), None) if table else None
+    keys = reading_keys(name) if name in reading_tables() else ()
+    key = next((each for each in keys if each.name == shown.key), None)
     if key is None:
         return ""
     value = scene.readings.get(name, {}).get(key.field)

@@ -15,7 +15,7 @@ from rich.text import Text
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.files.catalogue import Entry
-from qsbearing.model.scene.keys import PRINTED
+from qsbearing.files.keys import PRINTED
 
 TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
 _PRINTED = {key.name for key in PRINTED}

@@ -9,10 +9,10 @@ from typing import Any
 
 from qsbearing.files import paths
 from qsbearing.files.file_keys import numbers, sections
+from qsbearing.files.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.usual_words import usual
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
 from qsbearing.model.validation import alike, question, whole_number
 
 _EITHER = (

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.keys import BALL_DEVIATIONS, COEFFICIENTS
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.set_file import set_of
-from qsbearing.model.scene.keys import BALL_DEVIATIONS, COEFFICIENTS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.studies import keys
 from qsbearing.studies.points import Points

@@ -570,9 +570,9 @@ PLANTED |= {
         PARTS,
     ),
     "a tilt in milliradians read as degrees": (
-        "qsbearing/model/scene/keys.py",
-        'Key("tilt_z_mrad", "tilt_z", "mrad", mrad, ANGLE, range',
-        'Key("tilt_z_mrad", "tilt_z", "mrad", 17.453 * mrad, ANGLE, range',
+        "qsbearing/model/described.py",
+        'Unit("mrad", "mrad", mrad, ANGLE)',
+        'Unit("mrad", "mrad", 17.453 * mrad, ANGLE)',
         PARTS,
     ),
     "tilt lever of batches + 1 %": (

@@ -9,9 +9,9 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files import catalogue
+from qsbearing.files import keys as scene_keys
 from qsbearing.files.file_keys import reading_tables
 from qsbearing.files.template import scene_template
-from qsbearing.model.scene import keys as scene_keys
 
 NAMES = [entry.name for entry in catalogue.entries()]
 

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from qsbearing.cli import cli
 from qsbearing.files.file_keys import reading_tables, sections
-from qsbearing.model.scene.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, SECTIONS
+from qsbearing.files.keys import BEARING, EFFECT_SECTIONS, MATERIAL, OPERATION, SECTIONS
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
 from tests.systems.sets.arrangements import PAIR_FILE
 

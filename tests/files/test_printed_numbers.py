@@ -14,6 +14,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
+from qsbearing.files.printed_numbers import is_printed
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
@@ -246,3 +247,8 @@ def test_a_printed_diameter_is_a_shoulder_only_where_it_is_high_enough() -> None
     with pytest.raises(qs.SceneFileError, match="no shoulder is given"):
         scene_of(low, "")
     assert catalogue.find("KH71904C") is not None
+
+
+def test_an_effect_without_such_numbers_has_none_of_the_catalogue() -> None:
+    bearing = qs.load_scene("b218").bearing
+    assert not is_printed(bearing, "gyroscopic_moment", "friction_coefficient", 0.07)

@@ -13,10 +13,10 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files import bearing_table, effects_table, scene_file
+from qsbearing.files import keys as scene_keys
 from qsbearing.files.file_keys import sections
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.usual_words import WORDS
-from qsbearing.model.scene import keys as scene_keys
 
 BEARING = {
     "ball_count": "16",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.file_keys import numbers, set_numbers, thermal_numbers
 
 CODE = """
 import sys
@@ -65,3 +67,17 @@ def test_it_imports_numpy_and_scipy_only(printed: list[str]) -> None:
 
 def test_what_is_done_above_is_refused_in_words(printed: list[str]) -> None:
     assert "not part of the model alone" in printed[2]
+
+
+NAMES_OF_RESULTS = "result_keys.py"
+"""Some lengths of the bearing are results as well, and spelled as such."""
+
+
+def test_it_holds_no_key_of_a_file() -> None:
+    """Names and units stand at the fields; only `files/` puts them together."""
+    tables = [*numbers().values(), *set_numbers().values(), *thermal_numbers().values()]
+    keys = {key.name for table in tables for key in table if key.field in key.name and key.field != key.name}
+    assert len(keys) > 100
+    files = [each for each in (Path(qs.__file__).parent / "model").rglob("*.py") if each.name != NAMES_OF_RESULTS]
+    found = {each.name: keys & {*re.findall(r"[\w.]+", each.read_text(encoding="utf-8"))} for each in files}
+    assert not {name: spelled for name, spelled in found.items() if spelled}

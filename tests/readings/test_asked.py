@@ -343,17 +343,17 @@ def test_an_oil_by_two_viscosities() -> None:
 NEW = '''
 """Stiffness of every contact by Hertz's law."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
 from qsbearing.model.solution.result_keys import Shown
-from qsbearing.model.scene.keys import Key
+from qsbearing.model.described import given_in
 from qsbearing.model.validation import RATIO, within
 
 
 @dataclass(frozen=True, kw_only=True)
 class Arguments:
-    exponent: float = 1.5
+    exponent: float = field(default=1.5, metadata=given_in())
 
     def errors(self, bearing):
         return within("exponent", self.exponent, RATIO, 1.0, 2.0)
@@ -385,7 +385,7 @@ ENTRY = Reading(
     by="Hertz",
     take=simply(contact_stiffness),
     record=Arguments,
-    table=Table(keys=(Key("exponent", "exponent"),), example="exponent = 1.5"),
+    table=Table(example="exponent = 1.5"),
     needs=(("load", "approach"), ()),
     of_case=(Shown("loaded", "loaded", 1.0, "balls under load"),),
     of_contact=(Shown("stiffness_N", "stiffness", 1e6, "stiffness of a contact"),),

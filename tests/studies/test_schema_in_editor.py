@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.model.scene.keys import OPERATION
+from qsbearing.files.keys import OPERATION
 from qsbearing.studies.schema import file_schema
 
 pytestmark = [

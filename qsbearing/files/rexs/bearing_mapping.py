@@ -16,6 +16,7 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.designations import read
 from qsbearing.files.fits import names as fit_names
+from qsbearing.files.keys import BALL_EXPANSION, BEARING, MATERIAL, MATERIALS, PRINTED, RING_EXPANSION, Key, key_of
 from qsbearing.files.rexs.axes import turned
 from qsbearing.files.rexs.model import Component
 from qsbearing.files.rexs.reader import Reader
@@ -23,7 +24,6 @@ from qsbearing.files.rexs.scene_text import Table
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import STEEL
-from qsbearing.model.scene.keys import BALL_EXPANSION, BEARING, MATERIAL, MATERIALS, PRINTED, RING_EXPANSION, Key
 from qsbearing.systems.sets.shaft import REFERENCE_TEMPERATURE
 
 ROLLING = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
@@ -268,7 +268,7 @@ def readings(reader: Reader, bearing: Component, casing: Component | None) -> Ta
         return found
     from qsbearing.readings.lubricant import TABLE
 
-    keys: dict[str, Key] = {key.field: key for key in TABLE.keys}
+    keys: dict[str, Key] = {key.field: key for key in map(key_of, TABLE.inputs)}
     table = Table()
     table.put(keys["viscosity_at_40"], reader.positive(oil, "viscosity_at_40_degree_celsius"))
     table.put(keys["viscosity_at_100"], reader.positive(oil, "viscosity_at_100_degree_celsius"))

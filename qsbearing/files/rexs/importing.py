@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import ORIGIN
+from qsbearing.files.keys import OPERATION, PRELOAD, Key
 from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
@@ -22,10 +23,10 @@ from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table, text_of
 from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
 from qsbearing.files.toml import tables_of
-from qsbearing.model.scene.keys import OPERATION, PRELOAD, ROW, SHAFT, Key
 from qsbearing.model.validation import printable
 
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
@@ -270,7 +271,7 @@ def _results(reader: Reader, bearing: Component, turn: NDArray) -> NDArray | Non
 def _row(row: Row) -> Table:
     table = Table()
     table.note("", str(row.bearing))
-    table.put(ROW[0], row.position, "the middle of the bearing: assumed that its balls are there")
+    table.put(SET_NUMBERS["rows"][0], row.position, "the middle of the bearing: assumed that its balls are there")
     if row.direction is not None:
         said = "assumed: the direction of the shaft's force that it carries" * (row.table["kind"] != "deep_groove")
         table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
@@ -288,7 +289,7 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
     given = shaft_mapping.loads(reader, shaft)
     table = document["shaft"] = shaft_mapping.shaft_table(reader, shaft, given)
     reference = rows[0].position or 0.0
-    table.put(SHAFT[0], reference)
+    table.put(OF_SET[0], reference)
     operation = document["operation"] = Table()
     turns = _speeds(reader, bearings[0], operation)
     for field in _LOADS:

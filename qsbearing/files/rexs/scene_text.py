@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from qsbearing.model.scene.keys import Key
+from qsbearing.files.keys import Key
 from qsbearing.model.validation import printable
 
 

@@ -11,11 +11,12 @@ from qsbearing.files.rexs.bearing_mapping import ASSUMED, is_ours, material
 from qsbearing.files.rexs.model import Component
 from qsbearing.files.rexs.reader import Reader
 from qsbearing.files.rexs.scene_text import Table
-from qsbearing.model.scene import keys
-from qsbearing.model.scene.keys import SHAFT, SHAFT_LOAD
+from qsbearing.files.set_keys import SET_NUMBERS
 from qsbearing.model.units import mm
+from qsbearing.systems.sets.shaft import LOADS
 
-SECTION = {key.name: key for key in keys.SECTION}
+SECTION = {key.name: key for key in SET_NUMBERS["sections"]}
+_SHAFT, _LOADS = ({key.field: key for key in SET_NUMBERS[name]} for name in ("shaft", "loads"))
 SAME = 1e-6
 """Metres within which one section ends where the next begins (chosen: files round to a micrometre)."""
 HARMLESS = {
@@ -27,7 +28,7 @@ _QUIET = ("assembly", "ordered_assembly", "reference", "flank", "stage_gear_data
 """Kinds of relations by which nothing holds or drives a shaft."""
 _FORCES = ("force_u_direction", "force_v_direction", "force_w_direction")
 _TORQUES = ("torque_around_v_axis", "torque_around_w_axis")
-_LOAD = dict(zip((*_FORCES, *_TORQUES), SHAFT_LOAD[1:], strict=True))
+_LOAD = {own: _LOADS[name] for own, (name, _) in zip((*_FORCES, *_TORQUES), LOADS, strict=True)}
 
 
 class Load(NamedTuple):
@@ -104,14 +105,14 @@ def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
     table = Table()
     sections, start = _sections(reader, shaft, table)
     if sections:
-        table.put(SHAFT[1], start)
+        table.put(_SHAFT["start"], start)
         table["sections"] = sections
     else:
         table.note("", "without sections: rigid")
     listed = []
     for load, ever in zip(given, _ever(reader, shaft), strict=True):
         one = Table()
-        one.put(SHAFT_LOAD[0], load.position)
+        one.put(_LOADS["position"], load.position)
         for key, value, acts in zip(_LOAD.values(), load.values, ever, strict=True):
             one.put(key, value if acts else None)
         if reader.number(load.component, "torque_around_u_axis"):

@@ -11,7 +11,7 @@ of model levels and the cost study go through it and know none by name. To add o
 
 What changes the bearing before the solve, or chooses among formulas that are there, needs no more. What acts on the
 balls while they are being solved also needs its switch in `kernel/case.py` and one guarded call in
-`kernel/ball_inertia.py`. An effect with numbers in scene files lists their keys in `scene/keys.py`.
+`kernel/ball_inertia.py`. The keys of an effect's numbers in scene files follow from its fields (`described.py`).
 The guide's page `adding_an_effect.md` does it once.
 """
 

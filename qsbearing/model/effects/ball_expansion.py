@@ -14,13 +14,14 @@ Example       BallExpansion(ball_temperature=70 + zero_celsius)
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.body_temperature import assumed_of_balls
 from qsbearing.model.effects.changed_geometry import change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
@@ -39,9 +40,9 @@ class BallExpansion:
         SceneError: every error, at once.
     """
 
-    ball_temperature: ArrayLike | None
+    ball_temperature: ArrayLike | None = field(metadata=given_in("C"))
     """[K]; None: a heat balance will find it."""
-    reference_temperature: ArrayLike = 20.0 + zero_celsius
+    reference_temperature: ArrayLike = field(default=20.0 + zero_celsius, metadata=given_in("C"))
     """At which all dimensions hold [K]."""
     name: ClassVar[str] = "ball_expansion"
 

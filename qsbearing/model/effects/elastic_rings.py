@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.effects.elastic_ring_errors import Grooves, parameter_errors, section_errors
 from qsbearing.model.effects.entry import (
@@ -58,6 +59,9 @@ from qsbearing.model.material import STEEL, Material
 from qsbearing.model.operation import Operation
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
+OUTER, INNER = ("outer",), ("inner",)
+HOUSING, SHAFT = (*OUTER, "housing"), (*INNER, "shaft")
+"""The parts that the numbers belong to."""
 RIGID, FREE, SOLID = "rigid", "free", "solid"
 """What holds a ring, where that is no body of some diameter: it is rigid; nothing; a solid shaft."""
 USUAL_HOUSING = 1.4
@@ -90,38 +94,42 @@ class ElasticRings:
         SceneError: every error, at once.
     """
 
-    outside_diameter: ArrayLike | None = None
+    outside_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
     """Of the outer ring [m]."""
-    outer_width: ArrayLike | None = None
+    outer_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
     """Of the outer ring, axially [m]."""
-    outer_shoulder_diameter: ArrayLike | None = None
+    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
     """Of the shoulder on the side that contact angles above zero lean to [m]; None: no shoulder, which bends up to four
     times as far."""
-    outer_open_diameter: ArrayLike | None = None
+    outer_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
     """Of the other shoulder [m]; None: in a deep-groove bearing as the first, in an angular-contact one no shoulder."""
     housing: str | None = None
     """What holds the outer ring: "rigid" or "free"; None with a housing's outside diameter."""
-    housing_outside_diameter: ArrayLike | None = None
+    housing_outside_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=HOUSING))
     """[m]"""
-    housing_elastic_modulus: ArrayLike | None = None
+    housing_elastic_modulus: ArrayLike | None = field(default=None, metadata=given_in("GPa", part=HOUSING))
     """[Pa]; None, as for the rest of the material: as the rings."""
-    housing_poisson_ratio: ArrayLike | None = None
-    outer_compliance: tuple[float, ...] | None = None
+    housing_poisson_ratio: ArrayLike | None = field(default=None, metadata=given_in(part=HOUSING))
+    outer_compliance: tuple[float, ...] | None = field(
+        default=None, metadata=given_in("um/N", part=HOUSING, is_list=True)
+    )
     """In place of all of that: c_0, c_1, c_2, ... [m/N]; c_1 is that of the mount, 0 where it is rigid."""
-    bore_diameter: ArrayLike | None = None
+    bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
     """Of the inner ring [m]."""
-    inner_width: ArrayLike | None = None
+    inner_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
     """[m]"""
-    inner_shoulder_diameter: ArrayLike | None = None
-    inner_open_diameter: ArrayLike | None = None
+    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
+    inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
     """Likewise, of the inner ring [m]."""
     shaft: str | None = None
     """What the inner ring sits on: "rigid", "free" or "solid"; None with a shaft's bore."""
-    shaft_bore_diameter: ArrayLike | None = None
+    shaft_bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=SHAFT))
     """[m]"""
-    shaft_elastic_modulus: ArrayLike | None = None
-    shaft_poisson_ratio: ArrayLike | None = None
-    inner_compliance: tuple[float, ...] | None = None
+    shaft_elastic_modulus: ArrayLike | None = field(default=None, metadata=given_in("GPa", part=SHAFT))
+    shaft_poisson_ratio: ArrayLike | None = field(default=None, metadata=given_in(part=SHAFT))
+    inner_compliance: tuple[float, ...] | None = field(
+        default=None, metadata=given_in("um/N", part=SHAFT, is_list=True)
+    )
     """Likewise, of the inner ring."""
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)

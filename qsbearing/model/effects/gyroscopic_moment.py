@@ -17,7 +17,7 @@ Example       GyroscopicMoment(MomentShares.HARRIS, friction_coefficient=0.07)
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import ClassVar
 
@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.compiler.compiled import inlined
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.entry import Entry, Errors, effect, for_arrays, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import parting_errors
@@ -55,7 +56,7 @@ class GyroscopicMoment:
     """Ask for the gyroscopic moment of the balls."""
 
     moment_shares: MomentShares = MomentShares.CONTROLLING
-    friction_coefficient: ArrayLike | None = None
+    friction_coefficient: ArrayLike | None = field(default=None, metadata=given_in())
     """The most friction that a contact carries, over its load; it may span cases. None: whatever is asked."""
     name: ClassVar[str] = "gyroscopic_moment"
 

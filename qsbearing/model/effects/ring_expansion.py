@@ -32,13 +32,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.body_temperature import GIVEN, REFERENCE, BodyTemperature
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
-from qsbearing.model.effects.ring_expansion_errors import Fit, expansion_errors, section_errors
+from qsbearing.model.effects.ring_expansion_errors import RANGES, Fit, expansion_errors, section_errors
 from qsbearing.model.material import Material
 from qsbearing.model.operation import Operation
 from qsbearing.model.units import MPa, zero_celsius
@@ -115,31 +116,33 @@ class RingExpansion:
         SceneError: every error, at once.
     """
 
-    bore_diameter: ArrayLike
+    bore_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["bore_diameter"]))
     """Of the inner ring, which is its seat on the shaft [m]."""
-    outside_diameter: ArrayLike
+    outside_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["outside_diameter"]))
     """Of the outer ring, which is its seat in the housing [m]."""
-    shaft_interference: ArrayLike | None = None
+    shaft_interference: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Shaft diameter less bore, at rest and at the reference temperature [m]; None: no shaft is regarded."""
-    shaft_bore_diameter: ArrayLike | None = None
+    shaft_bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", RANGES["shaft_bore_diameter"]))
     """Of a hollow shaft [m]; None: it is solid."""
     shaft_material: Material | None = None
     """None: as the rings."""
-    shaft_temperature: ArrayLike | None = None
+    shaft_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None: as the inner ring."""
-    inner_ring_temperature: ArrayLike | None = None
+    inner_ring_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None, as for the outer ring: the reference temperature."""
-    outer_ring_temperature: ArrayLike | None = None
-    housing_interference: ArrayLike | None = None
+    outer_ring_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
+    housing_interference: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Outside diameter less housing bore, likewise [m]; None: no housing is regarded."""
-    housing_outside_diameter: ArrayLike | None = None
+    housing_outside_diameter: ArrayLike | None = field(
+        default=None, metadata=given_in("mm", RANGES["housing_outside_diameter"])
+    )
     """[m]; needed with a housing."""
     housing_material: Material | None = None
-    housing_temperature: ArrayLike | None = None
+    housing_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None: as the outer ring."""
-    reference_temperature: ArrayLike = 20.0 + zero_celsius
+    reference_temperature: ArrayLike = field(default=20.0 + zero_celsius, metadata=given_in("C", goes_last=True))
     """At which all dimensions hold [K]."""
-    yield_strength: float = 1700e6
+    yield_strength: float = field(default=1700e6, metadata=given_in("MPa", RANGES["yield_strength"], goes_last=True))
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
     shaft_fit: Fit | None = field(default=None, compare=False, repr=False)
     housing_fit: Fit | None = field(default=None, compare=False, repr=False)

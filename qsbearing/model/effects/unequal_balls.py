@@ -16,7 +16,7 @@ Example       BallDiameterDeviations(deviations=[0.5 * um] + 15 * [0.0])
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.entry import QUANTITIES, Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 from qsbearing.model.operation import Operation
@@ -41,7 +42,7 @@ class BallDiameterDeviations:
         SceneError: not numbers, one for each ball.
     """
 
-    deviations: ArrayLike
+    deviations: ArrayLike = field(metadata=given_in("um", is_list=True))
     """Each ball's diameter less the bearing's, cold, shape (*cases, ball) [m]."""
     name: ClassVar[str] = "unequal_balls"
     of_each_ball: ClassVar[tuple[str, ...]] = ("deviations",)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from numpy.typing import ArrayLike
 
+from qsbearing.model.described import given_in
 from qsbearing.model.operation import DISPLACEMENTS, LOADS
 from qsbearing.model.validation import FORCE, LENGTH, ErrorDetail, Field, Sentence, raise_if_any, within
 
@@ -31,14 +32,14 @@ class Preload:
         SceneError: none of them, several, or one out of its range.
     """
 
-    spring: ArrayLike | None = None
+    spring: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
     """The force of a spring, which stays what it is whatever the rings do [N]."""
-    rigid: ArrayLike | None = None
+    rigid: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
     """The axial load at rest and cold, before fitting [N]; the rings are then held at the axial displacement that it
     takes. Fits change the load to the mounted one."""
-    axial_displacement: ArrayLike | None = None
+    axial_displacement: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS, goes_last=True))
     """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
-    mounted: ArrayLike | None = None
+    mounted: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
     """The axial load after fitting, at rest and at the reference temperature [N]; held likewise."""
 
     def __post_init__(self) -> None:

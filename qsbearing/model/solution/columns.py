@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.described import numbers_of
+from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.scene.keys import (
-    BEARING,
-    EFFECT_TABLES,
-    EFFECTS,
-    MATERIAL,
-    MATERIALS,
-    OPERATION,
-    PRELOAD,
-    SEAT_MATERIALS,
-)
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.quantities import ALL, Quantity, Solution
 from qsbearing.model.units import deg
@@ -31,7 +24,7 @@ if TYPE_CHECKING:
 def columns(solution: Solution) -> dict[str, NDArray]:
     """Everything that there is to say about each ball; arrays of shape (row,), units in their names.
 
-    The case's results, its status and the scene's numbers, under the keys of a scene file, follow on each of its rows.
+    The case's results, its status and the scene's numbers, as a scene file has them, follow on each of its rows.
     Cases not solved have their rows, with NaN for results. What the scene does not call for has no column.
     """
     exists = np.isfinite(solution.azimuth)
@@ -69,28 +62,32 @@ def columns(solution: Solution) -> dict[str, NDArray]:
 
 
 def scene_numbers(scene: Scene) -> dict[str, Any]:
-    """The scene's numbers, in the units of a scene file and under its keys."""
-    holders: list[tuple[str, Any, Any]] = [("", BEARING, scene.bearing), ("", OPERATION, scene.operation)]
+    """The scene's numbers, in the units in which they are given and under their names with these."""
+    holders: list[tuple[str, Any]] = [("", scene.bearing), ("", scene.operation)]
     if scene.preload is not None:
-        holders.append(("preload_", PRELOAD, scene.preload))
-    holders += [(f"{side}_", MATERIAL, getattr(scene.bearing, side)) for side in MATERIALS]
+        holders.append(("preload_", scene.preload))
+    holders += _materials(scene.bearing)
     for effect in scene.ring_effects:
         if effect is scene.ball_diameter_deviations:
             continue  # by ball: a column of its own
-        holders.append((f"{effect.name}_", EFFECT_TABLES[effect.name], effect))
-        seats = [(side, getattr(effect, side, None)) for side in SEAT_MATERIALS]
-        holders += [(f"{side}_", MATERIAL, material) for side, material in seats if material is not None]
+        holders += [(f"{effect.name}_", effect), *_materials(effect)]
     if scene.gyroscopic_moment is not None:
-        holders.append(("", EFFECTS, scene.gyroscopic_moment))
+        holders.append(("", scene.gyroscopic_moment))
     out: dict[str, Any] = {"bearing": scene.bearing.name}
-    for prefix, keys, holder in holders:
-        for key in keys:
-            values = getattr(holder, key.field)
+    for prefix, holder in holders:
+        for given in numbers_of(type(holder)):
+            values = getattr(holder, given.name)
             if values is not None:
-                out[prefix + key.name.replace(".", "_")] = np.vectorize(key.in_file, otypes=[float])(
-                    np.asarray(values, float)
-                )
+                in_unit = np.vectorize(given.in_unit, otypes=[float])
+                out[prefix + given.column] = in_unit(np.asarray(values, float))
     return out
+
+
+def _materials(holder: Any) -> Iterator[tuple[str, Material]]:
+    """Those that it holds, after the beginning of their numbers' names."""
+    for each in fields(holder):
+        if isinstance(material := getattr(holder, each.name), Material):
+            yield f"{each.name}_", material
 
 
 def dataset(solution: Solution) -> xarray.Dataset:

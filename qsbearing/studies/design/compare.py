@@ -16,11 +16,12 @@ import numpy as np
 from qsbearing.files import catalogue, paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import OTHER_TABLES
+from qsbearing.files.keys import BEARING, MATERIALS, OPERATION, PRELOAD, Key, keys_of, required_of
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.scene.keys import BEARING, MATERIAL, MATERIALS, OPERATION, PRELOAD, SHAFT_LOAD, Key
+from qsbearing.model.material import Material
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import quantities
 from qsbearing.model.solution.solution import Solution
@@ -34,6 +35,7 @@ from qsbearing.studies.results import Result, known_results, read
 from qsbearing.studies.results import find as find_result
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
+from qsbearing.systems.sets.shaft import ShaftLoad
 
 MOST = 20
 """Bearings: of more no table is read."""
@@ -190,7 +192,7 @@ def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:
     holders: list[tuple[str, tuple[Key, ...], Any]] = [("", OPERATION, of.operation), ("preload.", PRELOAD, of.preload)]
     shaft = of.shaft if isinstance(of, BearingSet) else None
     for number, load in enumerate(() if shaft is None else shaft.loads, 1):
-        holders.append((f"shaft.loads.{number}.", SHAFT_LOAD, load))
+        holders.append((f"shaft.loads.{number}.", keys_of(ShaftLoad), load))
     return tuple(
         (f"{before}{key.name}", key.in_file(float(np.asarray(value))), key.unit)
         for before, keys, holder in holders
@@ -235,7 +237,7 @@ def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
         for key in BEARING
     ]
     for side in MATERIALS:
-        for key in MATERIAL[:3]:
+        for key in required_of(Material):
             values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
             lines.append(Line(f"{side}.{key.name}", key.unit, values))
     return tuple(line for line in lines if len(set(line.values)) > 1)

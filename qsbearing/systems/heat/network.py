@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import NODES, OF_EACH_ROW
 from qsbearing.model.units import zero_celsius
 from qsbearing.model.validation import (
@@ -39,7 +40,7 @@ class Conductance:
     """Heat flows between two nodes in proportion to the difference of their temperatures."""
 
     between: tuple[str, str]
-    conductance: float
+    conductance: float = field(metadata=given_in("W/K"))
     """[W/K]."""
     row: int | None = None
     """Of a set, the row that alone has it, from 1; None: every row, where a row's node is one of the two."""
@@ -49,13 +50,13 @@ class Conductance:
 class OilFlow:
     """Oil that comes in at one temperature and leaves at that of the node `oil`: it takes away Q rho c (T - T_in)."""
 
-    flow: float
+    flow: float = field(metadata=given_in("cm3/min"))
     """Q [m^3/s]; of a set, of all rows together."""
-    inlet_temperature: float
+    inlet_temperature: float = field(metadata=given_in("C"))
     """T_in [K]."""
-    density: float
+    density: float = field(metadata=given_in("kg/m3"))
     """rho [kg/m^3]."""
-    specific_heat: float
+    specific_heat: float = field(metadata=given_in("J/(kg K)"))
     """c [J/(kg K)]."""
 
     @property
@@ -88,19 +89,19 @@ class Thermal:
     oil: OilFlow | None = None
     friction: str = "contacts"
     """Which model makes the heat, with the arguments of its reading: contacts, skf or palmgren."""
-    heat_to_rings: float = 0.5
+    heat_to_rings: float = field(default=0.5, metadata=given_in())
     """Part of a contact's heat that goes into its ring; the rest goes into the ball."""
-    heat_at_inner: float = 0.5
+    heat_at_inner: float = field(default=0.5, metadata=given_in())
     """Part of a whole bearing's friction that is made at the inner contacts, where the model does not say it."""
     heats: Mapping[str, float] = field(default_factory=dict)
     """What else heats a node [W], such as a motor the shaft; of a row's node, in each row."""
     heat_capacities: Mapping[str, float] = field(default_factory=dict)
     """Of nodes [J/K], for heating up in time; those of rings and balls follow from geometry where they are left out."""
-    ring_width: float | None = None
+    ring_width: float | None = field(default=None, metadata=given_in("mm"))
     """Of both rings [m]: for their heat capacities, and nothing else."""
     viscosity_at: str | None = None
     """The node at whose temperature the lubricant's viscosity is taken; None: the oil, where there is such a node."""
-    limit_temperature: float = 150.0 + zero_celsius
+    limit_temperature: float = field(default=150.0 + zero_celsius, metadata=given_in("C"))
     """Above which no steady state is looked for [K]."""
 
     def __post_init__(self) -> None:

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.above import InNotebooks
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.contact.hertz import HertzForm
+from qsbearing.model.described import given_in
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
@@ -69,7 +70,7 @@ class BearingSet(InNotebooks):
     rows: tuple[Row, ...]
     operation: Operation = field(default_factory=Operation)
     preload: Preload | None = None
-    reference_position: ArrayLike | None = None
+    reference_position: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """Where the shaft's channels are meant [m]; None: midway between the first and the last row."""
     ball_effects: tuple[BallEffect, ...] = ()
     raceway_control: RacewayControl | None = None

@@ -10,6 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.described import given_in
 from qsbearing.model.effects import RingEffect
 from qsbearing.model.validation import ANGLE, LENGTH, ErrorDetail, choose, within
 from qsbearing.systems.sets.shaft import HousingStiffness
@@ -26,6 +27,8 @@ OUT_OF_LINE = (
     ("housing_tilt_z", ANGLE, 0.1),
 )
 """What a row states of its housing, and the most of it; likewise."""
+PLACED = ("position", "offset", *(name for name, *_ in OUT_OF_LINE))
+"""What of a row says where it stands."""
 
 
 class Direction(StrEnum):
@@ -40,25 +43,25 @@ class Row:
     """One row of balls: its bearing and its place in the set. SI units; numbers may be arrays that span cases."""
 
     bearing: BallBearing
-    position: ArrayLike = 0.0
+    position: ArrayLike = field(default=0.0, metadata=given_in("mm"))
     """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
     reference temperature [m]."""
     carries: Direction = Direction.PLUS
     """As a member or as its word."""
-    offset: ArrayLike = 0.0
+    offset: ArrayLike = field(default=0.0, metadata=given_in("um"))
     """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
     faces are ground off, or a spacer is longer. Below zero it is a gap."""
     sprung: bool = False
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
     housing_stiffness: HousingStiffness | None = None
     """Of what its outer ring sits in; None: rigid."""
-    housing_radial_y: ArrayLike | None = None
+    housing_radial_y: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """How far its seat in the housing is out of line with the shaft, at the balls' centres [m]; None: in line."""
-    housing_radial_z: ArrayLike | None = None
+    housing_radial_z: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Likewise."""
-    housing_tilt_y: ArrayLike | None = None
+    housing_tilt_y: ArrayLike | None = field(default=None, metadata=given_in("mrad"))
     """How far its seat is turned out of the shaft's direction, right-handed [rad]; None: straight."""
-    housing_tilt_z: ArrayLike | None = None
+    housing_tilt_z: ArrayLike | None = field(default=None, metadata=given_in("mrad"))
     """Likewise."""
     ring_effects: tuple[RingEffect, ...] | None = None
     """Its own; None: those of the set."""
@@ -90,8 +93,7 @@ def row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
         if not isinstance(row.bearing, BallBearing):
             errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
         errors += choose(f"{path}.carries", row.carries, Direction)[1]
-        placed = ("position", "offset", *(name for name, *_ in OUT_OF_LINE))
-        errors += placement_errors(path, **{name: getattr(row, name) for name in placed})
+        errors += placement_errors(path, **{name: getattr(row, name) for name in PLACED})
     return errors
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.described import given_in
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.scene.preload import Preload
@@ -43,15 +44,15 @@ STIFFEST = 1e18
 class ShaftSection:
     """A length of shaft between two steps, a cylinder or a cone; SI units, plain numbers."""
 
-    length: float
-    outer_diameter: float
+    length: float = field(metadata=given_in("mm"))
+    outer_diameter: float = field(metadata=given_in("mm"))
     """Of a cone, where it begins."""
-    inner_diameter: float = 0.0
+    inner_diameter: float = field(default=0.0, metadata=given_in("mm"))
     """Likewise."""
     material: Material = STEEL
-    end_outer_diameter: float | None = None
+    end_outer_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Where it ends; None: a cylinder."""
-    end_inner_diameter: float | None = None
+    end_inner_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Likewise, of the bore."""
 
     @property
@@ -76,12 +77,12 @@ class ShaftSection:
 class ShaftLoad:
     """A load on the shaft at a position [m]; forces [N] and moments [N m], which may be arrays that span cases."""
 
-    position: float
-    axial: ArrayLike = 0.0
-    radial_y: ArrayLike = 0.0
-    radial_z: ArrayLike = 0.0
-    moment_y: ArrayLike = 0.0
-    moment_z: ArrayLike = 0.0
+    position: float = field(metadata=given_in("mm"))
+    axial: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    radial_y: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    radial_z: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    moment_y: ArrayLike = field(default=0.0, metadata=given_in("N m"))
+    moment_z: ArrayLike = field(default=0.0, metadata=given_in("N m"))
 
     @property
     def values(self) -> tuple[ArrayLike, ...]:
@@ -93,12 +94,12 @@ class ShaftLoad:
 class ShaftMass:
     """A body fixed to the shaft, as a point at a position [m]; SI units. Its inertia is that about its own centre."""
 
-    position: float
-    mass: ArrayLike
+    position: float = field(metadata=given_in("mm"))
+    mass: ArrayLike = field(metadata=given_in("kg"))
     """[kg]; may be an array that spans cases."""
-    polar_inertia: float = 0.0
+    polar_inertia: float = field(default=0.0, metadata=given_in("kg m2"))
     """About the shaft [kg m^2]; for rotors only."""
-    diametral_inertia: float = 0.0
+    diametral_inertia: float = field(default=0.0, metadata=given_in("kg m2"))
     """About an axis across the shaft; likewise."""
 
 
@@ -107,12 +108,12 @@ class ShaftSupport:
     """Linear springs between the shaft and ground, unstressed while the shaft is at its zero and straight; plain
     numbers [N/m, N m/rad]."""
 
-    position: float
-    axial: float = 0.0
-    radial_y: float = 0.0
-    radial_z: float = 0.0
-    tilt_y: float = 0.0
-    tilt_z: float = 0.0
+    position: float = field(metadata=given_in("mm"))
+    axial: float = field(default=0.0, metadata=given_in("N/um"))
+    radial_y: float = field(default=0.0, metadata=given_in("N/um"))
+    radial_z: float = field(default=0.0, metadata=given_in("N/um"))
+    tilt_y: float = field(default=0.0, metadata=given_in("kN m/rad"))
+    tilt_z: float = field(default=0.0, metadata=given_in("kN m/rad"))
 
     @property
     def stiffness(self) -> NDArray:
@@ -129,11 +130,11 @@ class HousingStiffness:
             and positive definite.
     """
 
-    axial: float | None = None
+    axial: float | None = field(default=None, metadata=given_in("N/um"))
     """[N/m]"""
-    radial: float | None = None
+    radial: float | None = field(default=None, metadata=given_in("N/um"))
     """[N/m]"""
-    tilt: float | None = None
+    tilt: float | None = field(default=None, metadata=given_in("kN m/rad"))
     """[N m/rad]"""
     matrix: ArrayLike | None = None
     """In place of the three, shape (5, 5), in the order x, y, z, tilt y, tilt z of the shaft's axes."""
@@ -179,10 +180,10 @@ class Housing:
         SceneError: every error, at once.
     """
 
-    temperature: ArrayLike | None = None
+    temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: the reference temperature."""
     material: Material = STEEL
-    reference_temperature: float = REFERENCE_TEMPERATURE
+    reference_temperature: float = field(default=REFERENCE_TEMPERATURE, metadata=given_in("C"))
 
     def __post_init__(self) -> None:
         errors = material_errors("housing.material", self.material) + _temperatures("housing", self)
@@ -214,15 +215,15 @@ class Spacer:
 
     rows: tuple[int, int]
     """The two rows, which count from 1."""
-    inner_length: ArrayLike | None = None
+    inner_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """[m]; None: there is none, the shaft parts the rows."""
-    outer_length: ArrayLike | None = None
+    outer_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """[m]; None: likewise, the housing."""
     inner_material: Material = STEEL
     outer_material: Material = STEEL
-    inner_temperature: ArrayLike | None = None
+    inner_temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: as the shaft."""
-    outer_temperature: ArrayLike | None = None
+    outer_temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: as the housing."""
 
     def __post_init__(self) -> None:
@@ -249,7 +250,7 @@ class FloatingGroup:
 
     rows: tuple[int, ...]
     """They count from 1."""
-    spring: ArrayLike = 0.0
+    spring: ArrayLike = field(default=0.0, metadata=given_in("N"))
     """Force of a spring on the sleeve, in +x [N]; it stays what it is. 0: the group floats."""
     preload: Preload | None = None
     """That of its rows against each other; None: the set's."""
@@ -271,15 +272,15 @@ class Shaft:
     """
 
     sections: tuple[ShaftSection, ...] = ()
-    start: float = 0.0
+    start: float = field(default=0.0, metadata=given_in("mm"))
     """Where the first section begins [m]."""
     loads: tuple[ShaftLoad, ...] = ()
     supports: tuple[ShaftSupport, ...] = ()
     points: Mapping[str, float] = field(default_factory=dict)
     """Positions [m] at which deflection and stiffness are asked, by their names, such as the tool's."""
-    temperature: ArrayLike | None = None
+    temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: the reference temperature."""
-    reference_temperature: float = REFERENCE_TEMPERATURE
+    reference_temperature: float = field(default=REFERENCE_TEMPERATURE, metadata=given_in("C"))
     """At which all lengths and diameters hold [K]."""
     masses: tuple[ShaftMass, ...] = ()
     gravity: tuple[float, float, float] | None = None

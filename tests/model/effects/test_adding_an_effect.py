@@ -50,14 +50,11 @@ def test_one_file_and_one_line_make_an_effect(tmp_path: Path) -> None:
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__", "records"))
     (code,) = blocks("python")
     (copy / "model" / "effects" / "groove_wear.py").write_text(code, encoding="utf-8")
-    line, keys = blocks("text")
-    for file, mark, new in (
-        ("model/effects/__init__.py", '    "centrifugal_force",\n', line + '    "centrifugal_force",\n'),
-        ("model/scene/keys.py", "EFFECT_TABLES = {", "EFFECT_TABLES = {\n" + keys),
-    ):
-        text = (copy / file).read_text(encoding="utf-8")
-        assert text.count(mark) == 1
-        (copy / file).write_text(text.replace(mark, new), encoding="utf-8")
+    (line,) = blocks("text")
+    file, mark = copy / "model" / "effects" / "__init__.py", '    "centrifugal_force",\n'
+    text = file.read_text(encoding="utf-8")
+    assert text.count(mark) == 1
+    file.write_text(text.replace(mark, line + mark), encoding="utf-8")
     (tmp_path / "worn.toml").write_text(SCENE, encoding="utf-8")
     # Plain Python, as compiling the copy would take longer than all of this.
     environment = {**os.environ, "PYTHONPATH": str(tmp_path), "NUMBA_DISABLE_JIT": "1"}

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.contact.hertz import effective_modulus
-from qsbearing.model.scene.keys import (
+from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BALL_EXPANSION,
     BEARING,
@@ -25,6 +24,7 @@ from qsbearing.model.scene.keys import (
     RING_EXPANSION,
     Key,
 )
+from qsbearing.model.contact.hertz import effective_modulus
 
 GROUP = 25
 """Scenes of a group."""

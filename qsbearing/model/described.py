@@ -1,0 +1,159 @@
+"""What numbers a class of inputs takes, stated at its fields: the unit in which each is given, and its range.
+
+    length: float = field(metadata=given_in("mm"))
+    temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
+
+The objects hold SI; the unit is that of drawings, catalogues and tables. A field without a default is required. Keys of
+files, schemas, tables of reports and columns of results follow from this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, fields
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+from qsbearing.model.units import GPa, MPa, N, Nm, deg, kg_m3, mm, mrad, rpm, um, zero_celsius
+from qsbearing.model.validation import (
+    ANGLE,
+    DENSITY,
+    FORCE,
+    LENGTH,
+    MODULUS,
+    MOMENT,
+    PRESSURE,
+    SPEED,
+    TEMPERATURE,
+    Quantity,
+)
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit in which numbers are given."""
+
+    symbol: str
+    ending: str = ""
+    """Of names that tell it; empty where a name needs none."""
+    size: float = 1.0
+    """In SI."""
+    quantity: Quantity | None = None
+    """What other units the number is given in; None where there are none."""
+    zero: float = 0.0
+    """The unit's zero in SI."""
+
+
+UNITS = {
+    unit.symbol: unit
+    for unit in (
+        Unit(""),
+        Unit("balls"),
+        Unit("h"),
+        Unit("mm", "mm", mm, LENGTH),
+        Unit("um", "um", um, LENGTH),
+        Unit("deg", "deg", deg, ANGLE),
+        Unit("mrad", "mrad", mrad, ANGLE),
+        Unit("rpm", "rpm", rpm, SPEED),
+        Unit("N", "N", N, FORCE),
+        Unit("N m", "Nm", Nm, MOMENT),
+        Unit("GPa", "GPa", GPa, MODULUS),
+        Unit("MPa", "MPa", MPa, PRESSURE),
+        Unit("kg", "kg"),
+        Unit("kg m2", "kg_m2"),
+        Unit("kg/m3", "kg_m3", kg_m3, DENSITY),
+        Unit("N/um", "N_per_um", N / um),
+        Unit("um/N", "um_per_N", um),
+        Unit("kN m/rad", "kNm_per_rad", 1e3),
+        Unit("C", "C", 1.0, TEMPERATURE, zero_celsius),
+        Unit("1/K", "per_K"),
+        Unit("1/GPa", "per_GPa", 1.0 / GPa),
+        Unit("mm2/s", "mm2_s", mm**2),
+        Unit("cm3/min", "cm3_min", 1e-6 / 60.0),
+        Unit("J/(kg K)", "J_kgK"),
+        Unit("J/K", "J_per_K"),
+        Unit("W", "W"),
+        Unit("W/K", "W_per_K"),
+    )
+}
+"""Every unit that an input is given in, by its symbol."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One number that a class of inputs takes, or a list of them."""
+
+    name: str
+    """Of the field."""
+    unit: Unit
+    range: tuple[float, float] | None = None
+    """Which values are accepted at all, in SI; None where that depends on others."""
+    part: tuple[str, ...] = ()
+    """What of the whole it belongs to, from the outside inwards: ("outer", "housing")."""
+    is_list: bool = False
+    is_required: bool = False
+    goes_last: bool = False
+    """Whether it is listed after those that do not."""
+
+    @property
+    def own_name(self) -> str:
+        """Without what `part` says already: `width` of `outer_width`."""
+        for whole in self.part:
+            if self.name.startswith(f"{whole}_"):
+                return self.name.removeprefix(f"{whole}_")
+        return self.name
+
+    @property
+    def column(self) -> str:
+        """What a column of results is called that tells part and unit."""
+        return "_".join(filter(None, (*self.part, self.own_name, self.unit.ending)))
+
+    def in_unit(self, value: float) -> float:
+        """An SI value in the unit, without the rounding of its way there and back."""
+        return float(f"{(value - self.unit.zero) / self.unit.size:.12g}")
+
+
+_GIVEN = "given"
+
+
+def given_in(
+    unit: str = "",
+    range: tuple[float, float] | None = None,
+    *,
+    part: tuple[str, ...] = (),
+    is_list: bool = False,
+    goes_last: bool = False,
+) -> Mapping[str, Any]:
+    """The metadata of a field that is given in this unit; empty: it has none. The others: see `Input`."""
+    said = {"unit": UNITS[unit], "range": range, "part": part, "is_list": is_list, "goes_last": goes_last}
+    return MappingProxyType({_GIVEN: MappingProxyType(said)})
+
+
+def number(name: str, unit: str = "", range: tuple[float, float] | None = None) -> Input:
+    """A number that is given beside the fields of a class: a property, or an argument that no record holds."""
+    return Input(name, UNITS[unit], range)
+
+
+@cache
+def inputs_of(of: Any) -> tuple[Input, ...]:
+    """Every number that a class of inputs takes, in the order in which they are listed.
+
+    The class's fields first, then what it names in `also_given`.
+    """
+    found = [
+        Input(each.name, **each.metadata[_GIVEN], is_required=each.default is MISSING is each.default_factory)
+        for each in (fields(of) if hasattr(of, "__dataclass_fields__") else ())
+        if _GIVEN in each.metadata
+    ]
+    return (*sorted(found, key=lambda each: each.goes_last), *getattr(of, "also_given", ()))
+
+
+def numbers_of(of: Any) -> tuple[Input, ...]:
+    """Those that are single numbers."""
+    return tuple(each for each in inputs_of(of) if not each.is_list)
+
+
+def lists_of(of: Any) -> tuple[Input, ...]:
+    """Those that are lists."""
+    return tuple(each for each in inputs_of(of) if each.is_list)
