@@ -155,8 +155,8 @@ def places_on_shaft(of: BearingSet) -> dict[str, float]:
     assert shaft is not None
     places: dict[str, Any] = {"begin": shaft.ends[0], "end": shaft.ends[-1]} if shaft.sections else {}
     places |= shaft.points
-    parts: Sequence[Any]
-    for kind, parts in (("row", of.rows), ("load", shaft.loads), ("mass", shaft.masses), ("support", shaft.supports)):
-        places |= {f"{kind} {i}": part.position for i, part in enumerate(parts, 1)}
+    parts: dict[str, Sequence[Any]] = {"row": of.rows, "load": shaft.loads, "mass": shaft.masses}
+    for kind, several in (parts | {"support": shaft.supports}).items():
+        places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
     at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
     return dict(sorted(at.items(), key=lambda item: item[1]))
