@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
 from qsbearing.pictures.style import GREY, balls, plain
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def draw_advance(axes: Axes, solution: Solution, place: Place) -> None:
+def draw_advance(axes: Axes, solution: Solution, place: CasePlace) -> None:
     """The advance by azimuth, the balls where they are, and what the pockets leave free."""
     azimuth, present = balls(solution, place)
     radius = 0.5 * float(np.broadcast_to(solution.scene.operating_bearing.pitch_diameter, solution.shape)[place]) / mm

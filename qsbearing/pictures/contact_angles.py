@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg
 from qsbearing.pictures.style import GREY, Span, balls, line_style, mark_lost, plain, raceways
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def angle_span(solution: Solution, place: Place) -> Span:
+def angle_span(solution: Solution, place: CasePlace) -> Span:
     """Of the loaded contact angles and the free one [deg]."""
     _, present = balls(solution, place)
     angles = [_free(solution, place)]
@@ -25,7 +25,7 @@ def angle_span(solution: Solution, place: Place) -> Span:
     return min(angles), max(angles)
 
 
-def draw_angles(axes: Axes, solution: Solution, place: Place, span: Span | None = None) -> None:
+def draw_angles(axes: Axes, solution: Solution, place: CasePlace, span: Span | None = None) -> None:
     """Args:
     span: of the angles that share a scale with these; None: their own.
     """
@@ -58,5 +58,5 @@ def draw_angles(axes: Axes, solution: Solution, place: Place, span: Span | None 
     plain(axes)
 
 
-def _free(solution: Solution, place: Place) -> float:
+def _free(solution: Solution, place: CasePlace) -> float:
     return float(np.broadcast_to(solution.scene.bearing.free_contact_angle, solution.shape)[place]) / deg

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, mm
 from qsbearing.pictures.style import GREY, STYLE, balls, carry_alike, raceways, round_length
@@ -19,7 +19,7 @@ MOST_ELLIPSES = 20
 """More columns than this leave no room for numbers; a large bearing shows every second ball, or every third."""
 
 
-def draw_ellipses(axes: Axes, solution: Solution, place: Place) -> None:
+def draw_ellipses(axes: Axes, solution: Solution, place: CasePlace) -> None:
     chosen, names, every = _columns(solution, place)
     _, present = balls(solution, place)
     sides = {
@@ -85,7 +85,7 @@ def _scale_bar(axes: Axes, left: float, tallest: float) -> None:
     axes.text(left + 0.15 * tallest, 0.0, f"{length:g} mm", fontsize=8, va="center")
 
 
-def _columns(solution: Solution, place: Place) -> tuple[NDArray, list[str], str]:
+def _columns(solution: Solution, place: CasePlace) -> tuple[NDArray, list[str], str]:
     """Which balls to draw, their names, and what to add to the axis label where some are left out."""
     azimuth, _ = balls(solution, place)
     if carry_alike(solution, place):

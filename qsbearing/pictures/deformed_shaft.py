@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import mm, um
 from qsbearing.pictures.style import GREY, round_length
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -26,7 +26,7 @@ NEGLIGIBLE = 1e-3
 """Of the other plane's deflection: a plane with less is not shown."""
 
 
-def planes_of(solution: SetSolution, place: Place) -> list[int]:
+def planes_of(solution: SetSolution, place: CasePlace) -> list[int]:
     """Which planes bend enough to be seen."""
     shaft = solution.set.shaft
     assert shaft is not None
@@ -34,7 +34,7 @@ def planes_of(solution: SetSolution, place: Place) -> list[int]:
     return [i for i in range(2) if largest[i] > NEGLIGIBLE * largest.max()] or [0]
 
 
-def draw_deformed_shaft(axes: Any, solution: SetSolution, place: Place, plane: int = 0) -> None:
+def draw_deformed_shaft(axes: Any, solution: SetSolution, place: CasePlace, plane: int = 0) -> None:
     """Args:
     plane: 0: xy; 1: xz.
     """
@@ -100,7 +100,7 @@ def _outline(axes: Any, x: NDArray, y: NDArray, slope: NDArray, radius: NDArray,
         axes.plot(np.array([x[end] - turn, x[end] + turn]) / mm, (y[end] + across) / mm, **line)
 
 
-def _bearing(axes: Any, solution: SetSolution, place: Place, number: int, factor: float, channel: int) -> None:
+def _bearing(axes: Any, solution: SetSolution, place: CasePlace, number: int, factor: float, channel: int) -> None:
     """Balls above and below the shaft where it has them, with their lines of action, and the row's number."""
     row = solution.set.rows[number - 1]
     at = float(np.ravel(row.position)[0])

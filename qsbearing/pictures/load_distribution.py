@@ -6,18 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.style import Span, balls, label_circles, line_style, mark_lost, raceways
 
 
-def load_span(solution: Solution, place: Place) -> Span:
+def load_span(solution: Solution, place: CasePlace) -> Span:
     """From nothing to the largest contact load [N]."""
     _, present = balls(solution, place)
     return 0.0, max(float(contacts.load[place][present].max()) for _, contacts in raceways(solution))
 
 
-def draw_loads(axes: Any, solution: Solution, place: Place, span: Span | None = None) -> None:
+def draw_loads(axes: Any, solution: Solution, place: CasePlace, span: Span | None = None) -> None:
     """Args:
     span: of the loads that share a scale with these; None: their own.
     """

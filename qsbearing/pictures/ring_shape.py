@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.ring_shape import AROUND, groove_shape
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import um
@@ -17,7 +17,7 @@ RADII = {"inner": 0.62, "outer": 1.0}
 LARGEST = 0.16
 
 
-def draw_shape(axes: Any, solution: Solution, place: Place) -> None:
+def draw_shape(axes: Any, solution: Solution, place: CasePlace) -> None:
     """Both grooves, unmoved (dashed) and moved, the balls between them; the outer one moves out, the inner one in."""
     azimuth, present = balls(solution, place)
     around = np.append(AROUND, 2.0 * np.pi)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BearingKind
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.pictures.style import GREY, STYLE, carry_alike, raceways
@@ -33,13 +33,13 @@ WIDTH, THICKNESS = 1.35, 0.3
 """Of the sketched rings, as parts of the ball diameter; the thickness below the groove's bottom."""
 
 
-def most_loaded_ball(solution: Solution, place: Place) -> int:
+def most_loaded_ball(solution: Solution, place: CasePlace) -> int:
     """Number of the ball with the largest contact load."""
     loads = [np.nan_to_num(contacts.load[place]) for _, contacts in raceways(solution)]
     return int(np.argmax(np.maximum(*loads)))
 
 
-def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None = None) -> None:
+def draw_section(axes: Axes, solution: Solution, place: CasePlace, ball: int | None = None) -> None:
     """Args:
     ball: its number from zero; None: the one with the largest contact load.
     """
@@ -81,11 +81,11 @@ def draw_section(axes: Axes, solution: Solution, place: Place, ball: int | None 
               color=GREY, ha="center", va="bottom")  # fmt: skip
 
 
-def _number(value: Any, place: Place, solution: Solution) -> float:
+def _number(value: Any, place: CasePlace, solution: Solution) -> float:
     return float(np.broadcast_to(np.asarray(value, float), solution.shape)[place])
 
 
-def _title(solution: Solution, place: Place, number: int) -> str:
+def _title(solution: Solution, place: CasePlace, number: int) -> str:
     if carry_alike(solution, place):
         return "Section through a ball: all balls carry the same load"
     azimuth = solution.azimuth[place]
@@ -101,7 +101,7 @@ def _ball(axes: Axes, diameter: float) -> None:
 
 
 def _ring(
-    axes: Axes, solution: Solution, place: Place, side: str, centre: NDArray, radius: float, diameter: float
+    axes: Axes, solution: Solution, place: CasePlace, side: str, centre: NDArray, radius: float, diameter: float
 ) -> float:
     """The section of a ring: the groove between its shoulders, faces and seat; the height of the seat [mm]."""
     from matplotlib.patches import Polygon
@@ -121,7 +121,7 @@ def _ring(
     return float(seat)
 
 
-def _thickness(solution: Solution, place: Place, side: str, diameter: float) -> float:
+def _thickness(solution: Solution, place: CasePlace, side: str, diameter: float) -> float:
     """Of a ring below its groove's bottom [mm]: given by its seat, or sketched."""
     rings, bearing = solution.scene.ring_expansion, solution.scene.bearing
     if rings is None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qsbearing.model.solution.case_index import Index, Place, place_of
+from qsbearing.model.solution.case_index import CasePlace, Index, case_place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
@@ -27,7 +27,7 @@ class Drawing(NamedTuple):
 
     draw: Callable[..., None]
     """Takes axes, solution, place and the span to show."""
-    span: Callable[[Solution, Place], Span]
+    span: Callable[[Solution, CasePlace], Span]
     size: tuple[float, float]
     """Alone on a sheet [inches]."""
     panel: tuple[float, float]
@@ -104,7 +104,7 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
     """
     if solution.set.shaft is None or not solution.set.shaft.sections:
         raise ValueError("this set's shaft is rigid: qs.BearingSet(..., shaft=qs.Shaft(...))")
-    place = place_of(index, solution.shape)
+    place = case_place(index, solution.shape)
     planes = planes_of(solution, place)
     figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.8)
     panels = figure.subplots(len(planes), 1, squeeze=False)[:, 0]
@@ -162,7 +162,7 @@ def _alone(
 
 def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> Figure:
     """A column for each row, below each other where there are many; one scale for all rows."""
-    place = place_of(index, solution.shape)
+    place = case_place(index, solution.shape)
     count, is_sheet = len(solution.rows), len(drawings) > 1
     lines = -(-count // (PER_SHEET if is_sheet else PER_LINE))
     columns = -(-count // lines)

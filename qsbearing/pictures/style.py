@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mrad, rpm, um
@@ -139,14 +139,14 @@ def plain(axes: Axes) -> None:
         axes.spines[name].set_visible(False)
 
 
-def balls(solution: Solution, place: Place) -> tuple[NDArray, NDArray]:
+def balls(solution: Solution, place: CasePlace) -> tuple[NDArray, NDArray]:
     """Azimuths of the balls that there are [rad], and which they are along the ball axis."""
     azimuth = solution.azimuth[place]
     present = np.isfinite(azimuth)
     return azimuth[present], present
 
 
-def carry_alike(solution: Solution, place: Place) -> bool:
+def carry_alike(solution: Solution, place: CasePlace) -> bool:
     """Whether all balls carry the same loads, as under pure thrust."""
     _, present = balls(solution, place)
     load = np.stack([contacts.load[place][present] for _, contacts in raceways(solution)])
@@ -233,7 +233,7 @@ def round_length(most: float) -> float:
     return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= most * (1.0 + 1e-9)) * power)
 
 
-def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> None:
+def mark_lost(axes: Any, solution: Solution, place: CasePlace, height: float) -> None:
     """Crosses where a ball has lost a raceway; what was lost stands in the legend."""
     azimuth, present = balls(solution, place)
     inner, outer = (contacts.load[place][present] == 0.0 for _, contacts in raceways(solution))
@@ -247,12 +247,12 @@ def mark_lost(axes: Any, solution: Solution, place: Place, height: float) -> Non
             axes.plot(where, [height] * where.size, marker, color=GREY, markersize=6, label=label, clip_on=False)
 
 
-def write_title(figure: Figure, solution: Solution, place: Place) -> None:
+def write_title(figure: Figure, solution: Solution, place: CasePlace) -> None:
     """What was solved, in a line: the bearing, its speeds, and the loads and displacements that are imposed."""
     _write_title(figure, name_of(solution.scene), solution.scene.operation, solution, place)
 
 
-def write_title_of_set(figure: Figure, solution: SetSolution, place: Place) -> None:
+def write_title_of_set(figure: Figure, solution: SetSolution, place: CasePlace) -> None:
     """Likewise: the set, its speeds, and the loads on the shaft."""
     _write_title(figure, name_of(solution.set), solution.set.operation, solution, place)
 
@@ -263,7 +263,7 @@ def name_of(of: Scene | BearingSet) -> str:
 
 
 def _write_title(
-    figure: Figure, what: str, operation: Operation, solution: Solution | SetSolution, place: Place
+    figure: Figure, what: str, operation: Operation, solution: Solution | SetSolution, place: CasePlace
 ) -> None:
     parts = [what]
     for name, speed in (("", operation.speed), ("outer ring ", operation.outer_speed)):

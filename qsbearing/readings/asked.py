@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from inspect import signature
 from itertools import chain
@@ -16,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.groups import GROUPS
+from qsbearing.model.solution.result_keys import Group, Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, SceneError, check_kind
 from qsbearing.readings import (
@@ -142,40 +144,18 @@ def _oil(readings: Mapping[str, Arguments], is_found: bool = False) -> tuple[Oil
     return oil, [replace(each, field=f"readings.{LUBRICANT}.{each.field}") for each in errors]
 
 
-def by_short_name(name: str, known: Collection[str]) -> str | None:
-    """The result of a reading whose name leaves out the reading: `basic_reference_rating_life` is that of `life`.
-
-    Args:
-        known: full names, such as `life_basic_reference_rating_life` and `outer_film_film_parameter`.
-
-    Returns:
-        None where there is none, or more than one.
-    """
-    sides = [side for side in ("", "inner_", "outer_") if name.startswith(side)]
-    full = (f"{side}{reading}_{name.removeprefix(side)}" for reading in READINGS for side in sides)
-    found = {each for each in full if each in known}
-    return found.pop() if len(found) == 1 else None
+def every_group() -> list[Group]:
+    """Of all results of a bearing: its own, and those of every reading that a file may ask for."""
+    return [*GROUPS, *chain.from_iterable(each.groups for each in READINGS.values() if each.table is not None)]
 
 
-BEFORE = ("", "ring_", "shaft_", "system_")
-"""What may be left out before the name of a result."""
-
-
-def named(name: str, known: Collection[str]) -> str | None:
-    """The result of a name as people write it: with points as in `life.duration_h`, without the reading's name or the
-    word ring, shaft or system before it; None where there is none, or more than one."""
-    plain = name.replace(".", "_")
-    same = (each for each in (name, *(before + plain for before in BEFORE)) if each in known)
-    return next(same, None) or by_short_name(plain, known)
-
-
-def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tuple[str, bool, NDArray]]:
-    """(column, whether each ball has its own, array over cases and balls) of what the readings have."""
+def all_values(solution: Solution, readings: Mapping[str, Any]) -> Iterator[tuple[Place, NDArray]]:
+    """What the readings have; shape (*cases) or (*cases, ball)."""
     for name, result in readings.items():
-        for side, shown, is_per_ball, values in READINGS[name].values(result):
+        for place, values in READINGS[name].values(result):
             if values is not None:
-                shape = solution.azimuth.shape if is_per_ball else solution.shape
-                yield READINGS[name].column(side, shown), is_per_ball, np.broadcast_to(values, shape)
+                shape = solution.azimuth.shape if place.is_per_ball else solution.shape
+                yield place, np.broadcast_to(values, shape)
 
 
 def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str, NDArray]:
@@ -187,6 +167,6 @@ def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str
     check_kind("reading_columns", solution, "Solution")
     exists = np.isfinite(solution.azimuth)
     return {
-        column: (values if is_per_ball else np.broadcast_to(values[..., None], exists.shape))[exists]
-        for column, is_per_ball, values in all_values(solution, readings)
+        place.column: (values if place.is_per_ball else np.broadcast_to(values[..., None], exists.shape))[exists]
+        for place, values in all_values(solution, readings)
     }

@@ -30,9 +30,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import given_in
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import mm, rpm
+from qsbearing.model.units import mm
 from qsbearing.model.validation import LENGTH, ErrorDetail, within
 from qsbearing.readings.ball_motion import AXIS, orbital_speed
 from qsbearing.readings.bearing_numbers import BearingNumbers
@@ -157,16 +157,12 @@ ENTRY = Reading(
     ),
     needs=(("load", "sine", "cosine"), AXIS),
     of_case=(
-        Shown("mean_orbital_speed_rpm", "mean_orbital_speed", rpm, "speed of a cage that keeps up with the balls"),
-        Shown("lead_mm", "lead", mm, "largest advance of a ball in front of its mean place in the cage"),
-        Shown("lag_mm", "lag", mm, "likewise, behind it"),
-        Shown("excursion_mm", "excursion", mm, "lead and lag together"),
-        Shown("pocket_use", "pocket_use", 1.0, "excursion over the clearance of the pockets"),
+        Result("mean_orbital_speed", "rpm", "speed of a cage that keeps up with the balls"),
+        Result("lead", "mm", "largest advance of a ball in front of its mean place in the cage"),
+        Result("lag", "mm", "likewise, behind it"),
+        Result("excursion", "mm", "lead and lag together"),
+        Result("pocket_use", words="excursion over the clearance of the pockets"),
     ),
-    of_ball=(
-        Shown(
-            "advance_mm", "advance", mm, "of the ball at its azimuth, on the arc of the pitch circle", is_signed=True
-        ),
-    ),
+    of_ball=(Result("advance", "mm", "of the ball at its azimuth, on the arc of the pitch circle", is_signed=True),),
     scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed.",
 )

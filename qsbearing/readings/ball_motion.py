@@ -31,9 +31,8 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.compiled import entry, kernel
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, rpm
 from qsbearing.model.validation import check_kind
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
@@ -202,11 +201,11 @@ ENTRY = Reading(
     take=simply(kinematics),
     needs=NEEDS,
     of_contact=(
-        Shown("entrainment_speed_m_s", "entrainment_speed"),
-        Shown("rolling_speed_rpm", "rolling_speed", rpm, is_signed=True),
-        Shown("spin_speed_rpm", "spin_speed", rpm, is_signed=True),
-        Shown("spin_to_roll", "spin_to_roll"),
-        Shown("spin_sliding_speed_m_s", "spin_sliding_speed"),
-        Shown("spin_pressure_speed_MPa_m_s", "spin_pressure_speed", MPa, "p v of spin"),
+        Result("entrainment_speed", "m/s"),
+        Result("rolling_speed", "rpm", is_signed=True),
+        Result("spin_speed", "rpm", is_signed=True),
+        Result("spin_to_roll"),
+        Result("spin_sliding_speed", "m/s"),
+        Result("spin_pressure_speed", "MPa m/s", "p v of spin"),
     ),
 )

@@ -19,9 +19,8 @@ from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.elliptic import second_kind
 from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import Nmm
 from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
 from qsbearing.readings.ball_motion import (
     AXIS,
@@ -215,13 +214,13 @@ ENTRY = Reading(
     ),
     needs=NEEDS,
     of_case=(
-        Shown("power_W", "power", 1.0, "power of the contacts only"),
-        Shown("torque_Nmm", "torque", Nmm, "torque of the contacts only"),
+        Result("power", "W", "power of the contacts only"),
+        Result("torque", "N mm", "torque of the contacts only"),
     ),
     of_contact=(
-        Shown("sliding_power_W", "sliding_power"),
-        Shown("spin_moment_Nmm", "spin_moment", Nmm),
-        Shown("hysteresis_power_W", "hysteresis_power"),
+        Result("sliding_power", "W"),
+        Result("spin_moment", "N mm"),
+        Result("hysteresis_power", "W"),
     ),
-    of_ball=(Shown("drag_power_W", "drag_power"),),
+    of_ball=(Result("drag_power", "W"),),
 )

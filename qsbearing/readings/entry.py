@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import Input, inputs_of
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import BALL, Group, Place, Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, Quantity, check_kind, raise_if_any, within
 
@@ -121,11 +121,11 @@ class Reading:
     """In a scene file; None: it has none there."""
     needs: tuple[tuple[str, ...], tuple[str, ...]] = (), ()
     """Arrays of contacts and of balls that it takes from the solution."""
-    of_case: tuple[Shown, ...] = ()
+    of_case: tuple[Result, ...] = ()
     """Numbers of the whole bearing; arrays of shape (*cases)."""
-    of_contact: tuple[Shown, ...] = ()
+    of_contact: tuple[Result, ...] = ()
     """Of each contact, inner and outer; arrays of shape (*cases, ball)."""
-    of_ball: tuple[Shown, ...] = ()
+    of_ball: tuple[Result, ...] = ()
     """Of each ball; arrays of shape (*cases, ball)."""
     scope: str = ""
     """A sentence below its tables, where its name does not state what it covers."""
@@ -151,17 +151,20 @@ class Reading:
         missing = [name for name, each in own.items() if each.default is each.empty and each.kind != each.VAR_KEYWORD]
         return self.record(**dict.fromkeys(missing) | dict(given) | ({"oil": oil} if "oil" in own else {}))
 
-    def shown(self) -> Iterator[tuple[str, Shown, bool]]:
-        """(inner, outer or empty; number; whether each ball has its own) of all its numbers, the bearing's first."""
-        yield from (("", shown, False) for shown in self.of_case)
-        yield from ((side, shown, True) for side in ("inner", "outer") for shown in self.of_contact)
-        yield from (("", shown, True) for shown in self.of_ball)
+    @functools.cached_property
+    def groups(self) -> tuple[Group, ...]:
+        """All its results, the bearing's first."""
+        table, of = ("readings", self.name), self.name
+        whole = Group(self.of_case, prefix=f"{of}_", holder=of, table=table, reading=of, source=self.by, by_words=True)
+        balls = whole._replace(results=self.of_contact, axis=BALL, table=(*table, "balls"))
+        sides = (
+            balls._replace(raceway=side, holder=f"{of}.{side}", table=(*table, "balls", side))
+            for side in ("inner", "outer")
+        )
+        every = whole, *sides, balls._replace(results=self.of_ball)
+        return tuple(each for each in every if each.results)
 
-    def column(self, side: str, shown: Shown) -> str:
-        """What a number is called in tables and studies."""
-        return "_".join(filter(None, (side, self.name, shown.key)))
-
-    def values(self, result: Any) -> Iterator[tuple[str, Shown, bool, NDArray | None]]:
-        """Likewise with the values of a result, in the keys' units; None where it has none."""
-        for side, shown, is_per_ball in self.shown():
-            yield side, shown, is_per_ball, shown.of(getattr(result, side) if side else result)
+    def values(self, result: Any) -> Iterator[tuple[Place, NDArray | None]]:
+        """Each with the values of a result; None where that has none."""
+        for group in self.groups:
+            yield from ((Place(group, each), values) for each, values in group.values(None, {self.name: result}))

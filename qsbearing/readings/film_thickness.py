@@ -38,9 +38,9 @@ from qsbearing.model.compiler.compiled import entry, kernel
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import mm, rpm, um
+from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import LENGTH, ErrorDetail, Quantity, within
 from qsbearing.readings.ball_motion import AXIS, MOTION, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
@@ -284,15 +284,15 @@ raceway_roughness_um = 0.1
     ),
     needs=NEEDS,
     of_case=(
-        Shown("inlet_shear_heating", "inlet_shear_heating", 1.0, "inlet shear heating by SKF"),
-        Shown("combined_roughness_um", "combined_roughness", um),
+        Result("inlet_shear_heating", words="inlet shear heating by SKF"),
+        Result("combined_roughness", "um"),
     ),
     of_contact=(
-        Shown("central_thickness_um", "central_thickness", um, "central thickness, isothermal"),
-        Shown("minimum_thickness_um", "minimum_thickness", um, "minimum thickness, isothermal"),
-        Shown("reduced_minimum_thickness_um", "reduced_minimum_thickness", um, "the minimum reduced by inlet heating"),
-        Shown("film_parameter", "film_parameter", 1.0, "film parameter, of the reduced minimum", r"\Lambda"),
-        Shown("thermal_reduction", "thermal_reduction", 1.0, "film reduction by inlet heating"),
+        Result("central_thickness", "um", "central thickness, isothermal"),
+        Result("minimum_thickness", "um", "minimum thickness, isothermal"),
+        Result("reduced_minimum_thickness", "um", "the minimum reduced by inlet heating"),
+        Result("film_parameter", words="film parameter, of the reduced minimum", symbol=r"\Lambda"),
+        Result("thermal_reduction", words="film reduction by inlet heating"),
     ),
     scope="Film: the film parameter is that of the reduced minimum; the other thicknesses are isothermal. Published "
     f"factors of the reduction by inlet heating differ by about {100 * FACTOR_SPREAD:.0f} %.",

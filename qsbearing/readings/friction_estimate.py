@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.described import given_in, inputs_of
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import Nmm, deg, mm, rpm
 from qsbearing.model.validation import (
@@ -322,11 +322,11 @@ speed_rating_rpm = 6000            # from the catalogue; SKF's model holds below
         note="SKF's model; Palmgren's with C0 and f0; deep groove: series = \"62\" and C0",
     ),
     of_case=(
-        Shown("speed_factor_mm_rpm", "speed_factor", mm * rpm, "speed factor n dm"),
-        Shown("speed_over_rating", "speed_over_rating"),
-        Shown("skf_torque_Nmm", "skf.torque", Nmm, "torque by SKF"),
-        Shown("skf_power_W", "skf.power", 1.0, "power by SKF"),
-        Shown("palmgren_torque_Nmm", "palmgren.torque", Nmm, "torque by Palmgren"),
-        Shown("palmgren_power_W", "palmgren.power", 1.0, "power by Palmgren"),
+        Result("speed_factor", "mm rpm", "speed factor n dm"),
+        Result("speed_over_rating"),
+        Result("skf_torque", "N mm", "torque by SKF", path="skf.torque"),
+        Result("skf_power", "W", "power by SKF", path="skf.power"),
+        Result("palmgren_torque", "N mm", "torque by Palmgren", path="palmgren.torque"),
+        Result("palmgren_power", "W", "power by Palmgren", path="palmgren.power"),
     ),
 )

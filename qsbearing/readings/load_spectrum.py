@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.validation import RATIO, ErrorDetail, raise_if_any, within
 from qsbearing.readings.entry import Reading
-from qsbearing.readings.rating_life import HOUR, MILLION, NEEDS, Life, life
+from qsbearing.readings.rating_life import NEEDS, Life, life
 
 WHOLE = 1e-6
 """Time shares must add up to one to this (chosen: shares are written with a few digits)."""
@@ -98,8 +98,8 @@ ENTRY = Reading(
     table=None,
     needs=NEEDS,
     of_case=(
-        Shown("life_Mrev", "life", MILLION),
-        Shown("duration_h", "duration", HOUR),
-        Shown("damage_share", "damage_share"),
+        Result("life", "Mrev"),
+        Result("duration", "h"),
+        Result("damage_share"),
     ),
 )

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import (
@@ -123,8 +123,8 @@ ENTRY = Reading(
     take=simply(frequencies),
     needs=NEEDS,
     of_case=(
-        *(Shown(f"{name}_Hz", f"solved.{name}") for name in _NAMES),
-        *(Shown(f"nominal_{n}_Hz", f"nominal.{n}", 1.0, f"{n.replace('_', ' ')}, {_NOMINAL}") for n in _NAMES),
-        Shown("orbit_spread", "orbit_spread", 1.0, "range of the balls' orbital speeds over their mean"),
+        *(Result(name, "Hz", path=f"solved.{name}") for name in _NAMES),
+        *(Result(f"nominal_{n}", "Hz", f"{n.replace('_', ' ')}, {_NOMINAL}", path=f"nominal.{n}") for n in _NAMES),
+        Result("orbit_spread", words="range of the balls' orbital speeds over their mean"),
     ),
 )

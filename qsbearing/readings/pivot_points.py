@@ -20,9 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import mm
 from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
@@ -119,8 +118,8 @@ ENTRY = Reading(
     take=lambda solution, given, taken: _of_motion(solution, taken.get("kinematics") or kinematics(solution)),
     needs=NEEDS,
     of_contact=(
-        Shown("near_pivot_mm", "near", mm, "pivot point nearer to the centre", is_signed=True),
-        Shown("far_pivot_mm", "far", mm, "other pivot point", is_signed=True),
+        Result("near_pivot", "mm", "pivot point nearer to the centre", path="near", is_signed=True),
+        Result("far_pivot", "mm", "other pivot point", path="far", is_signed=True),
     ),
     scope="Pivot points: where nothing slides, from the centre of the ellipse along its major axis.",
 )

@@ -18,7 +18,7 @@ from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.described import given_in
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa
 from qsbearing.model.validation import FORCE, RATIO, ErrorDetail, choose, within
@@ -362,18 +362,18 @@ cleanliness = "oil_15_12"          # for the modified life; or viscosity_ratio a
     ),
     needs=NEEDS,
     of_case=(
-        Shown("dynamic_load_rating_N", "dynamic_load_rating"),
-        Shown(*("basic_reference_rating_life_Mrev", "basic_reference_rating_life", MILLION), symbol="L_{10r}"),
-        Shown("basic_duration_h", "basic_duration", HOUR, "basic reference rating life in hours"),
-        Shown("inner_life_Mrev", "inner_life", MILLION),
-        Shown("outer_life_Mrev", "outer_life", MILLION),
-        Shown("reference_load_N", "reference_load", 1.0, "reference load, C/(basic reference life)^(1/3)"),
-        Shown("reliability_factor", "reliability_factor", 1.0, "reliability factor a1", "a_1"),
-        Shown("life_modification_factor", "life_modification_factor", 1.0, "life modification factor aISO", "a_{ISO}"),
-        Shown("fatigue_load_limit_N", "fatigue_load_limit"),
-        Shown("modified_reference_rating_life_Mrev", "modified_reference_rating_life", MILLION),
-        Shown("duration_h", "duration", HOUR, "reference life in hours, with a1 and aISO where given"),
-        Shown("equivalent_load_N", "equivalent_load", 1.0, "equivalent load P of ISO 281", "P"),
-        Shown("basic_rating_life_Mrev", "basic_rating_life", MILLION, "basic rating life of ISO 281", "L_{10}"),
+        Result("dynamic_load_rating", "N"),
+        Result("basic_reference_rating_life", "Mrev", symbol="L_{10r}"),
+        Result("basic_duration", "h", "basic reference rating life in hours"),
+        Result("inner_life", "Mrev"),
+        Result("outer_life", "Mrev"),
+        Result("reference_load", "N", "reference load, C/(basic reference life)^(1/3)"),
+        Result("reliability_factor", words="reliability factor a1", symbol="a_1"),
+        Result("life_modification_factor", words="life modification factor aISO", symbol="a_{ISO}"),
+        Result("fatigue_load_limit", "N"),
+        Result("modified_reference_rating_life", "Mrev"),
+        Result("duration", "h", "reference life in hours, with a1 and aISO where given"),
+        Result("equivalent_load", "N", "equivalent load P of ISO 281", "P"),
+        Result("basic_rating_life", "Mrev", "basic rating life of ISO 281", "L_{10}"),
     ),
 )

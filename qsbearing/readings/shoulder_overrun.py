@@ -28,9 +28,9 @@ from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.described import given_in
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, deg, mm
+from qsbearing.model.units import MPa, deg
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
@@ -249,16 +249,21 @@ outer_shoulder_diameter_mm = 139
     ),
     needs=NEEDS,
     of_case=(
-        Shown("inner_edge_angle_deg", "inner.edge_angle", deg),
-        Shown("outer_edge_angle_deg", "outer.edge_angle", deg),
+        Result("inner_edge_angle", "deg", path="inner.edge_angle"),
+        Result("outer_edge_angle", "deg", path="outer.edge_angle"),
     ),
     of_contact=(
-        Shown("edge_distance_mm", "edge_distance", mm, "distance of ellipse from groove edge"),
-        Shown("overrun_load_N", "overrun_load", 1.0, "load at which it reaches the edge"),
-        Shown("beyond_edge_percent", "share_beyond", 0.01, "part of the major axis beyond the edge"),
-        Shown("edge_load_loss_percent", "load_loss", 0.01, "load that it lacks there, at the same approach"),
-        Shown("edge_load_turn_deg", "load_turn", deg, "turn of its load away from the edge"),
-        Shown("edge_intensity", "edge_intensity", 1.0, "K of the pressure K p0 sqrt(b/distance) near a sharp edge"),
-        Shown("edge_pressure_MPa", "edge_pressure", MPa, "largest pressure at an edge of the given radius"),
+        Result("edge_distance", "mm", "distance of ellipse from groove edge"),
+        Result("overrun_load", "N", "load at which it reaches the edge"),
+        Result("beyond_edge_percent", words="part of the major axis beyond the edge", path="share_beyond", size=0.01),
+        Result(
+            "edge_load_loss_percent",
+            words="load that it lacks there, at the same approach",
+            path="load_loss",
+            size=0.01,
+        ),
+        Result("edge_load_turn", "deg", "turn of its load away from the edge", path="load_turn"),
+        Result("edge_intensity", words="K of the pressure K p0 sqrt(b/distance) near a sharp edge"),
+        Result("edge_pressure", "MPa", "largest pressure at an edge of the given radius"),
     ),
 )

@@ -20,7 +20,7 @@ from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.described import given_in
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.model.validation import FORCE, ErrorDetail, within
@@ -229,9 +229,9 @@ ENTRY = Reading(
     record=StaticSafetyArguments,
     needs=(("max_pressure",), ()),
     of_case=(
-        Shown("static_load_rating_N", "static_load_rating"),
-        Shown("static_equivalent_load_N", "static_equivalent_load", 1.0, "static equivalent load P0 of ISO 76", "P_0"),
-        Shown("static_safety", "static_safety", 1.0, "static safety C0/P0"),
-        Shown("contact_safety", "contact_safety", 1.0, "static limit over load, most pressed contact"),
+        Result("static_load_rating", "N"),
+        Result("static_equivalent_load", "N", "static equivalent load P0 of ISO 76", "P_0"),
+        Result("static_safety", words="static safety C0/P0"),
+        Result("contact_safety", words="static limit over load, most pressed contact"),
     ),
 )

@@ -26,9 +26,9 @@ from qsbearing.model.compiler.compiled import entry, formula
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import subsurface_shear
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
-from qsbearing.model.solution.result_keys import Shown
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, mm, um
+from qsbearing.model.units import mm
 from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
@@ -176,10 +176,10 @@ ENTRY = Reading(
     take=simply(stress),
     needs=NEEDS,
     of_contact=(
-        Shown("max_shear_MPa", "max_shear", MPa, "largest shear stress"),
-        Shown("max_shear_depth_mm", "max_shear_depth", mm, "its depth"),
-        Shown("orthogonal_shear_MPa", "orthogonal_shear", MPa, "orthogonal shear stress, amplitude"),
-        Shown("orthogonal_shear_depth_mm", "orthogonal_shear_depth", mm, "its depth"),
-        Shown("dent_um", "dent", um, "permanent dent"),
+        Result("max_shear", "MPa", "largest shear stress"),
+        Result("max_shear_depth", "mm", "its depth"),
+        Result("orthogonal_shear", "MPa", "orthogonal shear stress, amplitude"),
+        Result("orthogonal_shear_depth", "mm", "its depth"),
+        Result("dent", "um", "permanent dent"),
     ),
 )

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.solution.result_keys import BALL, CONTACT, printed_unit, split
+from qsbearing.model.solution.groups import GROUPS
+from qsbearing.model.solution.result_keys import Result, printed_unit
 from qsbearing.readings.asked import READINGS
 from qsbearing.remarks.kinds import KINDS, Kind
 
@@ -15,21 +16,16 @@ def _readings() -> str:
 
 def _results() -> str:
     """Rows of the page of symbols: those of the results that have one."""
-    found = [(f"`inner.{shown.path}`, `outer.{shown.path}`", shown, shown.source) for shown in CONTACT]
-    found += [(f"`{shown.path}`", shown, shown.source) for shown in BALL]
-    found += [
-        (f"`{name}.{shown.path}`", shown, each.by)
-        for name, each in READINGS.items()
-        for shown in (*each.of_case, *each.of_contact, *each.of_ball)
-    ]
-
-    def written(key: str) -> str:
-        return printed_unit(split(key)[1]) or "-"
-
+    groups = (*GROUPS, *(group for each in READINGS.values() for group in each.groups))
+    rows: dict[tuple[Result, str], list[str]] = {}
+    for group in groups:
+        for each in (each for each in group.results if each.symbol):
+            whose = (group.reading or group.raceway, str(each.path or each.name))
+            rows.setdefault((each, each.source or group.source), []).append(f"`{'.'.join(filter(None, whose))}`")
     return "".join(
-        f"| ${shown.symbol}$ | {names} | {shown.plain_name} | {written(shown.key)} | {source} |\n"
-        for names, shown, source in found
-        if shown.symbol
+        f"| ${each.symbol}$ | {', '.join(dict.fromkeys(names))} | {each.plain_name} | {printed_unit(each.unit) or '-'} "
+        f"| {source} |\n"
+        for (each, source), names in rows.items()
     )
 
 

@@ -10,22 +10,13 @@ from numpy.typing import NDArray
 
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.case_index import Place
-from qsbearing.model.solution.result_keys import (
-    BALL,
-    CONTACT,
-    DISPLACEMENT,
-    GEOMETRY,
-    LOAD,
-    RING_SHAPE,
-    RING_STATE,
-    STIFFNESS,
-    Shown,
-)
+from qsbearing.model.solution.case_index import CasePlace
+from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING
+from qsbearing.model.solution.result_keys import BALL, DISPLACEMENT, LOAD, STIFFNESS, Group, Place, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
-from qsbearing.model.units import deg, um, zero_celsius
+from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.readings_record import Readings, number, readings_record
@@ -42,7 +33,7 @@ if TYPE_CHECKING:
 def record(
     solution: Solution,
     readings: Readings,
-    index: Place = (),
+    index: CasePlace = (),
     thermal_of: Thermal | None = None,
     said: Sequence[Remark] | None = None,
 ) -> dict[str, Any]:
@@ -67,26 +58,34 @@ def record(
         "choices": choices(scene),
         **remarks_record(said),
         "preload": preload(solution, index),
-        "operating_geometry": operating_geometry(solution, index),
-        "rings": rings(solution, index),
+        **{name: table_of(name, solution, index) for name in TABLES},
         "elastic_rings": elastic_rings(solution, index),
         "temperatures": temperatures(solution, index, thermal_of),
         "thermal": thermal(solution, index),
         **motion_and_stiffness(solution, _load_noise(solution, index), index),
-        "axial_from_middle_um": _from_middle(solution, index),
+        **_at_top(solution, index),
         "balls": balls(solution, index) if solved else [],
         "readings": readings_record(solution, readings, index) if solved else None,
         **choice_record(solution, index),
     }
 
 
-def _from_middle(solution: Solution, index: Place) -> float | None:
-    """Of a deep-groove bearing."""
-    found = solution.axial_from_middle
-    return None if found is None else number(np.asarray(found)[index] / um)
+BESIDE_OTHERS = ("preload", "elastic_rings", "temperatures", "thermal")
+"""Tables with more in them than numbers of results."""
+TABLES = dict.fromkeys(
+    each.table[0] for each in GROUPS if each.table and not each.axis and each.before != RING
+    and each.table[0] not in BESIDE_OTHERS
+)  # fmt: skip
+"""All others, but those of the channels of the ring."""
 
 
-def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any]:
+def _at_top(solution: Solution, index: CasePlace) -> dict[str, Any]:
+    """Numbers outside tables; None for what the scene does not call for."""
+    numbers = (numbers_or_none(group, solution, index) for group in GROUPS if group.table == ())
+    return {key: value for each in numbers for key, value in each.items()}
+
+
+def how_it_ended(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str, Any]:
     """Of a case of a bearing or set."""
     return {
         "version": __version__,
@@ -98,7 +97,7 @@ def how_it_ended(solution: Solution | SetSolution, index: Place = ()) -> dict[st
     }
 
 
-def is_untried(solution: Solution | SetSolution, index: Place) -> bool:
+def is_untried(solution: Solution | SetSolution, index: CasePlace) -> bool:
     """Whether a case is a row's that nobody has solved, since its set has no solution."""
     has_not_begun = np.asarray(solution.iterations)[index] == 0
     return bool(has_not_begun and np.asarray(solution.status)[index] == Status.NOT_CONVERGED)
@@ -112,7 +111,7 @@ CHANNEL_UNITS = {
 """Of `stiffness_SI`, a load (row) per displacement (column), and of `compliance_SI`, the other way round."""
 
 
-def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index: Place = ()) -> dict[str, Any]:
+def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index: CasePlace = ()) -> dict[str, Any]:
     """Of the ring, or of a set's shaft; what is rounding is zero.
 
     Args:
@@ -131,7 +130,7 @@ def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index
     }
 
 
-def choice_record(solution: Any, index: Place) -> dict[str, Any]:
+def choice_record(solution: Any, index: CasePlace) -> dict[str, Any]:
     """What was chosen and left out; null where the scene names its effects."""
     choice = solution.choice
     if choice is None:
@@ -157,57 +156,69 @@ def choices(scene: Scene) -> dict[str, str | None]:
     }
 
 
-def preload(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+def preload(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
     """The preload before fitting, mounted and in operation; None where the scene has none."""
     if solution.scene.preload is None:
         return None
-    return {
-        "kind": solution.scene.preload.kind,
-        "at_rest_N": number(np.asarray(solution.preload_at_rest)[index]),
-        "unmounted_N": number(np.asarray(solution.preload_unmounted)[index]),
-        "mounted_N": number(np.asarray(solution.preload_mounted)[index]),
-        "in_operation_N": number(solution.load[index][0]),
-        "alone_N": number(np.asarray(solution.preload_in_operation)[index]),
-        "carried_N": number(solution.load[index][0]),
-        "share": number(np.asarray(solution.preload_share)[index]),
-        "state": str(np.asarray(solution.preload_state)[index]) or None,
-        "axial_displacement_um": number(solution.displacement[index][0] / um),
-    }
+    numbers = numbers_or_none(OF_PRELOAD, solution, index)
+    last = {"axial_displacement_um": numbers.pop("axial_displacement_um")}
+    state = str(np.asarray(solution.preload_state)[index]) or None
+    return {"kind": solution.scene.preload.kind, **numbers, "state": state, **last}
 
 
-def operating_geometry(solution: Solution, index: Place = ()) -> dict[str, float | None] | None:
-    """The bearing as ring effects leave it; None where the scene names none."""
-    scene = solution.scene
-    return _numbers(GEOMETRY, scene.operating_bearing, solution.shape, index) if scene.is_reshaped else None
-
-
-def rings(solution: Solution, index: Place = ()) -> dict[str, dict[str, float | None]] | None:
-    """Seat pressures, growth and stress of both rings; None without ring expansion."""
-    if solution.inner_ring is None:
-        return None
-    return {
-        side: _numbers(RING_STATE, getattr(solution, f"{side}_ring"), solution.shape, index)
-        for side in ("inner", "outer")
-    }
-
-
-def elastic_rings(solution: Solution, index: Place = ()) -> dict[str, Any] | None:
+def elastic_rings(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
     """How the rings deflect, and what part of the axial displacement that is; None between rigid rings."""
     if solution.scene.elastic_rings is None:
         return None
-    share = solution.elastic_share
-    found: dict[str, Any] = {"share_of_axial_displacement": None if share is None else number(np.asarray(share)[index])}
-    for side in ("inner", "outer"):
-        shape = getattr(solution, f"{side}_shape")
-        found[side] = None
-        if shape is not None:
-            amplitudes = [number(value / um) for value in shape.amplitudes[index]]
-            found[side] = _numbers(RING_SHAPE, shape, solution.shape, index) | {"amplitudes_um": amplitudes}
-    return found
+    sides = ("inner", "outer")
+    table: dict[str, Any] = dict.fromkeys(("share_of_axial_displacement", *sides))
+    table |= table_of("elastic_rings", solution, index) or {}
+    for side in sides:
+        if table[side] is not None:
+            amplitudes = getattr(solution, f"{side}_shape").amplitudes[index]
+            table[side]["amplitudes_um"] = [number(value / um) for value in amplitudes]
+    return table
+
+
+def table_of(name: str, solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+    """The numbers that are described as of this table, those of the tables within it last; None where the scene calls
+    for none of them."""
+    table: dict[str, Any] = {}
+    for group in GROUPS:
+        if group.table and group.table[0] == name and not group.axis:
+            own = numbers_of(group, solution, index)
+            if len(group.table) > 1:
+                table[group.table[1]] = own
+            else:
+                table = (own or {}) | table
+    return table if any(each is not None for each in table.values()) else None
+
+
+def numbers_of(
+    group: Group, solution: Solution | SetSolution, index: CasePlace = (), row: int = 0
+) -> dict[str, Any] | None:
+    """Of one case, which may share one number with all; None where none of them is called for.
+
+    Args:
+        row: of a set, from 1, of what each row has.
+    """
+    if group.is_asked is not None and not group.is_asked(
+        solution.scene if isinstance(solution, Solution) else solution.set
+    ):
+        return None
+    numbers = {each.entry or each.key: Place(group, each, row).of(solution) for each in group.results}
+    if all(values is None for values in numbers.values()):
+        return None
+    return {key: None if values is None else number(values[index]) for key, values in numbers.items()}
+
+
+def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
+    """Likewise; each None where none is called for."""
+    return numbers_of(group, *of) or {each.entry or each.key: None for each in group.results}
 
 
 def temperatures(
-    solution: Solution, index: Place = (), thermal_of: Thermal | None = None
+    solution: Solution, index: CasePlace = (), thermal_of: Thermal | None = None
 ) -> dict[str, dict[str, Any]] | None:
     """Of rings, shaft, housing and balls, and whether each is given, found or assumed; None where the scene gives
     none."""
@@ -226,7 +237,7 @@ def temperatures(
     }
 
 
-def thermal(solution: Solution | SetSolution, index: Place = ()) -> dict[str, Any] | None:
+def thermal(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str, Any] | None:
     """Temperatures and heat of the steady state; None where the scene asks for none."""
     if solution.thermal is None:
         return None
@@ -235,41 +246,32 @@ def thermal(solution: Solution | SetSolution, index: Place = ()) -> dict[str, An
     return thermal_record(solution.thermal, index)
 
 
-def balls(solution: Solution, index: Place = ()) -> list[dict[str, Any]]:
+OF_BALLS = (OF_AZIMUTH, *(each for each in GROUPS if each.axis == BALL and each is not OF_AZIMUTH and each.table))
+
+
+def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
     """What there is to say about each ball of one case, under the keys of `run --json`."""
-
-    def value(array: NDArray | None, ball: int, size: float) -> float | None:
-        return None if array is None else number(array[index][ball] / size)
-
-    def contact(side: str, ball: int) -> dict[str, float | None]:
-        holder = getattr(solution, side)
-        return {shown.key: value(getattr(holder, shown.path), ball, shown.size) for shown in CONTACT}
-
-    control, slips = solution.raceway_control, solution.slips
-    return [
-        {"azimuth_deg": value(solution.azimuth, ball, deg), "inner": contact("inner", ball)}
-        | {"outer": contact("outer", ball)}
-        | {shown.key: value(getattr(solution, shown.path), ball, shown.size) for shown in BALL}
-        | {"raceway_control": None if control is None else str(control[index][ball])}
-        | {"slips": None if slips is None else bool(slips[index][ball])}
-        for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index])))
+    read = [
+        (group, each, each.of(value_at(group.holder, solution), index)) for group in OF_BALLS for each in group.results
     ]
+    control, slips = solution.raceway_control, solution.slips
+    records = []
+    for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index]))):
+        own: dict[str, Any] = {}
+        for group, each, values in read:
+            holder = own.setdefault(group.raceway, {}) if group.raceway else own
+            holder[each.key] = None if values is None else number(values[ball])
+        own["raceway_control"] = None if control is None else str(control[index][ball])
+        records.append(own | {"slips": None if slips is None else bool(slips[index][ball])})
+    return records
 
 
-def _numbers(numbers: tuple[Shown, ...], holder: Any, shape: tuple[int, ...], index: Place) -> dict[str, float | None]:
-    """Some fields of one case, which may hold one number for all."""
-    found = {shown.key: shown.of(holder) for shown in numbers}
-    return {
-        key: None if values is None else number(np.broadcast_to(values, shape)[index]) for key, values in found.items()
-    }
-
-
-def of_channels(units: tuple[tuple[str, float], ...], values: NDArray) -> dict[str, float | None]:
+def of_channels(channels: tuple[Result, ...], values: NDArray) -> dict[str, float | None]:
     """Values of the five channels under their keys."""
-    return {key: number(value / size) for (key, size), value in zip(units, values, strict=True)}
+    return {each.key: number(each.of(values)) for each in channels}
 
 
-def _load_noise(solution: Solution, index: Place) -> NDArray:
+def _load_noise(solution: Solution, index: CasePlace) -> NDArray:
     """Of a bearing: of its largest load, those of its balls and a moment over its radius among them."""
     lever = 0.5 * np.broadcast_to(np.asarray(solution.scene.bearing.pitch_diameter, float), solution.shape)[index]
     levers = np.where([channel.is_rotation for channel in CHANNELS], lever, 1.0)

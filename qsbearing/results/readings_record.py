@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.columns import columns
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Remark, told
@@ -39,7 +39,7 @@ def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
     return found
 
 
-def readings_record(solution: Solution, readings: Readings, index: Place = ()) -> dict[str, Any] | None:
+def readings_record(solution: Solution, readings: Readings, index: CasePlace = ()) -> dict[str, Any] | None:
     """One case's readings, each under its name: the bearing's numbers, then its balls', then what to beware of.
 
     None stands for what was not asked for, or has no number.
@@ -50,18 +50,19 @@ def readings_record(solution: Solution, readings: Readings, index: Place = ()) -
     return {name: _one(name, reading, solution, index, balls) for name, reading in readings.items()}
 
 
-def _one(name: str, reading: Any, solution: Solution, index: Place, balls: Any) -> dict[str, Any]:
+def _one(name: str, reading: Any, solution: Solution, index: CasePlace, balls: Any) -> dict[str, Any]:
     from qsbearing.readings.asked import READINGS
 
     out: dict[str, Any] = {}
     rows: list[dict[str, Any]] = [{} for _ in balls]
-    for side, shown, is_per_ball, values in READINGS[name].values(reading):
-        if not is_per_ball:
-            out[shown.key] = None if values is None else number(np.broadcast_to(values, solution.shape)[index])
+    for place, values in READINGS[name].values(reading):
+        side, key = place.group.raceway, place.result.key
+        if not place.is_per_ball:
+            out[key] = None if values is None else number(np.broadcast_to(values, solution.shape)[index])
             continue
         for row, ball in zip(rows, balls, strict=True):
             holder = row.setdefault(side, {}) if side else row
-            holder[shown.key] = None if values is None else number(values[index][ball])
+            holder[key] = None if values is None else number(values[index][ball])
     if any(rows):
         out["balls"] = rows
     if hasattr(reading, "models"):

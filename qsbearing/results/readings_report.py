@@ -13,7 +13,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.file_keys import reading_keys, reading_tables
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.result_keys import Shown, printed_unit, split
+from qsbearing.model.solution.result_keys import Result, printed_unit
 from qsbearing.readings.asked import READINGS
 from qsbearing.results.tables import digits_of
 
@@ -44,21 +44,20 @@ def readings_tables(readings: Mapping[str, Any], scene: Scene) -> list[Block]:
 
 
 def _of_bearing(title: str, name: str, reading: Any, scene: Scene) -> Table | None:
-    found = [(shown, values) for _, shown, is_per_ball, values in READINGS[name].values(reading) if not is_per_ball]
-    found = [(shown, values) for shown, values in found if values is not None]
-    if not found:
-        return None
     rows = [
-        (f"{shown.plain_name}{_origin(name, shown, scene)}", digits_of(values), printed_unit(split(shown.key)[1]))
-        for shown, values in found
+        (f"{place.result.plain_name}{_origin(name, place.result, scene)}", digits_of(values), printed_unit(place.unit))
+        for place, values in READINGS[name].values(reading)
+        if not place.is_per_ball and values is not None
     ]
+    if not rows:
+        return None
     return Table(("quantity", "value", "unit"), rows, "lrl", title)
 
 
-def _origin(name: str, shown: Shown, scene: Scene) -> str:
+def _origin(name: str, result: Result, scene: Scene) -> str:
     """Of a number that a scene may give or leave to the geometry: which, in brackets; of others nothing."""
     keys = reading_keys(name) if name in reading_tables() else ()
-    key = next((each for each in keys if each.name == shown.key), None)
+    key = next((each for each in keys if each.name == result.key), None)
     if key is None:
         return ""
     value = scene.readings.get(name, {}).get(key.field)
@@ -68,22 +67,22 @@ def _origin(name: str, shown: Shown, scene: Scene) -> str:
 
 
 def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
-    cells: dict[Shown, dict[str, NDArray]] = {}
-    for side, shown, is_per_ball, values in READINGS[name].values(reading):
-        if is_per_ball and values is not None and np.isfinite(values).any():
-            cells.setdefault(shown, {})[side or "ball"] = values
+    cells: dict[Result, dict[str, NDArray]] = {}
+    for place, values in READINGS[name].values(reading):
+        if place.is_per_ball and values is not None and np.isfinite(values).any():
+            cells.setdefault(place.result, {})[place.group.raceway or "ball"] = values
     if not cells:
         return None
     sides = [side for side in ("inner", "outer", "ball") if any(side in row for row in cells.values())]
     heading = [cell for side in sides for cell in (f"{side}\nsmallest", f"{side}\nlargest")]
     rows = []
-    for shown, row in cells.items():
-        name = shown.plain_name
-        if shown.is_signed and not _are_alike(row.values()) and any((values < 0.0).any() for values in row.values()):
+    for result, row in cells.items():
+        name = result.plain_name
+        if result.is_signed and not _are_alike(row.values()) and any((values < 0.0).any() for values in row.values()):
             name, row = f"{name}, size", {side: np.abs(values) for side, values in row.items()}
         largest = max(float(np.nanmax(np.abs(values))) for values in row.values())
         spans = [_span(row[side], NOISE * largest) if side in row else ("", "") for side in sides]
-        rows.append((name, spans, printed_unit(split(shown.key)[1])))
+        rows.append((name, spans, printed_unit(result.unit)))
     if not any(high for _, spans, _ in rows for _, high in spans):  # all balls are alike
         cells_of = [(name, *(low for low, _ in spans), unit) for name, spans, unit in rows]
         return Table(("quantity", *sides, "unit"), cells_of, f"l{'r' * len(sides)}l", title)

@@ -11,7 +11,7 @@ import numpy as np
 
 from qsbearing.documents.model import Remark as Shown
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.solution.case_index import Index, place_of
+from qsbearing.model.solution.case_index import Index, case_place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind
 from qsbearing.remarks import bearing
@@ -77,7 +77,7 @@ def every_remark(
     """
     if isinstance(solution, Solution):
         found: Any = taken(solution) if readings is None else readings
-        place = None if index is None else place_of(index, solution.shape)
+        place = None if index is None else case_place(index, solution.shape)
         is_solved = np.any(np.asarray(solution.converged)[() if place is None else place])
         return in_order(bearing.remarks(solution, index) + (of_readings(found, place) if is_solved else []))
     from qsbearing.results import set_remarks

@@ -12,13 +12,27 @@ from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
+from qsbearing.model.solution.groups import (
+    ANGLE,
+    CONTACT,
+    CONTACT_LOAD,
+    DEVIATION,
+    ELSEWHERE,
+    FRICTION,
+    GEOMETRY,
+    OF_BALL,
+    RING_SHAPE,
+    RING_STATE,
+    SIDES,
+    SPEEDS,
+)
 from qsbearing.model.solution.judgement import percent
-from qsbearing.model.solution.result_keys import BALL, CONTACT, GEOMETRY, RING_SHAPE, STIFFNESS, printed_unit, split
+from qsbearing.model.solution.result_keys import STIFFNESS, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import record
-from qsbearing.results.readings_record import Readings
+from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.remarks import blocks, every_remark
 
 if TYPE_CHECKING:
@@ -107,12 +121,12 @@ def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
     """The balls with equal ones gathered, in the order of their first."""
     largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
     rows: dict[Any, Row] = {}
-    for number, ball in enumerate(balls):
+    for i, ball in enumerate(balls):
         loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
         angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
         alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
         row = rows.setdefault(alike, Row([], ball, []))
-        row.members.append(number)
+        row.members.append(i)
         row.azimuths.append(ball["azimuth_deg"])
     return list(rows.values())
 
@@ -225,10 +239,11 @@ def channels_table(title: str, solution: Solution | SetSolution, found: dict[str
     return Table(("", "displacement", "", "load", "", "imposed"), rows, "lrlrll", title, notes=notes)
 
 
-RINGS = (
-    "", "radial growth\nof groove µm", "seat pressure\nMPa", "seat gap\nµm", "hoop stress\nat bore MPa",
-    "largest Tresca\nstress MPa",
-)  # fmt: skip
+def heading_of(result: Result) -> str:
+    """Two words on the first line, and the rest with the unit below."""
+    words = (result.heading or result.plain_name).split()
+    below = filter(None, (*words[2:], printed_unit(result.unit)))
+    return "\n".join(filter(None, (" ".join(words[:2]), " ".join(below))))
 
 
 def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
@@ -237,16 +252,14 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
     tables = []
     if operating is not None:
         rows = []
-        for shown in GEOMETRY:
-            cold = float(shown.of(solution.scene.bearing))
-            rows.append(
-                (shown.plain_name, f"{cold:.6g}", f"{operating[shown.key]:.6g}", printed_unit(split(shown.key)[1]))
-            )
+        for each in GEOMETRY:
+            cold = digits(number(each.of(solution.scene.bearing)), 0.0)
+            rows.append((each.plain_name, cold, digits(operating[each.key], 0.0), printed_unit(each.unit)))
         heading = ("", "at rest, cold", "in operation", "")
         tables.append(Table(heading, rows, "lrrl", "Geometry before loading"))
     if rings is not None:
-        states = [(side, *(digits(value, 1e-9) for value in state.values())) for side, state in rings.items()]
-        tables.append(Table(RINGS, states, caption="Rings"))
+        states = [(side, *(digits(state[each.key], 1e-9) for each in RING_STATE)) for side, state in rings.items()]
+        tables.append(Table(("", *map(heading_of, RING_STATE)), states, caption="Rings"))
     return tables + _shapes(found) + temperature_tables(found)
 
 
@@ -255,11 +268,11 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
     elastic = found["elastic_rings"]
     if elastic is None:
         return []
-    heading = ("", "growth\nµm", "bending\nµm", "seat pressure\nMPa", "least\nMPa", "largest\nMPa")
+    heading = ("", *map(heading_of, RING_SHAPE))
     share = elastic["share_of_axial_displacement"]
     part = "" if share is None else f"; {plain(100.0 * share, '.3g')} % of the axial displacement"
     rows = [
-        (side, *(digits(elastic[side][key], 1e-9) for key, *_ in RING_SHAPE))
+        (side, *(digits(elastic[side][each.key], 1e-9) for each in RING_SHAPE))
         for side in ("inner", "outer")
         if elastic[side] is not None
     ]
@@ -288,8 +301,8 @@ def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> 
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked (other\ndisplacements held)", "effective\n(other loads held)", "")
     rows = []
-    for channel, (key, _) in zip(CHANNELS, STIFFNESS, strict=True):
-        values = (digits(found[kind][key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
+    for channel, each in zip(CHANNELS, STIFFNESS, strict=True):
+        values = (digits(found[kind][each.key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
     return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution.free_channels)})")
 
@@ -313,48 +326,48 @@ def digits(value: float | None, noise: float) -> str:
     return "0" if abs(value) <= noise else f"{value:.6g}"
 
 
-_SYMBOLS = {shown.key: shown.plain_symbol for shown in (*CONTACT, *BALL)} | {"angle_deg": "angle", "load_N": "load"}
-"""Of a column of balls; two that everybody knows are in words."""
+def _head_of(result: Result, side: str = "") -> str:
+    """Of a column of balls."""
+    words = result.heading or result.plain_symbol or result.plain_name
+    return f"{words} {side[:1]}".rstrip() + "\n" + (printed_unit(result.unit) or "-")
 
 
-def _head_of(key: str, side: str = "") -> str:
-    _, unit = split(key)
-    return f"{_SYMBOLS[key]} {side[:1]}".rstrip() + "\n" + (printed_unit(unit) or "-")
+ELLIPSES = ("semi_major_axis", "semi_minor_axis", "approach")
+"""Results of contacts with a table of their own."""
+FIRST = (ANGLE, CONTACT_LOAD)
 
 
 def contacts_table(rows: list[Row], count: int) -> Table:
-    """Angles, loads and pressures of the balls' contacts."""
-    pairs = [(side, key) for key in ("angle_deg", "load_N", "max_pressure_MPa") for side in ("inner", "outer")]
-    heading = [_head_of(key, side) for side, key in pairs]
+    """Angles, loads and pressures of the balls' contacts, and whatever else is known of them."""
+    others = [each for each in CONTACT if each not in (*FIRST, FRICTION) and each.name not in ELLIPSES]
+    pairs = [(side, each) for each in (*FIRST, *others) for side in SIDES]
+    pairs = [(side, each) for side, each in pairs if any(row.ball[side][each.key] is not None for row in rows)]
+    heading = [_head_of(each, side) for side, each in pairs]
     columns = [_contact_column(rows, *pair) for pair in pairs]
-    deviations = [row.ball["ball_diameter_deviation_um"] for row in rows]
+    deviations = [row.ball[DEVIATION.key] for row in rows]
     if any(deviation is not None for deviation in deviations):
-        heading, columns = ["D - D0\nµm", *heading], [_column(deviations, 4), *columns]
+        heading, columns = [_head_of(DEVIATION), *heading], [_column(deviations, 4), *columns]
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
 def _ellipses(rows: list[Row], count: int) -> Table:
-    pairs = [(side, key) for side in ("inner", "outer") for key in ("semi_major_axis_mm", "semi_minor_axis_mm")]
-    pairs += [("inner", "approach_um"), ("outer", "approach_um")]
+    *axes, approach = (each for name in ELLIPSES for each in CONTACT if each.name == name)
+    pairs = [(side, each) for side in SIDES for each in axes] + [(side, approach) for side in SIDES]
     title = "Contact ellipses: a across, b along rolling; δ: approach"
-    heading = [_head_of(key, side) for side, key in pairs]
+    heading = [_head_of(each, side) for side, each in pairs]
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
 def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in found["effects"]
     title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
-    columns: dict[str, list[str]] = {}
-    for key in ("centrifugal_force_N", "gyroscopic_moment_Nmm"):
-        if any(row.ball[key] is not None for row in rows):
-            columns[_head_of(key)] = _column([row.ball[key] for row in rows])
+    shown = [each for each in OF_BALL if each not in ELSEWHERE and any(row.ball[each.key] is not None for row in rows)]
+    columns = {_head_of(each): _column([row.ball[each.key] for row in rows]) for each in shown if each not in SPEEDS}
     if gyroscopic:
-        for side in ("inner", "outer"):
-            columns[_head_of("required_friction", side)] = _column(
-                [row.ball[side]["required_friction"] for row in rows], 4
-            )
-    for key, name in (("orbital_speed_rpm", "orbit\nrpm"), ("rotation_speed_rpm", "rotation\nrpm")):
-        columns[name] = _column([row.ball[key] for row in rows], 5)
+        for side in SIDES:
+            columns[_head_of(FRICTION, side)] = _column([row.ball[side][FRICTION.key] for row in rows], 4)
+    for each in SPEEDS:
+        columns[_head_of(each)] = _column([row.ball[each.key] for row in rows], 5)
     if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
         columns["control"] = [row.ball["raceway_control"] for row in rows]
     if any(row.ball["slips"] is not None for row in rows):
@@ -362,11 +375,12 @@ def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
     return _per_ball(title, list(columns), rows, count, list(columns.values()))
 
 
-def _contact_column(rows: list[Row], side: str, key: str, significant: int = 6) -> list[str]:
+def _contact_column(rows: list[Row], side: str, of: Result, significant: int = 6) -> list[str]:
     """A contact's numbers; none where the two do not touch: no ellipse, no contact line, only a gap."""
     contacts = [row.ball[side] for row in rows]
-    always = key in ("load_N", "approach_um")
-    return _column([each[key] if always or each["load_N"] != 0.0 else None for each in contacts], significant)
+    always = of is CONTACT_LOAD or of.name == "approach"
+    values = [each[of.key] if always or each[CONTACT_LOAD.key] != 0.0 else None for each in contacts]
+    return _column(values, significant)
 
 
 def _column(values: list[float | None], significant: int = 6) -> list[str]:

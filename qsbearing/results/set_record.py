@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
+from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.rounding import rounding_of
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Remark
@@ -17,7 +17,7 @@ from qsbearing.results.json_record import (
     choices,
     how_it_ended,
     motion_and_stiffness,
-    of_channels,
+    numbers_or_none,
     record,
     thermal,
 )
@@ -25,6 +25,7 @@ from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.results.set_remarks import with_rows
 from qsbearing.results.shaft_report import shaft_record
+from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PRELOAD, SHARE
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
 
@@ -81,24 +82,14 @@ def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remar
     row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat, said)
     state = solution.preload_state
 
-    def of_row(values: NDArray | None) -> float | None:
-        return None if values is None else number(values[i])
-
     return {
         "position_mm": float(np.asarray(row.position) / mm),
         "carries": str(row.carries),
         "sprung": row.sprung,
         "offset_um": float(np.asarray(row.offset) / um),
-        "axial_load_N": number(solution.axial_loads[i]),
-        "share": of_channels(LOAD, solution.row_loads[i]),
-        "preload_given_N": of_row(solution.preload_given),
-        "preload_at_rest_N": of_row(solution.preload_at_rest),
-        "preload_unmounted_N": of_row(solution.preload_unmounted),
-        "preload_mounted_N": of_row(solution.preload_mounted),
-        "preload_in_operation_N": of_row(solution.preload_in_operation),
-        "preload_alone_N": of_row(solution.preload_in_operation),
-        "preload_carried_N": of_row(solution.axial_loads if solution.set.is_opposed else None),
-        "preload_share": of_row(solution.preload_share),
+        **numbers_or_none(AXIAL_LOAD, solution, (), i + 1),
+        "share": numbers_or_none(SHARE, solution, (), i + 1),
+        **numbers_or_none(PRELOAD, solution, (), i + 1),
         "preload_state": None if state is None else str(state[i]) or None,
         **{key: value for key, value in own.items() if key not in OF_THE_SET},
     }
@@ -116,15 +107,8 @@ def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str
 
     Rows that differ in what they have leave cells empty.
     """
-    shaft = {
-        f"shaft_{kind}_{key}": values[..., i] / size
-        for kind, keys, values in (
-            ("displacement", DISPLACEMENT, solution.displacement),
-            ("load", LOAD, solution.load),
-            ("locked_stiffness", STIFFNESS, solution.locked_stiffness),
-        )
-        for i, (key, size) in enumerate(keys)
-    }
+    places = [Place(group, each) for group in OF_SHAFT[:-1] for each in group.results]
+    shaft = {each.column: each.of(solution) for each in places}
     parts = [_row_columns(solution, i, found, shaft) for i, found in enumerate(readings)]
     names = dict.fromkeys(name for part in parts for name in part)
     empty = [np.full(part["row"].size, np.nan) for part in parts]

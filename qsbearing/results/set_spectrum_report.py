@@ -84,7 +84,7 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
     rows = []
     for k, point in enumerate(found["points"]):
         own: tuple[str, ...] = (f"{k + 1}", f"{point['share']:.6g}", f"{readings[0]['life'].speed[k] / rpm:.6g}")
-        own += tuple(digits_of(solution.load[k, i] / LOAD[i][1]) for i in loads)
+        own += tuple(digits_of(LOAD[i].of(solution.load[k])) for i in loads)
         for row_number, row in enumerate(point["rows"], 1):
             damage = None if row["damage_share"] is None else 100.0 * row["damage_share"]
             cells = map(_digits, (row["axial_load_N"], row["duration_h"], damage))

@@ -13,9 +13,10 @@ from qsbearing.model.units import mm, um
 from qsbearing.results.json_record import number, of_channels
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
+from qsbearing.systems.sets.set_groups import CHANNELS as SHARES
+from qsbearing.systems.sets.set_groups import places_on_shaft
 from qsbearing.systems.sets.set_solution import SetSolution
 
-CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z")
 NOISE = 1e-9
 """Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
 LEAST_SHARE = 1e-4
@@ -27,7 +28,7 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     shaft = solution.set.shaft
     if shaft is None:
         return None
-    places = _places(solution)
+    places = places_on_shaft(solution.set)
     at = np.array(list(places.values()))
     moved, inner, grown = solution.deflection(at), solution.inner_forces(at), solution.axial_growth(at)
     line = [
@@ -46,29 +47,12 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
             "displacement": of_channels(DISPLACEMENT, point.displacement),
             "axial_growth_um": None if point.axial_growth is None else number(point.axial_growth / um),
             "effective_stiffness": of_channels(STIFFNESS, point.effective_stiffness),
-            "shares": {
-                part: dict(zip(CHANNELS, map(number, share / np.diagonal(point.compliance)), strict=True))
-                for part, share in point.shares.items()
-            },
+            "shares": {part: of_channels(SHARES, share) for part, share in point.relative_shares.items()},
         }
         for name, point in solution.points.items()
     }
     supports = [of_channels(LOAD, load) for load in solution.support_loads]
     return {"points": points, "line": line, "supports": supports}
-
-
-def _places(solution: SetSolution) -> dict[str, float]:
-    """What stands on the shaft, and its ends, in the order of their positions."""
-    of = solution.set
-    shaft = of.shaft
-    assert shaft is not None
-    ends = {"begin": float(shaft.ends[0]), "end": float(shaft.ends[-1])} if shaft.sections else {}
-    found = {**ends, **shaft.points}
-    found |= {f"row {i}": float(np.asarray(row.position)) for i, row in enumerate(of.rows, 1)}
-    found |= {f"load {i}": float(load.position) for i, load in enumerate(shaft.loads, 1)}
-    found |= {f"mass {i}": float(mass.position) for i, mass in enumerate(shaft.masses, 1)}
-    found |= {f"support {i}": float(support.position) for i, support in enumerate(shaft.supports, 1)}
-    return dict(sorted(found.items(), key=lambda item: item[1]))
 
 
 def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
@@ -86,7 +70,7 @@ def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
     title = "Shaft: deflection and internal forces (of the part after x on the part before)"
     tables = [Table(heading, cells, caption=title)]
     for name, point in found["points"].items():
-        heading = ["", *(channel.replace("_", " ") for channel in CHANNELS)]
+        heading = ["", *(each.plain_name for each in SHARES)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
             cells.append((f"deflection due to {part}", *map(_share, share.values())))

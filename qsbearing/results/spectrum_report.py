@@ -65,7 +65,7 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
             f"{k + 1}",
             f"{point['share']:.6g}",
             f"{life.speed[k] / rpm:.6g}",
-            *(digits_of(solution.load[k, i] / LOAD[i][1]) for i in loads),
+            *(digits_of(LOAD[i].of(solution.load[k])) for i in loads),
             digits_of(np.nan if np.isnan(largest).all() else np.nanmax(largest)),
             digits_of(turns),
             digits_of(own),

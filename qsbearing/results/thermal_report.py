@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.model.solution.case_index import Place
+from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     pass
 
 
-def thermal_record(state: ThermalState, index: Place = ()) -> dict[str, Any]:
+def thermal_record(state: ThermalState, index: CasePlace = ()) -> dict[str, Any]:
     """One case; None stands for a number that there is not."""
     thermal = state.thermal
     return {

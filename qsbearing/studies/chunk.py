@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import CHOICES, Scene
+from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
@@ -18,7 +19,7 @@ from qsbearing.results.whole import all_taken
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
 from qsbearing.studies.remarked import Look, look, looked_at, may_solve, together
-from qsbearing.studies.results import Result, find, is_of_solution, known_results, read, why_unknown
+from qsbearing.studies.results import find, known_results, read, why_unknown
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -51,7 +52,7 @@ class Plan(NamedTuple):
     """What every chunk is done by; small, and the same wherever it is done."""
 
     study: Study
-    results: tuple[Result, ...]
+    results: tuple[Place, ...]
     """What to keep, all of which the scene calls for."""
     ball_axis: int
     """Length of the ball axis: the largest ball count."""
@@ -102,7 +103,7 @@ def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1, solve
 
 def _taken(plan: Plan, solution: Solution | SetSolution) -> Any:
     """The readings, if something of them is kept."""
-    if isinstance(solution, Solution) and all(is_of_solution(each.name) for each in plan.results):
+    if isinstance(solution, Solution) and not any(each.group.reading for each in plan.results):
         return {}
     return all_taken(solution)
 
@@ -157,8 +158,11 @@ def _codes(words: Any, known: tuple[str, ...]) -> NDArray:
     return out
 
 
-def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> Plan:
+def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points, every: bool = False) -> Plan:
     """What to keep of every point, by a look at what one of them gives; of points none of which is possible, nothing.
+
+    Args:
+        every: all there is, for a choice among it, not only what a study keeps unasked.
 
     Raises:
         SceneFileError: a name that no result has, or that this scene does not call for.
@@ -171,19 +175,20 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points) -> P
     ball_axis = int(min(max(counts), BALL_COUNT_RANGE[1]))
     chosen = None if scene.tolerance is None else _chosen_effects(study, points, scene)
     known = known_results(_solved(scene, chosen))
-    kept: list[Result | FileErrorDetail | None]
+    kept: list[Place | FileErrorDetail | None]
     if study.quantities:
         kept = [_asked(name, known) for name in study.quantities]
         errors = [each for each in kept if isinstance(each, FileErrorDetail)]
         if errors:
             raise SceneFileError(study.file, errors)
+    elif every or points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet):
+        kept = [each for each in known.values() if every or each.is_usual]
     else:
-        is_small = points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet)
-        kept = [*known.values()] if is_small else [find(name, known) for name in MAIN]
-    return Plan(study, tuple(each for each in kept if isinstance(each, Result)), ball_axis, chosen)
+        kept = [find(name, known) for name in MAIN]
+    return Plan(study, tuple(each for each in kept if isinstance(each, Place)), ball_axis, chosen)
 
 
-def _asked(name: str, known: dict[str, Result]) -> Result | FileErrorDetail:
+def _asked(name: str, known: dict[str, Place]) -> Place | FileErrorDetail:
     result = find(name, known)
     if result is not None:
         return result

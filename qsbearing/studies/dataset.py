@@ -18,7 +18,6 @@ from qsbearing.studies.chunk import STATUSES, Chunk, Plan
 from qsbearing.studies.points import Points
 from qsbearing.studies.remarked import attributes as of_remarks
 from qsbearing.studies.remarked import together
-from qsbearing.studies.results import attributes_of
 from qsbearing.studies.scenes import base_scene, label_of
 
 if TYPE_CHECKING:
@@ -41,7 +40,7 @@ def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...],
     }
     for result in plan.results:
         own = (*dims, BALL) if result.is_per_ball else dims
-        found[result.name] = (own, np.float64, attributes_of(result) | {"column": result.column})
+        found[result.name] = (own, np.float64, result.attributes | {"column": result.column})
     return found
 
 

@@ -12,7 +12,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.inference.ball_sets import FILLS, INCH_SIZES
 from qsbearing.inference.infer import InferredBearing
 from qsbearing.inference.narrowing import Range
-from qsbearing.model.solution.result_keys import printed_unit, split
+from qsbearing.model.solution.result_keys import Place, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
 from qsbearing.remarks.remark import Remark, in_order, remark
@@ -35,11 +35,15 @@ SAME = 1e-9
 class Ranged(NamedTuple):
     """A result, over all bearings."""
 
-    key: str
-    """Unit included."""
+    place: Place
     range: Range
     removed: dict[str, float]
     """Part of the range that one more number would remove, by its name."""
+
+    @property
+    def key(self) -> str:
+        """With its unit."""
+        return self.place.column
 
     @property
     def is_wide(self) -> bool:
@@ -56,7 +60,7 @@ def ranges(solution: Solution) -> list[Ranged]:
     for name, values in read(solution, kept.values()).items():
         values = np.where(solved, np.broadcast_to(values, solved.shape), np.nan)
         if np.isfinite(values).any() and np.nanmax(np.abs(values)) > 0.0:
-            each = Ranged(kept[name].column, found.range_of(values), found.shares_removed(values))
+            each = Ranged(kept[name], found.range_of(values), found.shares_removed(values))
             out.append(each)
     return out
 
@@ -126,13 +130,13 @@ def inferred_tables(solution: Solution) -> list[Block]:
     heading = ("inferred", "", "least", "of set", "most", "of set", *(f"{OTHER_NUMBERS[name]}\n%" for name in others))
     rows = []
     for each in (each for each in every if each.is_wide):
-        name, unit = split(each.key)
+        name = each.place._replace(group=each.place.group._replace(before="")).name.replace("_", " ")
         ends = [
             (digits_of(value), str(numbers[case] + 1))
             for value, case in zip(each.range[:2], each.range[2:], strict=True)
         ]
         removed = [f"{100.0 * each.removed[name]:.0f}" for name in others]
-        rows.append((name.removeprefix("ring_").replace("_", " "), printed_unit(unit), *ends[0], *ends[1], *removed))
+        rows.append((name, printed_unit(each.place.unit), *ends[0], *ends[1], *removed))
     sets = [
         (
             str(number),

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.solution.result_keys import OVER, SIZE
 from qsbearing.model.validation import check_kind
 from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
@@ -17,7 +18,6 @@ from qsbearing.studies.dataset import attributes
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.remarked import Look, together
 from qsbearing.studies.remarked import attributes as of_remarks
-from qsbearing.studies.results import OVER_BALLS, SIZE
 from qsbearing.studies.scenes import check
 from qsbearing.studies.study import Study
 
@@ -142,7 +142,7 @@ def _solved(plan: Plan, values: dict[str, NDArray], looks: list[Look]) -> NDArra
         looks.append(chunk.remarks)
         for row, result in enumerate(plan.results):
             found = chunk.results[result.name]
-            over = OVER_BALLS[SIZE if result.is_signed else "max"]
+            over = OVER[SIZE if result.result.is_signed else "max"]
             out[row, part] = over(found, axis=1) if result.is_per_ball else found
     return out
 

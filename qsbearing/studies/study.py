@@ -19,7 +19,6 @@ from qsbearing.files.scene_file import document_of
 from qsbearing.files.toml import check_tables
 from qsbearing.model.above import Plotted
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
-from qsbearing.model.solution import quantities
 from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
 from qsbearing.studies import keys
@@ -186,8 +185,8 @@ def _ask_for_readings(document: dict[str, Any], names: Iterable[str]) -> None:
     if not isinstance(asked, dict):
         return
     for name in names:
-        reading = None if name.replace(".", "_") in quantities.ALL else reading_of(name)
-        if reading is not None and reading not in asked:
+        reading = reading_of(name)
+        if reading and reading not in asked:
             asked = asked | {reading: {}}
             document["readings"] = asked
 

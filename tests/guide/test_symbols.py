@@ -10,11 +10,11 @@ import qsbearing as qs
 from qsbearing.documents.guide import topics
 from qsbearing.files.file_keys import numbers
 from qsbearing.model.effects import GyroscopicMoment
-from qsbearing.model.solution.result_keys import BALL, CONTACT, DISPLACEMENT, LOAD, split
-from qsbearing.readings.asked import READINGS
+from qsbearing.model.solution.groups import CONTACT, OF_BALL
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, Result, place_of
+from qsbearing.readings.asked import READINGS, every_group
 from qsbearing.results.guide_lists import LISTS
 from qsbearing.studies import keys
-from qsbearing.studies.results import Result, attributes_of
 from tests.guide.pages import GUIDE
 
 LINES = re.findall(r"^\| (.+?) \| (`.+?`) \| .*? \| (.+?) \|$", (GUIDE / "symbols.md").read_text("utf-8"), re.MULTILINE)
@@ -23,18 +23,26 @@ WRITTEN = {"um": "µm", "Mrev": "million revolutions", "1": "-", "": "-", "balls
 OTHERS = (qs.Solution, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
 
 
+def described() -> list[Result]:
+    """Every result of contacts, balls and readings."""
+    return [
+        *CONTACT,
+        *OF_BALL,
+        *(each for entry in READINGS.values() for group in entry.groups for each in group.results),
+    ]
+
+
 def units() -> dict[str, set[str]]:
     """Of each name of a key or result the units that it has in files."""
-    found: dict[str, set[str]] = {"displacement": {split(key)[1] for key, _ in DISPLACEMENT}}
-    found["load"] = {split(key)[1] for key, _ in LOAD}
+    found: dict[str, set[str]] = {"displacement": {each.unit for each in DISPLACEMENT}}
+    found["load"] = {each.unit for each in LOAD}
     for table in numbers().values():
         for key in table:
             found.setdefault(key.field, set()).add(key.unit)
     for name, key in keys.ALL.items():
         found.setdefault(name, set()).add(key.unit)
-    shown = [*CONTACT, *BALL, *(each for entry in READINGS.values() for _, each, _ in entry.shown())]
-    for each in shown:
-        found.setdefault(each.path, set()).add(split(each.key)[1])
+    for each in described():
+        found.setdefault(str(each.path or each.name), set()).add(each.unit)
     return {name: {WRITTEN.get(unit, unit) for unit in each} for name, each in found.items()}
 
 
@@ -56,19 +64,20 @@ def test_every_line_with_a_name_was_read() -> None:
 def test_a_result_with_a_symbol_stands_on_the_page_once() -> None:
     """In the list that is made of the table of results, not by hand as well."""
     page = topics(lists=LISTS)["symbols"].text
-    shown = [*CONTACT, *BALL, *(each for entry in READINGS.values() for _, each, _ in entry.shown())]
-    for each in {each for each in shown if each.symbol}:
+    for each in {each for each in described() if each.symbol}:
         lines = [
             line
             for line in page.splitlines()
-            if re.match(rf"\|.*{'inner.' if each in CONTACT else '[`.]'}{each.path}`", line)
+            if re.match(rf"\|.*{'inner.' if each in CONTACT else '[`.]'}{each.path or each.name}`", line)
         ]
         assert len(lines) == 1 and lines[0].startswith(f"| ${each.symbol}$ |"), each.key
 
 
 @pytest.mark.parametrize("name", ["inner_max_pressure", "outer_film_film_parameter_min", "ring_load_axial"])
 def test_datasets_say_symbol_and_source_of_a_result(name: str) -> None:
-    found = attributes_of(Result(name, "1", True, name))
+    place = place_of(name, every_group())
+    assert place is not None
+    found = place.attributes
     known = {"p_0": "Hertz 1881; Johnson 1985", r"\Lambda": READINGS["film"].by}
     assert found.get("source") == known.get(found.get("symbol", ""))
     assert ("symbol" in found) == (name != "ring_load_axial")

@@ -346,8 +346,8 @@ NEW = '''
 from dataclasses import dataclass, field
 
 from qsbearing.readings.entry import Reading, Table, simply, with_arguments
-from qsbearing.model.solution.result_keys import Shown
 from qsbearing.model.described import given_in
+from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.validation import RATIO, within
 
 
@@ -387,8 +387,8 @@ ENTRY = Reading(
     record=Arguments,
     table=Table(example="exponent = 1.5"),
     needs=(("load", "approach"), ()),
-    of_case=(Shown("loaded", "loaded", 1.0, "balls under load"),),
-    of_contact=(Shown("stiffness_N", "stiffness", 1e6, "stiffness of a contact"),),
+    of_case=(Result("loaded", words="balls under load"),),
+    of_contact=(Result("stiffness", "N", "stiffness of a contact", size=1e6),),
 )
 '''
 

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 from qsbearing.files.scene_or_set import scene_or_set_of
-from qsbearing.model.solution import quantities
+from qsbearing.model.solution.groups import GROUPS
+from qsbearing.model.solution.result_keys import BALL, Place, spelled
 from qsbearing.pictures.study.labels import words
 from qsbearing.readings.asked import READINGS
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import find as search
 from qsbearing.studies.design.shown import record
-from qsbearing.studies.results import Result, attributes_of, find, known_results, read
+from qsbearing.studies.results import find, known_results, read
 from qsbearing.studies.sobol import sobol_indices
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
@@ -79,7 +80,7 @@ SCENES = (
 
 
 @cache
-def solved() -> list[tuple[dict[str, Result], dict[str, Any]]]:
+def solved() -> list[tuple[dict[str, Place], dict[str, Any]]]:
     found = []
     for tables in SCENES:
         solution = solve_any(scene_or_set_of(tables, "", ""))
@@ -89,30 +90,32 @@ def solved() -> list[tuple[dict[str, Result], dict[str, Any]]]:
     return found
 
 
-def per_ball() -> dict[str, Result]:
+def per_ball() -> dict[str, Place]:
     return {name: each for known, _ in solved() for name, each in known.items() if each.is_per_ball}
 
 
 def test_every_result_of_each_ball_that_has_both_signs_is_described_as_signed_and_no_other() -> None:
-    of_balls = [shown.key for each in READINGS.values() for shown in (*each.of_contact, *each.of_ball)]
-    asked = {each.column for each in per_ball().values()}
-    for key in of_balls:
-        assert any(column.endswith(key) for column in asked), f"{key}: a reading that no scene here asks for"
+    asked = {each.group.reading: each for each in per_ball().values()}
+    for name, reading in READINGS.items():
+        assert name in asked or not (*reading.of_contact, *reading.of_ball), f"{name}: no scene here asks for it"
     ever = {name for _, values in solved() for name, found in values.items() if (found < -1e-9).any()}
     for name, each in per_ball().items():
         means = any(name.endswith(end) for end in MEANS_SOMETHING_ELSE)
-        assert each.is_signed == (name in ever and not means), name
+        assert each.result.is_signed == (name in ever and not means), name
 
 
-@pytest.mark.parametrize("name", [each.name for each in quantities.ALL.values() if each.is_signed])
+SIGNED = [Place(group, each) for group in GROUPS if group.axis == BALL for each in group.results if each.is_signed]
+
+
+@pytest.mark.parametrize("name", [*map(spelled, SIGNED)])
 def test_every_signed_result_of_a_solution_has_a_size(name: str) -> None:
     seen = [(known, values) for known, values in solved() if name in known]
     assert seen
     for known, values in seen:
         size = find(f"{name}_size", known)
         assert size is not None and find(f"{size.column}", known) == size
-        assert attributes_of(size)["long_name"].endswith(", largest size") and words(size.name).endswith("largest size")
-        assert known[name].endings == ("max", "min", "size")
+        assert size.attributes["long_name"].endswith(", largest size") and words(size.name).endswith("largest size")
+        assert [each.over for each in known[name].overs] == ["max", "min", "size"]
         assert np.nanmax(np.abs(values[name])) >= np.nanmax(values[name])
 
 
@@ -121,9 +124,9 @@ def test_sizes_are_the_largest_magnitudes_and_the_other_extremes_stay_algebraic(
         solution = solve_any(scene_or_set_of(tables, "", ""))
         known = known_results(solution)
         for name, each in known.items():
-            for ending in each.endings:
-                one = find(f"{name}_{ending}", known)
-                assert one is not None
+            for one in each.overs:
+                ending = one.over
+                assert find(f"{name}_{ending}", known) == one
                 own, every = read(solution, [one])[one.name], read(solution, [each])[name]
                 expected = {
                     "max": np.fmax.reduce(every),
@@ -131,7 +134,7 @@ def test_sizes_are_the_largest_magnitudes_and_the_other_extremes_stay_algebraic(
                     "size": np.fmax.reduce(np.abs(every)),
                 }[ending]
                 assert own == expected or (np.isnan(own) and np.isnan(expected)), one.name
-            if not each.is_signed:
+            if each.is_per_ball and not each.result.is_signed:
                 assert find(f"{name}_size", known) is None
 
 
@@ -144,14 +147,14 @@ def test_rows_of_sets_have_sizes_of_what_is_signed() -> None:
     }
     solution = solve_any(scene_or_set_of(of, "", ""))
     known = known_results(solution)
-    extremes = {name[: -len("_max")] for name in known if name.endswith("_max")}
+    extremes = [each for each in known.values() if each.over == "max"]
     assert extremes
-    for stem in extremes:
-        of_row, name = solution.rows[int(stem.split("_")[1]) - 1], stem.split("_", 2)[2]
-        assert (f"{stem}_size" in known) == quantities.ALL[name].is_signed, stem
-        if f"{stem}_size" in known:
-            every = np.abs(quantities.ALL[name].read(of_row))
-            assert read(solution, [known[f"{stem}_size"]])[f"{stem}_size"] == np.nanmax(every)
+    for each in extremes:
+        size = spelled(each._replace(over="size"))
+        assert (size in known) == each.result.is_signed, size
+        if size in known:
+            every = np.abs(each._replace(row=0, over="").of(solution.rows[each.row - 1]))
+            assert read(solution, [known[size]])[size] == np.nanmax(every)
 
 
 def test_a_limit_and_an_objective_without_an_ending_are_of_the_size_and_say_so() -> None:
@@ -159,7 +162,7 @@ def test_a_limit_and_an_objective_without_an_ending_are_of_the_size_and_say_so()
     known, values = solved()[0]
     for name in ("gyroscopic_moment", "inner_kinematics_spin_speed"):
         full = find(name, known)
-        assert full is not None and full.is_signed
+        assert full is not None and full.result.is_signed
         there = float(np.nanmax(np.abs(values[full.name])))
         found = search(TURNING, vary, limits=[f"{full.name}<={there:.9g}"], maximise="centrifugal_force", points=64)
         assert found.is_feasible and found.values["speed_rpm"] == pytest.approx(9000, rel=0.01), name

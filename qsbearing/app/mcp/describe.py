@@ -9,13 +9,12 @@ from qsbearing.documents.guide import meant_by, skill_text, topics
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import refused
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.solution import quantities
-from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.solution.result_keys import Place, printed_unit
 from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
+from qsbearing.readings.asked import every_group
 from qsbearing.remarks.kinds import KINDS
 from qsbearing.results.guide_lists import LISTS
-from qsbearing.studies.results import of_readings
 from qsbearing.studies.schema import file_schema
 
 RESULTS, SKILL = "results", "skill"
@@ -43,9 +42,8 @@ def described(topic: str) -> dict[str, Any]:
     if topic == SKILL:
         return {"text": skill_text()}
     if topic == RESULTS:
-        every = {name: each.attributes for name, each in quantities.ALL.items()}
-        every |= {name: each.attributes for name, each in of_readings().items()}
-        return {name: f"{each['long_name']} [{printed_unit(each['units'])}]" for name, each in every.items()}
+        every = (Place(group, result) for group in every_group() for result in group.results)
+        return {each.name: f"{each.attributes['long_name']} [{printed_unit(each.unit)}]" for each in every}
     if topic in tables:
         return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
     if topic in KINDS:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-Place = tuple[int, ...]
+CasePlace = tuple[int, ...]
 """The index of one case along each case axis of its solution."""
-Index = int | Place | None
+Index = int | CasePlace | None
 """One case, along the case axes of its solution; None where there is a single case."""
 
 
-def place_of(index: Index, shape: Place) -> Place:
+def case_place(index: Index, shape: CasePlace) -> CasePlace:
     """The index of one case along each case axis of a solution of this shape.
 
     Raises:

@@ -13,7 +13,8 @@ from qsbearing.model.described import numbers_of
 from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.quantities import ALL, Quantity, Solution
+from qsbearing.model.solution.groups import GROUPS, RING, Solution
+from qsbearing.model.solution.result_keys import BALL, Group, Place
 from qsbearing.model.units import deg
 from qsbearing.model.version import __version__
 
@@ -33,30 +34,28 @@ def columns(solution: Solution) -> dict[str, NDArray]:
     def per_case(values: Any) -> NDArray:
         return np.broadcast_to(np.asarray(values)[..., None], exists.shape)[exists]
 
-    def part(belongs: Callable[[Quantity], bool]) -> dict[str, NDArray]:
-        read = {each: each.read(solution) for each in ALL.values() if each.is_column and belongs(each)}
+    def part(belongs: Callable[[Group], bool]) -> dict[str, NDArray]:
+        places = [Place(group, each) for group in GROUPS if belongs(group) for each in group.results if each.is_column]
+        read = ((place, place.of(solution)) for place in places)
         return {
-            each.column: values[exists] if each.is_per_ball else per_case(values)
-            for each, values in read.items()
+            place.column: values[exists] if place.is_per_ball else per_case(values)
+            for place, values in read
             if values is not None
         }
 
     out: dict[str, NDArray] = {f"case_{axis}": number for axis, number in enumerate(rows[:-1])}
     out |= {"ball": rows[-1], "azimuth_deg": solution.azimuth[exists] / deg}
-    out |= part(lambda each: each.is_per_ball)
+    out |= part(lambda each: each.axis == BALL)
     if solution.raceway_control is not None:
         out["raceway_control"] = solution.raceway_control[exists]
     if solution.slips is not None:
         out["slips"] = solution.slips[exists]
-    out |= part(lambda each: each.ring is not None)
+    out |= part(lambda each: each.before == RING)
     names = [channel.label.replace(" ", "_") for channel in CHANNELS]
     for row, column in np.ndindex(5, 5):
         values = solution.stiffness[..., row, column]
         out[f"ring_stiffness_SI_{names[row]}_by_{names[column]}"] = per_case(values)
-    if solution.preload_at_rest is not None:
-        for state in ("at_rest", "unmounted", "mounted"):
-            out[f"preload_{state}_N"] = per_case(getattr(solution, f"preload_{state}"))
-    out |= part(lambda each: not each.is_per_ball and each.ring is None)
+    out |= part(lambda each: each.axis != BALL and each.before != RING)
     out |= {"status": per_case(solution.status), "reason": per_case(solution.reason)}
     return out | {key: per_case(values) for key, values in scene_numbers(solution.scene).items()}
 
@@ -99,24 +98,24 @@ def dataset(solution: Solution) -> xarray.Dataset:
 
     inputs = {name: values for name, values in scene_numbers(solution.scene).items() if name != "bearing"}
     dims = _case_dims(inputs, solution.shape)
-    found: dict[str, Any] = {
+    variables: dict[str, Any] = {
         "status": (dims, np.asarray(solution.status, str)),
         "reason": (dims, np.asarray(solution.reason, str)),
         "iterations": (dims, np.asarray(solution.iterations)),
         "residual": (dims, np.asarray(solution.residual)),
     }
-    for quantity in ALL.values():
-        values = quantity.read(solution)
+    for place in (Place(group, each) for group in GROUPS for each in group.results if each.is_usual):
+        values = place.of(solution)
         if values is not None:
-            own = (*dims, "ball") if quantity.is_per_ball else dims
-            found[quantity.name] = (own, values, quantity.attributes)
+            own = (*dims, BALL) if place.is_per_ball else dims
+            variables[place.name] = (own, values, place.attributes)
     coordinates = {}
     for name, values in inputs.items():
         axes = [axis for axis, length in enumerate(np.shape(values)[::-1]) if length > 1][::-1]
         own = tuple(dims[-1 - axis] for axis in axes)
         coordinates[name] = (own, np.squeeze(values))
     title = f"Solution of {solution.scene.bearing.name or 'a bearing'}"
-    return xarray.Dataset(found, coordinates, {"title": title, "qsbearing_version": __version__})
+    return xarray.Dataset(variables, coordinates, {"title": title, "qsbearing_version": __version__})
 
 
 def _case_dims(inputs: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.model.above import Plotted
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.solution import preload_state
-from qsbearing.model.solution.case_index import Index, Place, place_of
+from qsbearing.model.solution.case_index import CasePlace, Index, case_place
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.solution.status import STATUS_OF_CODE
@@ -80,13 +80,13 @@ class SolutionOfCases(Plotted):
         shaped = array.reshape(self.shape + tail)
         return shaped[()] if not shaped.shape else shaped
 
-    def place(self, index: Index) -> Place:
+    def place(self, index: Index) -> CasePlace:
         """The index of one case along each case axis.
 
         Raises:
             ValueError: the index is missing or does not name one case of this solution.
         """
-        return place_of(index, self.shape)
+        return case_place(index, self.shape)
 
     def flat_index(self, index: Index) -> int:
         """The number of a case, counted along the flattened case axes."""
@@ -99,9 +99,9 @@ class SolutionOfCases(Plotted):
     def _channels(self) -> list[str]:
         """Displacement and load of a single case."""
         shown = []
-        for title, keys, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
-            found = (f"{key} {value / size + 0.0:.6g}" for (key, size), value in zip(keys, values, strict=True))
-            shown.append(f"  {title}: {', '.join(found)}")  # + 0.0: no "-0"
+        for title, results, values in (("displacement", DISPLACEMENT, self.displacement), ("load", LOAD, self.load)):
+            channels = (f"{each.key} {np.asarray(each.of(values)) + 0.0:.6g}" for each in results)  # + 0.0: no "-0"
+            shown.append(f"  {title}: {', '.join(channels)}")
         return shown
 
     @property

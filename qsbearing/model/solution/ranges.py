@@ -13,7 +13,7 @@ from qsbearing.model.effects.operating_point import LIGHT
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.changes import Change
 from qsbearing.model.solution.comparison import lever_of
-from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, printed_unit, split
+from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Result, printed_unit
 
 KEYS = {"displacement": DISPLACEMENT, "stiffness": STIFFNESS}
 TILTS = np.array([channel.is_rotation for channel in CHANNELS])
@@ -26,8 +26,8 @@ ROUNDING = 1e-6
 class Range:
     """Of one channel of the displacement or of the locked stiffness."""
 
-    key: str
-    """Of the channel, with the unit of all numbers."""
+    of: Result
+    """Of the channel; the unit is that of all numbers."""
     here: float
     """Of the solution itself, which counts."""
     least: float
@@ -42,16 +42,26 @@ class Range:
         return self.most - self.least > ROUNDING * max(abs(self.least), abs(self.most))
 
     @property
+    def key(self) -> str:
+        """Of the channel, with the unit."""
+        return self.of.key
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """As plain data."""
+        return {"key": self.key} | {name: value for name, value in vars(self).items() if name != "of"}
+
+    @property
     def what(self) -> str:
         """In words."""
-        name, unit = split(self.key)
+        unit = self.of.unit
         noun = "stiffness" if "/" in unit else "" if unit == "mrad" else "displacement"
-        return f"{name.replace('_', ' ')} {noun}".rstrip()
+        return f"{self.of.plain_name} {noun}".rstrip()
 
     @property
     def unit(self) -> str:
         """As people write it."""
-        return printed_unit(split(self.key)[1])
+        return printed_unit(self.of.unit)
 
     @property
     def text(self) -> str:
@@ -76,7 +86,7 @@ def ranges(solution: Any, found: Sequence[Change], case: int = 0) -> dict[str, R
     unders = ["", *(each.under for each in solved)]
     spans: dict[str, Range] = {}
     channel, moves = 0, False
-    for name, keys in KEYS.items() if solved else ():
+    for name, results in KEYS.items() if solved else ():
         arrays = (own[name], *(getattr(each, name) for each in solved))
         values = np.array([np.reshape(each, (-1, len(CHANNELS)))[case] for each in arrays])
         sizes = np.where(TILTS, 1.0 / lever, 1.0) if name == "displacement" else _stiffness_sizes(values[0])
@@ -85,7 +95,7 @@ def ranges(solution: Any, found: Sequence[Change], case: int = 0) -> dict[str, R
             if not moves or moved.max() > 2.0 * moved[channel]:
                 channel = int(np.argmax(moved))
             moves = bool(moved[channel] > 0.0)
-            spans[name] = _range(*keys[channel], values[:, channel], unders)
+            spans[name] = _range(results[channel], values[:, channel], unders)
     return spans
 
 
@@ -95,7 +105,7 @@ def _stiffness_sizes(own: NDArray) -> NDArray:
     return np.asarray(np.maximum(np.abs(own), np.maximum(LIGHT * largest, np.finfo(float).tiny)))
 
 
-def _range(key: str, size: float, values: NDArray, unders: list[str]) -> Range:
+def _range(of: Result, values: NDArray, unders: list[str]) -> Range:
     low, high = int(np.argmin(values)), int(np.argmax(values))
-    here, least, most = (float(values[n] / size) for n in (0, low, high))
-    return Range(key, here, least, unders[low], most, unders[high])
+    here, least, most = (float(values[n] / of.unit_size) for n in (0, low, high))
+    return Range(of, here, least, unders[low], most, unders[high])

@@ -1,33 +1,52 @@
-"""The results of a solution: the key of each, unit included, where it is found, its plain name, symbol and source.
+"""What a result is, once: its name, unit, words, symbol and source, where it is found, and what it is called.
 
-Columns, JSON, tables for people, xarray, studies and the guide's page of symbols show results by what stands here;
-those of a reading stand with it.
+A `Result` is one number of something that has several; a `Group` is what has them, such as the contacts with a
+raceway; a `Place` is one result of one group, of a row of a set, over its balls. JSON, CSV, datasets, studies, tables
+for people, pictures and the guide's page of symbols follow. `spelled` writes a place's name, `place_of` reads it: no
+other function knows how one is made up.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from qsbearing.model.units import MPa, Nmm, deg, mm, mrad, rpm, um
+from qsbearing.model.units import MPa, Nmm, deg, mm, mrad, rpm, um, zero_celsius
+
+
+class Unit(NamedTuple):
+    """A unit of results."""
+
+    ending: str
+    """Of the keys of what is in it."""
+    size: float = 1.0
+    """One of it in SI."""
+    zero: float = 0.0
+    """Its zero in SI."""
+
 
 UNITS = {
-    **{"N_per_um": "N/um", "Nm_per_mrad": "N m/mrad", "MPa_m_s": "MPa m/s", "m_s": "m/s", "mm_rpm": "mm rpm"},
-    **{"Nmm": "N mm", "Nm": "N m"},
-    **{unit: unit for unit in ("Mrev", "N", "h", "Hz", "W", "deg", "mrad", "rpm", "um", "mm", "MPa", "C")},
+    "1": Unit(""),
+    "N/um": Unit("N_per_um", 1.0 / um),
+    "N m/mrad": Unit("Nm_per_mrad", 1.0 / mrad),
+    "MPa m/s": Unit("MPa_m_s", MPa),
+    "m/s": Unit("m_s"),
+    "mm rpm": Unit("mm_rpm", mm * rpm),
+    "N mm": Unit("Nmm", Nmm),
+    "N m": Unit("Nm"),
+    "Mrev": Unit("Mrev", 1e6),
+    "h": Unit("h", 3600.0),
+    "C": Unit("C", 1.0, zero_celsius),
+    **{name: Unit(name) for name in ("N", "Hz", "W", "balls")},
+    **{name: Unit(name, size) for name, size in (("deg", deg), ("mrad", mrad), ("rpm", rpm), ("um", um), ("mm", mm))},
+    "MPa": Unit("MPa", MPa),
 }
-"""What keys end with, and the unit that it stands for."""
-
-
-def split(key: str) -> tuple[str, str]:
-    """A key without its unit, and the unit, "1" where it has none: `tilt_y_Nm_per_mrad` is tilt_y in N m/mrad."""
-    for ending, unit in UNITS.items():
-        if key.endswith(f"_{ending}"):
-            return key.removesuffix(f"_{ending}"), unit
-    return key, "1"
+"""Of all results, by the name that files and attributes have; "1": a ratio."""
 
 
 def printed_unit(unit: str) -> str:
@@ -36,34 +55,83 @@ def printed_unit(unit: str) -> str:
     return {"1": "", "C": "°C", "Mrev": "million rev"}.get(unit, plain)
 
 
-class Shown(NamedTuple):
-    """One number of a result."""
+Path = str | tuple[Any, ...] | Callable[[Any], Any]
+"""Where something is found: attributes, entries of a mapping and numbers of a channel, with points between or one by
+one; nothing for the thing itself; or a function of it."""
 
-    key: str
-    """Unit included."""
-    path: str
-    """Of the attribute; of one raceway's for contacts."""
-    size: float = 1.0
-    """One of the key's unit in SI."""
+
+def value_at(path: Path, of: Any) -> Any:
+    """What is found there; None where there is none."""
+    if callable(path):
+        return path(of)
+    parts = path if isinstance(path, tuple) else path.split(".") if path else ()
+    return reduce(_part, parts, of)
+
+
+def _part(of: Any, name: Any) -> Any:
+    if of is None or isinstance(of, Mapping):
+        return None if of is None else of.get(name)
+    return of[..., int(name)] if name.isdecimal() else getattr(of, name)
+
+
+class Result(NamedTuple):
+    """One number."""
+
+    name: str
+    """Of its key, without the unit."""
+    unit: str = "1"
+    """One of `UNITS`."""
     words: str = ""
-    """What it is, where the key's own words do not state it."""
+    """What it is, where the name does not state it."""
     symbol: str = ""
     """In formulas, in LaTeX, without the index of a raceway."""
     source: str = ""
     """Of its equation; of a reading's result the reading states it."""
+    path: Path | None = None
+    """From what has it; its name, where nothing else is said."""
+    size: float | None = None
+    """What the number is divided by; that of the unit, where nothing else is said."""
     is_signed: bool = False
     """Whether its sign is a direction, so that the largest of several is the one of the largest size."""
+    is_usual: bool = True
+    """Whether a study keeps it unasked: not what takes a further solve, nor what follows from others."""
+    is_column: bool = True
+    """Whether a table has it; else it follows from what that has."""
+    of_rows: tuple[str, ...] = ()
+    """Of the balls of each row of a set, what a study keeps unasked: some of `OVER`."""
+    entry: str = ""
+    """In the record of `run --json`; its key, where nothing else is said."""
+    aliases: tuple[str, ...] = ()
+    """Other names that stay."""
+    heading: str = ""
+    """Of a narrow column, where its words are long."""
 
-    def of(self, holder: Any) -> Any:
-        """The number in the key's unit; None where the holder has none, or there is no holder."""
-        parts = self.path.split(".")
-        found = reduce(lambda part, name: None if part is None else getattr(part, name), parts, holder)
-        return None if found is None else np.asarray(found, float) / self.size
+    @property
+    def key(self) -> str:
+        """Its name with its unit."""
+        return "_".join(filter(None, (self.name, UNITS[self.unit].ending)))
+
+    def of(self, holder: Any, index: Any = ...) -> NDArray | None:
+        """The number in its unit; None where the holder has none, or there is no holder.
+
+        Args:
+            index: of some cases, where there may be several.
+        """
+        values = value_at(self.name if self.path is None else self.path, holder)
+        if values is None:
+            return None
+        zero, values = UNITS[self.unit].zero, np.asarray(values, float)[index]
+        return np.asarray((values - zero if zero else values) / self.unit_size)
+
+    @property
+    def unit_size(self) -> float:
+        """One of its unit in SI."""
+        return UNITS[self.unit].size if self.size is None else self.size
 
     @property
     def plain_name(self) -> str:
         """For people."""
-        return self.words or split(self.key)[0].replace("_", " ")
+        return self.words or self.name.replace("_", " ")
 
     @property
     def plain_symbol(self) -> str:
@@ -72,68 +140,208 @@ class Shown(NamedTuple):
         return re.sub(r"[\\\\{}_]", "", plain)
 
 
-def attributes(unit: str, words: str, symbol: str, source: str) -> dict[str, str]:
-    """What datasets say of a result; what it has not is left out."""
-    found = {"units": unit, "long_name": words, "symbol": symbol, "source": source}
-    return {name: value for name, value in found.items() if value}
+BALL, ROW = "ball", "row"
+"""Axes that the numbers of a group may have beyond the cases."""
+
+
+class Group(NamedTuple):
+    """Results of one thing."""
+
+    results: tuple[Result, ...]
+    before: str = ""
+    """What their names begin with, and what people may leave out: `ring_`."""
+    raceway: str = ""
+    """Inner or outer, where it is of one."""
+    prefix: str = ""
+    """In front of each one's own name."""
+    holder: Path = ""
+    """Of what has them, from the solution; of a reading from all readings by name."""
+    axis: str = ""
+    """`BALL` or `ROW`."""
+    table: tuple[str, ...] | None = None
+    """In the record of `run --json`, where each is under its key; None: that has them not."""
+    reading: str = ""
+    """That gives them, whose name is their prefix, which people may leave out."""
+    source: str = ""
+    """Of all of a reading."""
+    by_words: bool = False
+    """Whether each one's words alone state what it is."""
+    is_asked: Callable[[Any], bool] | None = None
+    """Whether a scene or set calls for them, so that nothing is read to know it; None: they are read."""
+
+    def values(self, solution: Any, readings: Mapping[str, Any] | None = None) -> Iterator[tuple[Result, Any]]:
+        """Each with its numbers; None where there are none."""
+        holder = value_at(self.holder, (readings or {}) if self.reading else solution)
+        return ((each, each.of(holder)) for each in self.results)
+
+
+def _largest_size(values: NDArray, axis: int) -> NDArray:
+    return np.asarray(np.fmax.reduce(np.abs(values), axis=axis))
+
+
+SIZE = "size"
+OVER: dict[str, Callable[..., Any]] = {"max": np.fmax.reduce, "min": np.fmin.reduce, SIZE: _largest_size}
+"""With these after its name, the maximum or minimum over the balls of a result that each ball has; of one whose sign is
+a direction also the largest size."""
+SAID = {"max": "maximum", "min": "minimum", SIZE: "largest size"}
+
+
+class Place(NamedTuple):
+    """Which result of what."""
+
+    group: Group
+    result: Result
+    row: int = 0
+    """Of a set, from 1; 0: of the whole."""
+    over: str = ""
+    """The balls: one of `OVER`; empty: each has its own, or there is one for all."""
+
+    @property
+    def name(self) -> str:
+        """As `spelled`."""
+        return spelled(self)
+
+    @property
+    def column(self) -> str:
+        """In a table: its name with the unit."""
+        return spelled(self, with_unit=True)
+
+    @property
+    def unit(self) -> str:
+        """Of its result."""
+        return self.result.unit
+
+    @property
+    def is_per_ball(self) -> bool:
+        """Whether each ball has its own."""
+        return self.group.axis == BALL and not self.over
+
+    @property
+    def is_usual(self) -> bool:
+        """Whether a study keeps it unasked."""
+        if self.row and self.group.axis == BALL:
+            return self.over in self.result.of_rows
+        return self.result.is_usual and (not self.row or self.group.axis == ROW or bool(self.group.reading))
+
+    @property
+    def overs(self) -> tuple[Place, ...]:
+        """The places of one number of all balls, where each ball has its own."""
+        ends = (end for end in OVER if self.is_per_ball and (self.result.is_signed or end != SIZE))
+        return tuple(self._replace(over=end) for end in ends)
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """What a dataset says of it; what it has not is left out."""
+        group, result = self.group, self.result
+        words = spelled(Place(group, result, self.row)).replace("_", " ")
+        if group.by_words and not self.row:
+            words = ", ".join(filter(None, (result.plain_name, group.raceway)))
+        words = ", ".join(filter(None, (words, SAID.get(self.over))))
+        about = {"units": result.unit, "long_name": words, "symbol": result.symbol}
+        about["source"] = result.source or group.source
+        return {name: value for name, value in about.items() if value}
+
+    def of(self, solution: Any, readings: Any = None) -> NDArray | None:
+        """Its numbers in its unit, shape (*cases) or (*cases, ball); None where there are none.
+
+        Args:
+            readings: by name, where it is of one; of a row of a set those of each row.
+        """
+        group, whole = self.group, solution
+        if self.row and group.axis != ROW:
+            whole, readings = solution.rows[self.row - 1], readings and readings[self.row - 1]
+        values = self.result.of(value_at(group.holder, (readings or {}) if group.reading else whole))
+        if values is None:
+            return None
+        if group.axis == ROW:
+            return np.asarray(values[..., self.row - 1])
+        if group.axis == BALL:
+            return np.asarray(OVER[self.over](values, axis=-1)) if self.over else values
+        return np.broadcast_to(values, whole.shape)
+
+
+def spelled(place: Place, with_unit: bool = False) -> str:
+    """The name of a place: `inner_load`, `row_2_inner_load_max`, with its unit `row_2_inner_load_max_N`."""
+    group = place.group
+    of = (f"row_{place.row}_" if place.row else "") + group.before + (f"{group.raceway}_" if group.raceway else "")
+    ending = UNITS[place.unit].ending if with_unit else ""
+    return "_".join(filter(None, (f"{of}{group.prefix}{place.result.name}", place.over, ending)))
+
+
+def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) -> Place | None:
+    """The place of a name as people write it: with or without its unit, with points as in `life.duration_h`, without
+    what may be left out: the words ring, shaft or system before it, or its reading. None where there is none, or more
+    than one reading may be meant.
+
+    Args:
+        groups: what there is.
+        of_rows: of each row of a set.
+    """
+    name = text.replace(".", "_")
+    first, _, rest = name.partition("_")
+    number, _, own = rest.partition("_")
+    row, among = 0, tuple(groups)
+    if first == ROW and number.isdecimal() and int(number):
+        row, name, among = int(number), own, tuple(of_rows)
+    for heads in (_in_full, _without_before):
+        for group in among:
+            if place := _within(group, heads(group), name, row) or _by_alias(group, name, row):
+                return place
+    short = {place for group in among if group.reading and (place := _within(group, _short(group), name, row))}
+    return short.pop() if len(short) == 1 else None
+
+
+def _by_alias(group: Group, name: str, row: int) -> Place | None:
+    for result in group.results:
+        for alias in result.aliases:
+            if name in (alias, f"{alias}_{UNITS[result.unit].ending}"):
+                return Place(group, result, row)
+    return None
+
+
+def _in_full(group: Group) -> str:
+    return group.before + _without_before(group)
+
+
+def _without_before(group: Group) -> str:
+    return (f"{group.raceway}_" if group.raceway else "") + group.prefix
+
+
+def _short(group: Group) -> str:
+    """Without the reading."""
+    return f"{group.raceway}_" if group.raceway else ""
+
+
+def _within(group: Group, head: str, name: str, row: int) -> Place | None:
+    if not name.startswith(head):
+        return None
+    own = name[len(head) :]
+    for result in group.results:
+        if own.startswith(result.name):
+            whole = Place(group, result, row)
+            for place in (whole, *whole.overs):
+                if own in (_own(place, False), _own(place, True)):
+                    return place
+    return None
+
+
+def _own(place: Place, with_unit: bool) -> str:
+    """What a name ends with: of the result itself."""
+    return spelled(Place(Group(place.group.results, axis=place.group.axis), place.result, over=place.over), with_unit)
 
 
 _STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")
-DISPLACEMENT = *((f"{name}_um", um) for name in _STRAIGHT), *((f"{name}_mrad", mrad) for name in _TILTS)
-LOAD = *((f"{name}_N", 1.0) for name in _STRAIGHT), ("moment_y_Nm", 1.0), ("moment_z_Nm", 1.0)
-STIFFNESS = (
-    *((f"{name}_N_per_um", 1.0 / um) for name in _STRAIGHT),
-    *((f"{name}_Nm_per_mrad", 1.0 / mrad) for name in _TILTS),
-)
-"""Keys of the five channels, and the size of each key's unit in SI."""
 
-BALANCE, HERTZ, NO_SLIP = "Jones 1960; Harris & Kotzalas 2006", "Hertz 1881; Johnson 1985", "Jones 1960"
-"""Sources."""
 
-CONTACT = (
-    Shown("load_N", "load", 1.0, "normal load of a contact", "Q", BALANCE),
-    Shown("angle_deg", "angle", deg, "angle of the loaded contact", r"\alpha", BALANCE, True),
-    Shown("approach_um", "approach", um, "negative: gap of an unloaded contact", r"\delta", HERTZ),
-    Shown("semi_major_axis_mm", "semi_major_axis", mm, "semi-axis of the contact ellipse, across rolling", "a", HERTZ),
-    Shown("semi_minor_axis_mm", "semi_minor_axis", mm, "semi-axis of the contact ellipse, along rolling", "b", HERTZ),
-    Shown("max_pressure_MPa", "max_pressure", MPa, "pressure at the centre of the ellipse", "p_0", HERTZ),
-    Shown("required_friction", "required_friction", 1.0, "coefficient that the moment Mg requires", r"\mu", BALANCE),
-)
-BALL = (
-    Shown("centrifugal_force_N", "centrifugal_force", 1.0, "on the ball", "F_c", BALANCE),
-    Shown("gyroscopic_moment_Nmm", "gyroscopic_moment", Nmm, "on the ball", "M_g", BALANCE, True),
-    Shown("orbital_speed_rpm", "orbital_speed", rpm, "of the ball's centre round x", r"\omega_m", NO_SLIP, True),
-    Shown("rotation_speed_rpm", "rotation_speed", rpm, "of the ball about its axis", r"\omega_R", NO_SLIP, True),
-    Shown("ball_diameter_deviation_um", "ball_diameter_deviation", um, is_signed=True),
-    Shown("groove_deflection_um", "groove_deflection", um, is_signed=True),
-)
-"""Arrays of a solution (*cases, ball), those of contacts for either raceway."""
+def _channels(straight: str, turning: str, tilts: tuple[str, str] = _TILTS) -> tuple[Result, ...]:
+    named = *((name, straight) for name in _STRAIGHT), *((name, turning) for name in tilts)
+    return tuple(Result(name, unit, path=str(number)) for number, (name, unit) in enumerate(named))
 
-GEOMETRY = (
-    Shown("ball_diameter_mm", "ball_diameter", mm),
-    Shown("pitch_diameter_mm", "pitch_diameter", mm),
-    Shown("inner_groove_radius_mm", "inner_groove_radius", mm),
-    Shown("outer_groove_radius_mm", "outer_groove_radius", mm),
-    Shown("free_contact_angle_deg", "free_contact_angle", deg),
-    Shown("diametral_clearance_um", "diametral_clearance", um),
-)
-"""Of the bearing that ring effects have changed."""
-RING_STATE = (
-    Shown("groove_growth_um", "groove_growth", um),
-    Shown("seat_pressure_MPa", "seat_pressure", MPa),
-    Shown("seat_gap_um", "seat_gap", um),
-    Shown("bore_hoop_stress_MPa", "bore_hoop_stress", MPa),
-    Shown("equivalent_stress_MPa", "equivalent_stress", MPa),
-)
-"""Of a `RingState`."""
-RING_SHAPE = (
-    Shown("growth_um", "growth", um),
-    Shown("bending_um", "bending", um),
-    Shown("seat_pressure_MPa", "seat_pressure", MPa),
-    Shown("least_seat_pressure_MPa", "least_seat_pressure", MPa),
-    Shown("largest_seat_pressure_MPa", "largest_seat_pressure", MPa),
-)
-"""Of a `RingShape`."""
+
+DISPLACEMENT = _channels("um", "mrad")
+LOAD = _channels("N", "N m", ("moment_y", "moment_z"))
+STIFFNESS = _channels("N/um", "N m/mrad")
+"""Of the five channels: numbers along the last axis of an array."""
 
 OF_EACH_ROW = ("inner_ring", "balls", "outer_ring")
 NODES = (*OF_EACH_ROW, "oil", "shaft", "housing", "ambient")

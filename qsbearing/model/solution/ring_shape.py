@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.elastic_rings import ElasticRings, RingCompliance, grooves_of
 from qsbearing.model.effects.ring_compliance import MOST_HARMONICS
-from qsbearing.model.solution.quantities import Solution
+from qsbearing.model.solution.groups import Solution
 
 AROUND = np.linspace(0.0, 2.0 * np.pi, 361)[:-1]
 """Azimuths at which extremes around a ring are looked for [rad]."""

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.solution.groups import RING
+from qsbearing.model.solution.result_keys import SAID, Place, place_of, printed_unit, spelled
+from qsbearing.readings.asked import every_group
+from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,33 +45,41 @@ _NAMES = {
     "inner_groove_radius_coefficient": "groove radius coefficient $f_i$",
     "outer_groove_radius_coefficient": "groove radius coefficient $f_o$",
 }
-_CHANNELS = ("axial", "radial_y", "radial_z", "tilt_y", "tilt_z", "moment_y", "moment_z")
+_OF_RACEWAY = {f"life_{side}_life": ("raceway_life", side) for side in ("inner", "outer")}
+
+
+@cache
+def place_named(name: str) -> Place | None:
+    """The place of a result's full name, without its raceway too, as of either; None of another name, such as a key's
+    or of a point of a shaft."""
+    groups = every_group()
+    unsided = [group._replace(raceway="") for group in groups if group.raceway]
+    place = place_of(name, [*groups, *OF_SHAFT, SYSTEM, *unsided], [*groups, *OF_ROWS])
+    return place if place is not None and place.name == name else None
 
 
 def stem(name: str) -> tuple[str, str]:
     """What results on one panel share, and what tells one from another: row of a set, raceway, channel, or nothing."""
-    if row := re.fullmatch(r"row_(\d+)_(\w+)", name):
-        return row[2], f"row {row[1]}"
-    for side in ("inner", "outer"):
-        if name == f"life_{side}_life":
-            return "raceway_life", side
-        if name.startswith(f"{side}_") and "ring" not in name and name != "inner_raceway_controls":
-            return name.removeprefix(f"{side}_"), side
-    for channel in _CHANNELS:
-        if name.startswith("ring_") and name.endswith(f"_{channel}"):
-            return name.removeprefix("ring_").removesuffix(f"_{channel}"), channel
-    return name, ""
+    place = place_named(name)
+    if name in _OF_RACEWAY or place is None:
+        return _OF_RACEWAY.get(name, (name, ""))
+    group = place.group
+    if place.row:
+        return spelled(place._replace(row=0)), f"row {place.row}"
+    if group.raceway:
+        return spelled(place._replace(group=group._replace(raceway=""))), group.raceway
+    return (group.prefix.removesuffix("_"), place.result.name) if group.before == RING else (name, "")
 
 
 def words(name: str) -> str:
     """A stem, or a whole name, in words."""
-    side, rest = stem(name)[1], stem(name)[0]
-    if side in ("inner", "outer") and name not in _NAMES:
-        return f"{side} {words(rest)}"
-    for ending, said in (("_max", ", maximum"), ("_min", ", minimum"), ("_size", ", largest size")):
-        if name.endswith(ending):
-            found = words(name.removesuffix(ending))
-            return found if found.startswith("maximum") else found + said
+    shared, which = stem(name)
+    if which in ("inner", "outer") and name not in _NAMES:
+        return f"{which} {words(shared)}"
+    place = place_named(name)
+    if place is not None and place.over:
+        of_one = words(spelled(place._replace(over="")))
+        return of_one if of_one.startswith("maximum") else f"{of_one}, {SAID[place.over]}"
     return _NAMES.get(name, name.replace("_", " "))
 
 

@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.block_statistics import MOST
+from qsbearing.model.solution.groups import ANGLE, CONTACT_LOAD, CONTACTS
+from qsbearing.model.solution.result_keys import spelled
 from qsbearing.pictures.study.jumps import WORDS, Cause, jumps
 from qsbearing.pictures.study.labels import (
     WITH_MARKERS,
     key_heading,
     key_words,
     label_curves,
+    place_named,
     stem,
     title_panel,
     value_label,
@@ -86,7 +89,7 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
     numbers = range(results.sizes[chosen.other]) if chosen.other else range(1)
     for name in names:
         which = stem(name)[1]
-        style = _style(which)
+        style = _style(name)
         for number in numbers:
             point = results.isel({chosen.other: number}) if chosen.other else results
             line, low, high = _curve(point, name, chosen.x)
@@ -141,10 +144,11 @@ def _mark_jumps(axes: Axes, results: Dataset, x: NDArray, line: NDArray, along: 
     return handles
 
 
-def _style(which: str) -> dict[str, Any]:
-    if which.startswith("row "):
-        number = int(which.removeprefix("row ")) - 1
-        return {"marker": "D", **dict(zip(("color", "linestyle"), ROW_LINES[number % len(ROW_LINES)], strict=True))}
+def _style(name: str) -> dict[str, Any]:
+    place, which = place_named(name), stem(name)[1]
+    if place is not None and place.row:
+        line = ROW_LINES[(place.row - 1) % len(ROW_LINES)]
+        return {"marker": "D", **dict(zip(("color", "linestyle"), line, strict=True))}
     return STYLE[which] if which in STYLE else {"marker": "D", **CHANNEL_LINES.get(which, CHANNEL_LINES[""])}
 
 
@@ -195,11 +199,11 @@ def _curve_over_balls(results: Dataset, name: str, x: str) -> tuple[NDArray, NDA
 
 def _loaded_contacts(results: Dataset, name: str) -> DataArray:
     """A result; of contact angles only those of loaded contacts, as others show nothing."""
-    values = results[name]
-    carried = results.get(name.replace("_angle", "_load"))
-    if name.endswith("_angle") and carried is not None and carried.dims == values.dims:
-        return values.where(carried > 0.0)
-    return values
+    values, place = results[name], place_named(name)
+    if place is None or place.group not in CONTACTS or place.result is not ANGLE:
+        return values
+    carried = results.get(spelled(place._replace(result=CONTACT_LOAD)))
+    return values if carried is None or carried.dims != values.dims else values.where(carried > 0.0)
 
 
 def _most_loaded(results: Dataset, values: DataArray) -> DataArray:

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.groups import FRICTION
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import key_heading, stem, title_panel, with_unit, words
+from qsbearing.pictures.study.labels import key_heading, place_named, stem, title_panel, with_unit, words
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import GREY, SLIP, figure_of_size
 
@@ -49,7 +50,7 @@ def _map(axes: Axes, chosen: Selection, name: str) -> None:
         axes.text(0.5, 0.5, f"{z.min():.5g} everywhere", transform=axes.transAxes, ha="center", fontsize=8)
     elif name in _STEPPED or np.all(z == np.rint(z)):
         _steps(axes, x, y, z, _least_load(chosen))
-    elif name.endswith(_FRICTION):
+    elif _is_friction(name):
         _slip(axes, x, y, z)
     else:
         filled = axes.contourf(x, y, z, LEVELS, cmap=_colours())
@@ -73,8 +74,13 @@ def _frame(axes: Axes, chosen: Selection, heading: str) -> None:
 
 _STEPPED = ("balls_off_inner", "least_loaded_azimuth")
 """Results that take some values only: areas, not contours."""
-_FRICTION = ("_required_friction", "_required_friction_max")
 FRICTION_STEP = 0.01
+
+
+def _is_friction(name: str) -> bool:
+    """Of a contact, or the largest of all."""
+    place = place_named(name)
+    return place is not None and place.result is FRICTION and place.over in ("", "max")
 
 
 def _slip(axes: Axes, x: NDArray, y: NDArray, z: Any) -> None:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
@@ -13,8 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from qsbearing.files.block_statistics import blocks, varies_from_zero
+from qsbearing.model.solution.groups import CONTACT_LOAD, CONTACTS
+from qsbearing.model.solution.result_keys import SIZE, Group, Place, place_of
 from qsbearing.model.validation import alike, question
-from qsbearing.pictures.study.labels import stem
+from qsbearing.pictures.study.labels import place_named, stem
+from qsbearing.systems.sets.set_groups import AXIAL_LOAD
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -129,12 +131,8 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
     known = [str(name) for name in results.data_vars if name not in ("status", "reason")]
     names = list(y) or _default(results, kind)
     if not set(names) <= set(known):
-        from qsbearing.readings.asked import named  # a name in full does not need it
-
-        spelled = {str(results[name].attrs.get("column", name)): name for name in known} | {
-            name: name for name in known
-        }
-        names = [spelled.get(named(name, spelled) or "", name) for name in names]
+        full = {str(results[name].attrs.get("column", name)): name for name in known} | {name: name for name in known}
+        names = [full.get(each) or full.get(_in_full(each, full), each) for each in names]
     for name in names:
         if name not in known:
             raise PictureError(
@@ -158,18 +156,41 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
         wanted += ["ring_effective_stiffness_axial"]
     elif kind is Kind.AZIMUTH:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
-    elif rows := [row[1] for name in results if (row := re.fullmatch(r"(row_\d+)_axial_load", str(name)))]:
-        wanted = [f"{each}_{name}" for name in ("axial_load", "inner_load_max", "outer_load_max") for each in rows]
-        wanted.append("shaft_effective_stiffness_axial")
+    elif loads := [place for name in results if (place := place_named(str(name))) and place.group is AXIAL_LOAD]:
+        largest = [Place(group, CONTACT_LOAD, each.row, "max").name for group in CONTACTS for each in loads]
+        wanted = [*(each.name for each in loads), *largest, "shaft_effective_stiffness_axial"]
     else:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
         if _varies(results, "ring_load_radial_y"):
             wanted.append("ring_effective_stiffness_radial_y")
-    found = [each for name in wanted for each in (name, f"{name}_max", f"{name}_min") if _varies(results, each)]
+    every = [each for name in wanted for each in (name, *_over_balls(name))]
+    found = [each for each in every if _varies(results, each)]
     if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) or not found:
         found += [str(name) for name in results.data_vars if name not in (*found, *_NOT_RESULTS)]
         found = [name for name in found if _varies(results, name)][:6]
     return found
+
+
+def _in_full(name: str, full: Iterable[str]) -> str:
+    """The result that a name means, as people write it."""
+    dotless = name.replace(".", "_")
+    places = (place for each in full if (place := place_named(each)) is not None)
+    meant = place_of(name, *_groups(places))
+    return dotless if meant is None else meant.name
+
+
+def _groups(places: Iterable[Place]) -> tuple[list[Group], list[Group]]:
+    """Of the whole, and of rows."""
+    found: tuple[list[Group], list[Group]] = [], []
+    for each in places:
+        found[bool(each.row)].append(each.group)
+    return found
+
+
+def _over_balls(name: str) -> list[str]:
+    """Of a result that each ball may have, the maximum and the minimum."""
+    place = place_named(name)
+    return [] if place is None else [each.name for each in place.overs if each.over != SIZE]
 
 
 def _named(results: Dataset) -> list[str]:

@@ -213,7 +213,7 @@ def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance:
         add=lines_to_add(asked(solution), entry),
         assumed=_told(solution, found.assumed),
         alternatives=others,
-        range={name: vars(each) for name, each in spans.items()},
+        range={name: each.record for name, each in spans.items()},
         displacement_um=in_um(found.moved),
         needs=needs,
     )
@@ -224,8 +224,7 @@ def _channels(of: Change) -> dict[str, dict[str, float | None] | None]:
     if not of.is_solved:
         return dict.fromkeys(KEYS)
     return {
-        name: as_floats({key: value / size for (key, size), value in zip(keys, getattr(of, name), strict=True)})
-        for name, keys in KEYS.items()
+        name: as_floats({each.key: each.of(getattr(of, name)) for each in results}) for name, results in KEYS.items()
     }
 
 

@@ -23,7 +23,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.material import Material
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution import quantities
+from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Remark, remark
 from qsbearing.remarks.wording import listed
@@ -31,8 +31,8 @@ from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import MAIN
-from qsbearing.studies.results import Result, known_results, read
 from qsbearing.studies.results import find as find_result
+from qsbearing.studies.results import known_results, read
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.shaft import ShaftLoad
@@ -257,16 +257,16 @@ def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Line, ...]:
     return tuple(lines)
 
 
-def main_results(solution: Solution | SetSolution) -> dict[str, Result]:
-    """Those that are shown of one bearing, and every number of its readings; of a set all."""
-    known = known_results(solution)
-    of_readings = [name for name, each in known.items() if name not in quantities.ALL and not each.is_per_ball]
+def main_results(solution: Solution | SetSolution) -> dict[str, Place]:
+    """Those that are shown of one bearing, and every number of its readings; of a set all that a study keeps."""
+    known = {name: each for name, each in known_results(solution).items() if each.is_usual}
+    of_readings = [name for name, each in known.items() if each.group.reading and not each.is_per_ball]
     names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
     return {each.name: each for name in names if (each := find_result(name, known)) is not None}
 
 
 def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
-    every: dict[str, Result] = {}
+    every: dict[str, Place] = {}
     values: list[dict[str, float]] = []
     for solution in solutions:
         kept = main_results(solution)

@@ -18,13 +18,14 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.result_keys import SIZE, Place
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
 from qsbearing.studies.design.wanted import Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.results import SIZE, Result, why_unknown
 from qsbearing.studies.results import find as find_result
+from qsbearing.studies.results import why_unknown
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
 from qsbearing.studies.study import read as read_source
@@ -52,6 +53,8 @@ class Found:
     """Of the variables: the optimum, or the point of least violation."""
     results: dict[str, float]
     """There, of every goal, limit and objective."""
+    places: tuple[Place, ...]
+    """Of the results."""
     units: dict[str, str]
     """Of variables and results."""
     binding: tuple[str, ...]
@@ -121,7 +124,7 @@ class Prepared(NamedTuple):
     asked: Wanted
     study: Study
     plan: Plan
-    kept: tuple[Result, ...]
+    kept: tuple[Place, ...]
     """A result for each name of `asked`."""
     began: float
 
@@ -143,7 +146,8 @@ def prepared(
     study = _study(read, asked)
     count = len(asked.variables)
     _check(study.replaced(variables=_axes(asked, LOOK[count])), asked)
-    plan = plan_of(study, base_scene(study.replaced(variables=_axes(asked, LOOK[count]))), Points(study))
+    looked_at = base_scene(study.replaced(variables=_axes(asked, LOOK[count])))
+    plan = plan_of(study, looked_at, Points(study), every=True)
     return Prepared(*_named(asked, plan, study), began)
 
 
@@ -177,7 +181,7 @@ def searched(
         return {name: found[:, i].reshape(columns[0].shape) for i, name in enumerate(asked.names)}
 
     return Found(
-        asked, best.is_feasible, values, results, units, _binding(asked, best), _failed(asked, best), ranges,
+        asked, best.is_feasible, values, results, kept, units, _binding(asked, best), _failed(asked, best), ranges,
         best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
     )  # fmt: skip
 
@@ -218,8 +222,8 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
     return [FileErrorDetail(name, "has no value at any point of the ranges", cause=cause) for name in names]
 
 
-def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Result, ...]]:
-    """The conditions by the results' full names, those of all balls with an ending of `OVER_BALLS`; a plan that keeps
+def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Place, ...]]:
+    """The conditions by the results' full names, those of all balls with an ending of `OVER`; a plan that keeps
     these alone.
 
     Raises:
@@ -227,11 +231,10 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     """
     known = {result.name: result for result in plan.results}
     errors: list[FileErrorDetail] = []
-    full: list[Result] = []
+    full: list[Place] = []
     for name in asked.names:
         result = find_result(name, known)
         if result is None:
-            full.append(Result(name, "", False, ""))
             problem, cause = why_unknown(name, known)
             errors.append(FileErrorDetail(name, problem, cause=cause))
         else:
@@ -239,19 +242,17 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     if errors:
         raise SceneFileError(plan.study.file, errors)
     senses = [each.sense for each in asked.conditions] + [">=" if asked.is_maximised else "<="]
-    kept: list[Result] = []
+    kept: list[Place] = []
     for result, sense in zip(full, senses, strict=False):
-        ending = "min" if sense == ">=" else SIZE if result.is_signed else "max"
-        found = find_result(f"{result.name}_{ending}", known) if result.is_per_ball else result
-        assert found is not None
-        kept.append(found)
+        ending = "min" if sense == ">=" else SIZE if result.result.is_signed else "max"
+        kept.append(result._replace(over=ending) if result.is_per_ball else result)
     conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(asked.conditions))
     objective = kept[-1].name if asked.objective else ""
     named = replace(asked, conditions=conditions, objective=objective)
     return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
 
 
-def _evaluated(plan: Plan, kept: tuple[Result, ...], names: tuple[str, ...], values: NDArray) -> NDArray:
+def _evaluated(plan: Plan, kept: tuple[Place, ...], names: tuple[str, ...], values: NDArray) -> NDArray:
     """Results of many points, shape (point, result); NaN where there is no solution."""
 
     def part(start: int, threads: int) -> NDArray:

@@ -15,12 +15,11 @@ from qsbearing.files.csv_table import csv_bytes, xlsx_bytes
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, SceneFileError
 from qsbearing.files.table import Columns
 from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.solution.result_keys import Place
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import STATUSES, Plan, plan_of, solve_points
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.remarked import Look, may_solve
-from qsbearing.studies.results import Result
-from qsbearing.studies.results import find as find_result
 from qsbearing.studies.scenes import base_scene, check_base, scenes_of_points
 from qsbearing.studies.study import Source, Study, read
 from qsbearing.studies.variables import Axis
@@ -28,7 +27,7 @@ from qsbearing.studies.variables import Axis
 LABELS = ("name", "label", "point", "remark")
 """Headings of columns that are copied: whatever tells the rows apart."""
 OF_BALLS = ("load", "angle", "max_pressure", "required_friction", "film_parameter", "overrun_load", "edge_distance")
-"""Results of each ball that a row holds, by the ends of their names."""
+"""Results of each ball that a row holds."""
 
 
 def read_table(path: str, decimal: str | None = None) -> Columns:
@@ -174,17 +173,16 @@ def _plan(study: Study, values: dict[str, NDArray], count: int) -> Plan:
     return plan._replace(results=tuple(_kept(plan.results)), ball_axis=ball_axis)
 
 
-def _kept(known: tuple[Result, ...]) -> list[Result]:
+def _kept(known: tuple[Place, ...]) -> list[Place]:
     """Results of the whole bearing, and maximum, minimum and, where a sign is a direction, largest size of what each
     ball has."""
-    by_name = {each.name: each for each in known}
-    kept: list[Result | None] = []
+    kept: list[Place] = []
     for each in known:
         if not each.is_per_ball:
             kept.append(each)
-        elif each.name.endswith(OF_BALLS):
-            kept += [find_result(f"{each.name}_{end}", by_name) for end in each.endings]
-    return [each for each in kept if each is not None]
+        elif each.result.name in OF_BALLS:
+            kept += each.overs
+    return kept
 
 
 def table_bytes(columns: Columns, ending: str) -> bytes:

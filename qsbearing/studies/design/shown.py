@@ -8,14 +8,13 @@ import numpy as np
 
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.solution.result_keys import SIZE, printed_unit
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.wanted import Variable
-from qsbearing.studies.results import SIZE, stem_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,11 +52,10 @@ def _at_one_point(found: Found) -> str:
 
 def sizes(found: Found) -> list[str]:
     """What counts of results whose sign is a direction."""
-    stems = {name: stem_of(name) for name in found.results}
     return [
-        f"{name}: the size of {stem}, of the ball where it is largest"
-        for name, (stem, end) in stems.items()
-        if end == SIZE
+        f"{each.name}: the size of {each._replace(over='').name}, of the ball where it is largest"
+        for each in dict.fromkeys(found.places)
+        if each.over == SIZE
     ]
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from numpy.typing import NDArray
 
 from qsbearing.documents.numbers import plain
-from qsbearing.model.solution.case_index import Index, place_of
+from qsbearing.model.solution.case_index import Index, case_place
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.model.validation import ErrorDetail
 from qsbearing.systems.heat.network import Thermal
@@ -192,7 +192,7 @@ class ThermalState:
         Raises:
             ValueError: the index does not name one case.
         """
-        place = place_of(index, self.verdict.shape)
+        place = case_place(index, self.verdict.shape)
         verdict = Verdict(str(self.verdict[place]))
         if verdict is Verdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))

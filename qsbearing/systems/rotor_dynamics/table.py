@@ -36,7 +36,7 @@ def stiffness_columns(solution: Solution, *, mirrored: bool = False) -> dict[str
         "reason": np.ravel(np.asarray(solution.reason, str)),
     }
     load = solution.load.reshape(-1, 5)
-    out |= {f"ring_load_{key}": load[:, number] / size for number, (key, size) in enumerate(LOAD)}
+    out |= {f"ring_load_{each.key}": np.asarray(each.of(load)) for each in LOAD}
     for row, column in np.ndindex(5, 5):
         out[_name(NAMES[row], NAMES[column])] = stiffness[:, row, column]
     centres = load_centres(stiffness) / mm

@@ -43,6 +43,12 @@ class ShaftPoint:
         """Of each channel, a small load acting in it alone; shape (*cases, 5)."""
         return np.asarray(1.0 / np.diagonal(self.compliance, axis1=-2, axis2=-1))
 
+    @property
+    def relative_shares(self) -> dict[str, NDArray]:
+        """Of each of `shares` what part of the whole it is, channel by channel; shape (*cases, 5)."""
+        whole = np.diagonal(self.compliance, axis1=-2, axis2=-1)
+        return {name: share / whole for name, share in self.shares.items()}
+
 
 class Deflection:
     """The forces on the shaft of a solved set, and what they do along it; arrays lead with the flattened case.

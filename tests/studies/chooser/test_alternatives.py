@@ -88,9 +88,12 @@ PAIR = pair("DB", 720.0, speed=15_000 * qs.rpm, axial_load=300.0)
 
 def ends(every: list[Any], key: str) -> tuple[float, float]:
     """The least and the most of a displacement or stiffness by its key, of those that have a solution."""
-    keys = [each for each, _ in DISPLACEMENT], [each for each, _ in STIFFNESS]
+    keys = [each.key for each in DISPLACEMENT], [each.key for each in STIFFNESS]
     is_stiffness = key in keys[1]
-    channel, size = keys[is_stiffness].index(key), dict((*DISPLACEMENT, *STIFFNESS))[key]
+    channel, size = (
+        keys[is_stiffness].index(key),
+        next(each.unit_size for each in (*DISPLACEMENT, *STIFFNESS) if each.key == key),
+    )
     found = [each.stiffness[channel, channel] if is_stiffness else each.displacement[channel] for each in every]
     return min(found) / size, max(found) / size
 

@@ -106,7 +106,7 @@ def test_outputs_name_the_row_that_spacers_leave_in_its_place() -> None:
 
 def test_growth_of_the_shaft_to_a_point_is_a_result_of_its_own(tmp_path: Any) -> None:
     from qsbearing.results.set_record import set_record
-    from qsbearing.systems.sets.set_quantities import set_quantities
+    from qsbearing.studies.results import known_results, read
 
     of = replace(spindle(replace(UNLOADED, temperature=WARM)), housing=HOUSING, spacers=(SPACER,))
     found = solved(of)
@@ -120,10 +120,11 @@ def test_growth_of_the_shaft_to_a_point_is_a_result_of_its_own(tmp_path: Any) ->
     assert record["shaft"]["points"]["tool"]["axial_growth_um"] == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
     line = {each["at"]: each["axial_growth_um"] for each in record["shaft"]["line"]}
     assert line["tool"] == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
-    assert set_quantities(found)["tool_axial_growth"].read() == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
+    growth = known_results(found)["tool_axial_growth"]
+    assert read(found, [growth])["tool_axial_growth"] == pytest.approx(STRAIN * at * 1e6, rel=1e-12)
     cold = solved(spindle(UNLOADED))
     assert cold.points["tool"].axial_growth is None
     record = set_record(cold, [{}, {}, {}, {}])
     assert record["axial_datum_row"] is None
     assert record["shaft"]["points"]["tool"]["axial_growth_um"] is None
-    assert "tool_axial_growth" not in set_quantities(cold)
+    assert "tool_axial_growth" not in known_results(cold)

@@ -1,0 +1,46 @@
+"""The results of a heat balance, in groups of what has them; nodes of each row of a set with its number."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from qsbearing.model.solution.groups import STEADY
+from qsbearing.model.solution.result_keys import Group, Result
+from qsbearing.systems.heat.state import Part, ThermalState
+
+WHOLE = Group(
+    (
+        Result("imbalance", "W", entry="imbalance_W", is_usual=False),
+        Result("feedback", words="by how much a further watt of heat makes friction grow", is_usual=False),
+    ),
+    prefix="steady_", holder="thermal", table=("thermal",),
+)  # fmt: skip
+
+
+def groups_of_heat(state: ThermalState | None) -> list[Group]:
+    """What a balance has besides `STEADY`: other nodes, sources, paths; nothing without one."""
+    if state is None:
+        return []
+    known = {each.entry for each in STEADY.results}
+    others = (Part(node) for node in state.temperatures if node not in known)
+    nodes = _one_each(others, "temperature", "C", "temperatures_C", "temperatures")
+    sources = _one_each(state.powers, "power", "W", "powers_W", "powers")
+    flows = tuple(
+        Result(
+            f"heat_{_named(one)}_to_{_named(other)}", "W", path=((one, other),), is_usual=False, entry=f"{one}>{other}"
+        )
+        for one, other in state.flows
+    )
+    paths = Group(flows, prefix="steady_", holder="thermal.flows", table=("thermal", "flows_W"))
+    return [nodes, sources, paths, WHOLE]
+
+
+def _one_each(parts: Iterable[Part], what: str, unit: str, table: str, holder: str) -> Group:
+    results = tuple(
+        Result(f"{_named(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
+    )
+    return Group(results, prefix="steady_", holder=f"thermal.{holder}", table=("thermal", table))
+
+
+def _named(part: str) -> str:
+    return part.replace(" ", "_")

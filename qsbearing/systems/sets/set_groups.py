@@ -1,0 +1,162 @@
+"""The results of a set, in groups of what has them: its rows', its shaft's, and those of what stands on the shaft.
+
+A row also has whatever a bearing has (`GROUPS`, and its readings'); rows count from 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.solution.groups import channels, unasked
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result
+from qsbearing.systems.sets.system_life import system_life
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.bearing_set import BearingSet
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+
+def _is_opposed(of: BearingSet) -> bool:
+    return of.is_opposed
+
+
+AXIAL_LOAD = Group((Result("axial_load", "N", path="axial_loads"),), axis=ROW, table=("rows",))
+SHARE = Group(unasked(LOAD), prefix="share_", holder="row_loads", axis=ROW, table=("rows", "share"))
+PRELOAD = Group(
+    (
+        Result("given", "N", path="preload_given", entry="preload_given_N", is_usual=False),
+        Result("at_rest", "N", path="preload_at_rest", entry="preload_at_rest_N"),
+        Result("unmounted", "N", path="preload_unmounted", entry="preload_unmounted_N"),
+        Result("mounted", "N", path="preload_mounted", entry="preload_mounted_N"),
+        Result("in_operation", "N", path="preload_in_operation", entry="preload_in_operation_N"),
+        Result("alone", "N", path="preload_in_operation", entry="preload_alone_N", is_usual=False),
+        Result("carried", "N", path="axial_loads", entry="preload_carried_N", is_usual=False),
+        Result("share", path="preload_share", entry="preload_share", is_usual=False),
+    ),
+    prefix="preload_", axis=ROW, table=("rows",), is_asked=_is_opposed,
+)  # fmt: skip
+"""Of each row. `in_operation` is what is left without external loads; of a bearing it is what it carries with them."""
+OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
+
+SHAFT = "shaft_"
+OF_SHAFT = channels(SHAFT)
+
+
+def _slides(of: BearingSet) -> bool:
+    return any(row.sprung for row in of.rows)
+
+
+SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload_", table=("preload",), is_asked=_slides)
+
+
+class OfAllRows(NamedTuple):
+    """The life that all rows survive together [h], from the readings of each; None unless each has its own."""
+
+    duration: str
+
+    def __call__(self, readings: Sequence[dict[str, Any]]) -> NDArray | None:
+        """Of the cases."""
+        lives = [getattr(of_row["life"], self.duration) for of_row in readings or () if "life" in of_row]
+        if not lives or len(lives) < len(readings):
+            return None
+        hours = Result("duration", "h", path="")
+        return np.asarray(system_life([np.asarray(hours.of(each)) for each in lives]))
+
+
+SYSTEM = Group(
+    tuple(
+        Result(f"{name}duration", "h", path=OfAllRows(f"{name}duration"), size=1.0, entry=f"system_{name}life_h",
+               aliases=(f"system_{name}life",))
+        for name in ("basic_", "")
+    ),
+    before="system_", prefix="life_", table=(), reading="life",
+)  # fmt: skip
+"""The lives of all rows together."""
+
+
+class OfShaft(NamedTuple):
+    """What the shaft does at a position [m]: the name of a method of a solution, which takes positions."""
+
+    method: str
+    position: float
+
+    def __call__(self, solution: SetSolution) -> NDArray | None:
+        """Its channels, or its only number, of the cases."""
+        along = getattr(solution, self.method)(self.position)
+        if along is None:
+            return None
+        return np.asarray(along[..., 0] if self.method == "axial_growth" else along[..., 0, :])
+
+
+class OfSupport(NamedTuple):
+    """What a support of the shaft carries, by its number from 0."""
+
+    number: int
+
+    def __call__(self, solution: SetSolution) -> NDArray:
+        """Its channels, of the cases."""
+        return np.asarray(solution.support_loads[..., self.number, :])
+
+
+GROWTH = Result("axial_growth", "um")
+
+
+def groups_of_set(solution: SetSolution) -> list[Group]:
+    """Of the set as a whole: its shaft, the points and supports of this, and places along it."""
+    shaft = solution.set.shaft
+    if shaft is None:
+        return [*OF_SHAFT, SLIDE, SYSTEM]
+    points = [group for name in shaft.points for group in _of_point(solution, name)]
+    line = [group for name, at in places_on_shaft(solution.set).items() for group in _of_line(name, float(at))]
+    supports = [
+        Group(unasked(LOAD), prefix=f"support_{i + 1}_load_", holder=OfSupport(i), table=("shaft", "supports", str(i)))
+        for i in range(len(shaft.supports))
+    ]
+    return [*OF_SHAFT, *points, SLIDE, *line, *supports, SYSTEM]
+
+
+def _of_point(solution: SetSolution, name: str) -> list[Group]:
+    table, of = ("shaft", "points", name), ("points", name)
+    moved = Group(
+        DISPLACEMENT, prefix=f"{name}_displacement_", holder=(*of, "displacement"), table=(*table, "displacement")
+    )
+    kind = "effective_stiffness"
+    stiff = Group(STIFFNESS, prefix=f"{name}_{kind}_", holder=(*of, kind), table=(*table, kind))
+    grown = Group((GROWTH,), prefix=f"{name}_", holder=of, table=table)
+    shares = [
+        Group(CHANNELS, prefix=f"{name}_share_{part.replace(' ', '_')}_", holder=(*of, "relative_shares", part),
+              table=(*table, "shares", part))
+        for part in solution.points[name].shares
+    ]  # fmt: skip
+    return [moved, stiff, grown, *shares]
+
+
+CHANNELS = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
+
+
+def _of_line(name: str, position: float) -> list[Group]:
+    table, prefix = ("shaft", "line", name), f"line_{name.replace(' ', '_')}_"
+    kinds = ("displacement", DISPLACEMENT, "deflection"), ("inner_forces", LOAD, "inner_forces")
+    growth = GROWTH._replace(path="", is_usual=False)
+    return [
+        *(Group(unasked(results), prefix=f"{prefix}{kind}_", holder=OfShaft(method, position), table=(*table, kind))
+          for kind, results, method in kinds),
+        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", position), table=table),
+    ]  # fmt: skip
+
+
+def places_on_shaft(of: BearingSet) -> dict[str, float]:
+    """What stands on the shaft, and its ends, in the order of their positions [m]; without what varies over cases."""
+    shaft = of.shaft
+    assert shaft is not None
+    places: dict[str, Any] = {"begin": shaft.ends[0], "end": shaft.ends[-1]} if shaft.sections else {}
+    places |= shaft.points
+    parts: dict[str, Sequence[Any]] = {"row": of.rows, "load": shaft.loads, "mass": shaft.masses}
+    for kind, several in (parts | {"support": shaft.supports}).items():
+        places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
+    at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
+    return dict(sorted(at.items(), key=lambda item: item[1]))
