@@ -17,8 +17,8 @@ from qsbearing.model.version import __version__ as __version__
 
 # Methods of scenes and solutions that the model and the systems leave to the folders above it.
 DONE_BY.update(
-    message="qsbearing.results.remarks",
-    warnings="qsbearing.results.remarks",
+    message="qsbearing.remarks.of_solution",
+    warnings="qsbearing.remarks.of_solution",
     html_of="qsbearing.app.notebook",
     plot="qsbearing.app.notebook",
     of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",

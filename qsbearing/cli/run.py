@@ -245,7 +245,8 @@ def _found(
     record: Callable[[], dict[str, Any]] | None = None,
 ) -> Found:
     """What is shown of a solution and its readings, and of the limits of fits that have a name."""
-    from qsbearing.results.whole import all_taken, of_fits, whole_record
+    from qsbearing.results.readings_record import all_taken
+    from qsbearing.results.whole import of_fits, whole_record
 
     readings = all_taken(solution)
 

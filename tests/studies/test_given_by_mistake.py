@@ -13,7 +13,8 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.scene_or_set import scene_or_set_of
-from qsbearing.results.whole import all_taken, whole_record
+from qsbearing.results.readings_record import all_taken
+from qsbearing.results.whole import whole_record
 from tests.model.effects.test_elastic_rings_input import FREE_RINGS
 from tests.qsbearing.scenes import B218
 
