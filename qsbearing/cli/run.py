@@ -259,7 +259,7 @@ def _found(
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
     if accuracy is not None:
-        from qsbearing.studies.chooser.choose import COARSEST, FINEST
+        from qsbearing.studies.chooser.accuracy import COARSEST, FINEST
 
         if not FINEST <= accuracy <= COARSEST:
             allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"
