@@ -12,17 +12,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from qsbearing.model.above import DONE_BY
 from qsbearing.model.version import __version__ as __version__
-
-# Methods of scenes and solutions that the model and the systems leave to the folders above it.
-DONE_BY.update(
-    message="qsbearing.results.remarks",
-    warnings="qsbearing.results.remarks",
-    html_of="qsbearing.app.notebook",
-    plot="qsbearing.app.notebook",
-    of_solution="qsbearing.systems.rotor_dynamics.ross_bearing",
-)
 
 
 @cache

@@ -2,6 +2,7 @@
 """The public names, each where it lives: for type checkers, and for `__init__.py`, which imports what is used."""
 
 from qsbearing import readings as readings
+from qsbearing.app.notebook import html_of as html_of, plot as plot
 from qsbearing.files.file_errors import FileErrorDetail as FileErrorDetail, SceneFileError as SceneFileError
 from qsbearing.files.printed_numbers import catalogue_numbers as catalogue_numbers
 from qsbearing.files.scene_file import load_scene as load_scene
@@ -59,7 +60,7 @@ from qsbearing.model.units import (
 )
 from qsbearing.model.validation import ErrorDetail as ErrorDetail, SceneError as SceneError
 from qsbearing.model.version import __version__ as __version__
-from qsbearing.results.remarks import message as message, warnings as warnings
+from qsbearing.remarks.of_solution import message as message, warnings as warnings
 from qsbearing.studies.chooser.choose import solve as solve
 from qsbearing.studies.chooser.choose_set import solve_set as solve_set
 from qsbearing.studies.design.compare import compare as compare
@@ -70,6 +71,7 @@ from qsbearing.studies.study import Study as Study
 from qsbearing.studies.sweep import sweep as sweep
 from qsbearing.systems.heat.network import Conductance as Conductance, OilFlow as OilFlow, Thermal as Thermal
 from qsbearing.systems.rotor_dynamics import stiffness_table as stiffness_table, to_ross as to_ross
+from qsbearing.systems.rotor_dynamics.ross_bearing import ross_element as ross_element
 from qsbearing.systems.sets.bearing_set import BearingSet as BearingSet
 from qsbearing.systems.sets.preload_limits import preload_loads as preload_loads, preload_speeds as preload_speeds
 from qsbearing.systems.sets.row import Row as Row

@@ -39,6 +39,7 @@ from fem_check.product.scenes import (
     solve_set,
     solved,
 )
+from fem_check.product.solution_equilibrium import reference_near
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
@@ -260,7 +261,7 @@ def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict
             else each
             for each, solution in zip(problem.rows, rows, strict=True)
         )
-        states = solution_contacts.reference_near(replace(problem, rows=placed), rows, moved_by).states
+        states = reference_near(replace(problem, rows=placed), rows, moved_by).states
         for race, contact in contacts.items():
             number = 0 if of is None else _row_number(contact)
             state = states[number]

@@ -4,28 +4,29 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from types import MappingProxyType
+from dataclasses import replace
 from typing import Any
 
 import qsbearing
 from fem_check import meshing
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import beyond_thrust, solved
-from fem_check.rows import convergence, row_text
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
-from fem_check.solids import contact_block, sector_comparison, sector_judgement, sector_pictures, sector_statics
-from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
-from fem_check.solids.sector_comparison import QUANTITIES, Compared, OperatingPoint, Values, own_point
+from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
+from fem_check.solids.bearing_sector import OuterSupport, SectorLoad
+from fem_check.solids.sector_comparison import QUANTITIES, OperatingPoint, own_point
 from fem_check.solids.sector_geometry import SectorGeometry
+from fem_check.solids.sector_series import (
+    BOUNDS,
+    keep,
+    moment_note,
+    rings_note,
+    support_note,
+    uncertainty_note,
+    uncertainty_rows,
+)
+from fem_check.solids.sector_study import ELEMENTS, MOMENT_STEP, WITH_RINGS, Studied, quantity_kind, study
 
-ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 6)}
-"""Per semi-minor axis; six take 3 GB and 100 s. Each mesh is well apart from the next, as five and six are not, so that
-every one tells of the finest's uncertainty."""
-ORDER = 2.0
-"""By which the errors of all else fall at least; on half-spaces those of the ellipse fall by 2.4 (`convergence_order`).
-"""
 POINTS = {
     Level.QUICK: (OperatingPoint(17800.0, 10000.0 * qsbearing.rpm),),
     Level.RELEASE: tuple(
@@ -36,26 +37,6 @@ POINTS = {
 }
 """Of the example; another scene is compared at its own thrust and speed."""
 SUPPORTS = {Level.QUICK: (OuterSupport.RIGID,), Level.RELEASE: (OuterSupport.RIGID, OuterSupport.FREE)}
-BOUNDS = {
-    "axial_displacement": 0.2,
-    "load": 0.05,
-    "angle": 0.02,
-    "semi_major_axis": 0.2,
-    "semi_minor_axis": 0.5,
-}
-"""Largest uncertainty allowed at the release level, outside diameter fixed, centrifugal force alone; in per cent, of
-angles in degrees."""
-FOLLOWING_APPROACH = {
-    OuterSupport.RIGID: ("axial_displacement",),
-    OuterSupport.FREE: ("axial_displacement", "load", "angle"),
-}
-"""What has the error of the contacts' approaches on a mesh. In rigid seats loads and angles hardly depend on these; a
-free outer ring takes the place that they leave it."""
-MOMENT_STEP = ", gyroscopic moment"
-WITH_MOMENT = f"{OuterSupport.RIGID}{MOMENT_STEP}"
-"""Names the series with it."""
-WITH_RINGS = ", elastic rings in the model"
-"""Names the series against a model whose outer ring gives way as a free one."""
 GROWN = 0.8 + 2.0 * BOUNDS["axial_displacement"]
 """Of the rigid model's axial displacement, allowed between model and elements in what a free ring adds, difference and
 uncertainty together [%]."""
@@ -71,103 +52,6 @@ MODEL = "qsbearing.solve, Hertz at the free contact angle, the same effects"
 # shrinks with the load by a known power: the bodies' compliance, linear in the load, beside an approach that grows with
 # its 2/3rd power; and the grooves' shape beside their parabola, with the square of the ellipse.
 LIMIT_POWERS = {"axial_displacement": 1.0 / 3.0, "semi_major_axis": 2.0 / 3.0, "semi_minor_axis": 2.0 / 3.0}
-
-
-def quantity_kind(quantity: str) -> str:
-    """Without the raceway's name."""
-    return quantity.removeprefix("inner ").removeprefix("outer ")
-
-
-@dataclass(frozen=True)
-class Studied:
-    """One operating point, from all meshes."""
-
-    point: OperatingPoint
-    compared: Compared
-    uncertainty: dict[str, float]
-    """Of each quantity found, same unit."""
-    sector: BearingSector
-    """Its finest mesh."""
-    as_read: Values
-    """The finest mesh's, as it is, with the uncertainty of the meshes."""
-    moment: bool
-    with_rings: bool = False
-    """Whether the model's outer ring gives way as a free one."""
-
-    @property
-    def case(self) -> str:
-        """Load, speed and series."""
-        return f"{self.point.label}, outside diameter {self.series}"
-
-    @property
-    def series(self) -> str:
-        """Support and step."""
-        return f"{self.sector.support}{MOMENT_STEP if self.moment else ''}{WITH_RINGS if self.with_rings else ''}"
-
-    def scale(self, name: str) -> float:
-        """What deviations and uncertainties count in: a hundredth of the model's value, or a degree."""
-        return 1.0 if QUANTITIES[name] == "deg" else abs(self.compared.model[name]) / 100.0
-
-    def deviation(self, name: str) -> float:
-        """Elements less model, per cent or degrees."""
-        return (self.compared.found[name] - self.compared.model[name]) / self.scale(name)
-
-    def uncertain(self, name: str) -> float:
-        """The uncertainty, per cent or degrees."""
-        return self.uncertainty[name] / self.scale(name)
-
-
-def study(
-    scene: str,
-    point: OperatingPoint,
-    level: Level,
-    support: OuterSupport,
-    *,
-    gyroscopic_moment: bool = False,
-) -> Studied:
-    """Solve a point on all meshes: ellipse and pressure of the finest, the rest extrapolated at the release level."""
-    meshes: list[Compared] = []
-    sizes: list[float] = []
-    try:
-        where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
-        for elements in ELEMENTS[level]:
-            try:
-                geometry = SectorGeometry(sector_comparison.sector_bearing(scene), where, elements)
-                sector = BearingSector(geometry, support, friction=gyroscopic_moment)
-                meshes.append(sector_comparison.compare(scene, point, sector, gyroscopic_moment=gyroscopic_moment))
-            except ContactError:
-                # The coarsest mesh may lack room for the loads about the point; three are enough.
-                if elements != ELEMENTS[level][0] or len(ELEMENTS[level]) < 4:
-                    raise
-                continue
-            sizes.append(contact_block.PATCH / contact_block.cells(elements))
-    except ContactError as problem:
-        raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
-    last = meshes[-1]
-    found, uncertainty = {}, {}
-    for name in QUANTITIES:
-        values = [mesh.found[name] for mesh in meshes]
-        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
-            found[name], of_mesh = convergence.extrapolated(sizes, values)
-        else:
-            found[name] = values[-1]
-            of_mesh = convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), ORDER)
-        uncertainty[name] = of_mesh + last.position_uncertainty[name]
-    as_read = _finest(sizes, [mesh.as_read for mesh in meshes])
-    return Studied(point, replace(last, found=found), uncertainty, sector, as_read, gyroscopic_moment)
-
-
-def _finest(sizes: list[float], meshes: list[Values]) -> Values:
-    """The finest mesh's values; the uncertainty from all meshes and the positions together."""
-    last = meshes[-1]
-    both = {
-        name: convergence.uncertainty_at_order(
-            *convergence.well_apart(sizes, [mesh.found[name] for mesh in meshes]), ORDER
-        )
-        + last.position_uncertainty[name]
-        for name in QUANTITIES
-    }
-    return replace(last, position_uncertainty=both)
 
 
 def judged_rows(studied: Studied, level: Level) -> list[Row]:
@@ -256,7 +140,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             studied = study(scene, point, level, support, gyroscopic_moment=bool(step))
             rows += rows_of(studied.case, studied)
             rows += judged_rows(studied, level)
-            _keep(series, studied)
+            keep(series, studied)
             dofs, solver = max(dofs, studied.compared.dofs), studied.compared.solver
             if support is OuterSupport.RIGID and not step:
                 drawn = studied
@@ -266,14 +150,14 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 compared = replace(studied.compared, model=sector_comparison.with_free_ring(scene, point))
                 with_rings = replace(studied, compared=compared, with_rings=True)
                 rows += [*rows_of(with_rings.case, with_rings), grown_row(drawn, studied, with_rings)]
-                _keep(series, with_rings)
+                keep(series, with_rings)
     if level is Level.RELEASE:
         rows += uncertainty_rows(series)
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
     notes = [
-        _support_note(series),
-        _rings_note(series),
+        support_note(series),
+        rings_note(series),
         *(uncertainty_note(series, key, level) for key in series if not key.endswith(WITH_RINGS)),
         moment_note(series),
         bearing_note(scene),
@@ -315,141 +199,6 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
     return rows
 
 
-def largest_uncertainty(states: dict[str, Any]) -> dict[str, float]:
-    """Of any case of one series, per kind of quantity; per cent or degrees."""
-    largest = dict.fromkeys(BOUNDS, 0.0)
-    for curve in states.values():
-        for name in QUANTITIES:
-            kind = quantity_kind(name)
-            if kind in BOUNDS:
-                largest[kind] = max(largest[kind], *curve[name]["uncertainty"])
-    return largest
-
-
-def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
-    """What the comparison with the model resolves where the outside diameter is fixed.
-
-    It has a tolerance where centrifugal force acts alone. With the gyroscopic moment it is a finding: none was set
-    before that series was first run.
-    """
-    alone = "outside diameter rigid, centrifugal force alone, all loads and speeds: largest uncertainty"
-    with_moment = "outside diameter rigid, gyroscopic moment, all loads at speed: largest uncertainty"
-    return [
-        *_uncertainties(
-            alone,
-            series[str(OuterSupport.RIGID)],
-            "what the comparison must resolve: a twentieth to a fifth of the largest difference in these cases",
-            BOUNDS,
-        ),
-        *(
-            _uncertainties(with_moment, series[WITH_MOMENT], "a finding: see the notes")
-            if WITH_MOMENT in series
-            else ()
-        ),
-    ]
-
-
-def _uncertainties(
-    case: str, states: dict[str, Any], why: str, bounds: Mapping[str, float] = MappingProxyType({})
-) -> list[Row]:
-    """Rows of the largest uncertainties of one series; without a bound a finding."""
-    return [
-        Row(
-            case,
-            kind,
-            "deg" if kind == "angle" else "1",
-            0.0,
-            "four meshes, and sixteen positions of the contact's edge",
-            value if kind == "angle" else value / 100.0,
-            None,
-            (100.0 if kind == "angle" else 1.0) * bounds[kind] if kind in bounds else None,
-            why,
-        )
-        for kind, value in largest_uncertainty(states).items()
-    ]
-
-
-def _keep(series: dict[str, Any], studied: Studied) -> None:
-    """Add a point to the series from which the report draws."""
-    state = "at speed" if studied.point.speed else "at rest"
-    curve = series.setdefault(studied.series, {}).setdefault(state, {"load_N": []})
-    curve["load_N"].append(studied.point.axial_load)
-    # At speed the displacement passes through zero as the load falls: per cents of it would mislead.
-    difference = studied.compared.found["axial_displacement"] - studied.compared.model["axial_displacement"]
-    curve.setdefault("grown_um", []).append(1e6 * difference)
-    for name in QUANTITIES:
-        entry = curve.setdefault(name, {"deviation": [], "uncertainty": []})
-        entry["deviation"].append(studied.deviation(name))
-        entry["uncertainty"].append(studied.uncertain(name))
-
-
-def _spans(states: dict[str, Any]) -> str:
-    """Of one series: the differences from the model."""
-
-    def span(name: str, unit: str) -> str:
-        values = [value for curve in states.values() for value in curve[name]["deviation"]]
-        return f"{min(values):+.2g} to {max(values):+.2g}{unit}"
-
-    moved = ", ".join(
-        f"{min(curve['grown_um']):+.1f} to {max(curve['grown_um']):+.1f} µm {state}" for state, curve in states.items()
-    )
-    return (
-        f"axial displacement {moved}; inner contact load {span('inner load', ' %')}, inner contact angle "
-        f"{span('inner angle', '°')}."
-    )
-
-
-def _support_note(series: dict[str, Any]) -> str:
-    if str(OuterSupport.FREE) not in series:
-        return ""
-    return (
-        f"With the outside diameter free, against the model's rigid rings: {_spans(series[str(OuterSupport.FREE)])} "
-        "The designer must decide which seat applies: a tight fit in a stiff housing is near the rigid case, where the "
-        "model holds within the rows above; a loose or thin housing lets the outer ring grow. That softens the bearing "
-        "axially and takes preload away, far more than anything that Hertz leaves out, and it turns the contact angle."
-    )
-
-
-def _rings_note(series: dict[str, Any]) -> str:
-    found = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
-    if found is None:
-        return ""
-    return (
-        f"Against the model with the effect elastic_rings, its outer ring free: {_spans(found)} The section is "
-        "a rectangle there, evenly loaded over its width; here it has its groove and shoulders, the load is where the "
-        "contact is, and one face is held."
-    )
-
-
-def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
-    """What the cases of one series resolve."""
-    parts = [
-        f"{row_text.in_words(name)} {value:.2g}{'°' if name == 'angle' else ' %'}"
-        for name, value in largest_uncertainty(series[key]).items()
-    ]
-    return (
-        f"Largest uncertainty of any case with the outside diameter {key} at the {level} level, meshes and positions "
-        f"of the contact's edge together: {'; '.join(parts)}."
-    )
-
-
-def moment_note(series: dict[str, Any]) -> str:
-    """Whether the series with gyroscopic moment would meet the tolerances of that without."""
-    if WITH_MOMENT not in series:
-        return ""
-    found = largest_uncertainty(series[WITH_MOMENT])
-    more = [
-        f"{row_text.in_words(kind)} {found[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
-        for kind, bound in BOUNDS.items()
-        if found[kind] > bound
-    ]
-    return (
-        "The tolerances on the uncertainty are those of centrifugal force alone. No tolerance was set for the series "
-        "with gyroscopic moment before its first run, so its uncertainties are findings; by the tolerances of "
-        f"centrifugal force alone {'it would fail: ' + ', '.join(more) if more else 'it would pass'}."
-    )
-
-
 def bearing_note(scene: str) -> str:
     """The ring sections, each given or assumed; and what of a scene's own loads the sector leaves out."""
     bearing = sector_comparison.sector_bearing(scene)
@@ -465,8 +214,6 @@ NOTE = (
     "exact: an error of the mesh that is common to both cancels. Cases that do not name the gyroscopic moment have "
     "the centrifugal force alone, in the model and in the elements."
 )
-
-
 CHECK = Check(
     name="bearing_sector",
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",

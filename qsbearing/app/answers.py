@@ -28,13 +28,14 @@ from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
 from qsbearing.reports.key_results import KeyResult, results_of, results_of_row, results_of_shaft
 from qsbearing.results import report, set_report
+from qsbearing.results.readings_record import all_taken
 from qsbearing.results.readings_report import readings_tables
-from qsbearing.results.remarks import blocks, every_remark, message
-from qsbearing.results.whole import all_taken
+from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set

@@ -14,6 +14,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.columns import scene_numbers
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.validation import check_kind
 from qsbearing.pictures.study import picture
 from qsbearing.remarks.wording import PYTHON
 from qsbearing.reports import inputs, set_inputs
@@ -35,7 +36,8 @@ MAIN_OF_SET = 8
 
 
 def html_of(shown: Any) -> str | None:
-    """The tables of an object as HTML; None where there are none, or what makes them is not installed."""
+    """The tables of a scene, set, solution or study as HTML, which notebooks show; None where there are none, or what
+    makes them is not installed."""
     if importlib.util.find_spec("jinja2") is None:
         return None
     try:
@@ -92,8 +94,18 @@ def _cases(solution: Solution | SetSolution) -> list[Block]:
     return [Paragraph(repr(solution)), Table([*heads, "status"], rows, "r" * len(heads) + "l")]
 
 
-def plot(shown: Any, *chosen: Any, **named: Any) -> Any:
-    """The picture of a solution by its name, or that of a study."""
+def plot(shown: Solution | SetSolution | Study, *chosen: Any, **named: Any) -> Any:
+    """Draw it, as a figure of matplotlib; also a method of each.
+
+    Of a solution: `plot(solution, name="overview", index=None)`, one of the pictures of `qsbearing.pictures` of one
+    case. Of a study, which is solved for it: the arguments of `qsbearing.pictures.study.picture`, such as
+    y=["inner_load"].
+
+    Raises:
+        ValueError: there is no such picture.
+        TypeError: it is none of them.
+    """
+    check_kind("plot", shown, "Solution", "SetSolution", "Study")
     if isinstance(shown, Study):
         return picture(sweep(shown), *chosen, **named)
     return _drawn(shown, *chosen, **named)

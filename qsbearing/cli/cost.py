@@ -42,7 +42,7 @@ def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool
         check_installed("--out needs", ("matplotlib",), "plot")
     solution = solve(load_one(scene))
     if not solution.converged:
-        from qsbearing.results.remarks import message
+        from qsbearing.remarks.of_solution import message
 
         note(message(solution))
         sys.exit(UNSOLVED)

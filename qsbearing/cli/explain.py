@@ -47,7 +47,7 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
     Exit codes: 0 explained, 1 the scene has no solution, 2 bad input.
     """
-    from qsbearing.results.remarks import message
+    from qsbearing.remarks.of_solution import message
     from qsbearing.studies.chooser.explained import explained
 
     if not 0.0 < tolerance <= 1.0:

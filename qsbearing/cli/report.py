@@ -94,7 +94,7 @@ def _refuse_another(page: Path, path: Path) -> None:
 
 def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
-    from qsbearing.results.remarks import message
+    from qsbearing.remarks.of_solution import message
 
     solution = solve(asked)
     if not solution.converged.all():

@@ -245,7 +245,8 @@ def _found(
     record: Callable[[], dict[str, Any]] | None = None,
 ) -> Found:
     """What is shown of a solution and its readings, and of the limits of fits that have a name."""
-    from qsbearing.results.whole import all_taken, of_fits, whole_record
+    from qsbearing.results.readings_record import all_taken
+    from qsbearing.results.whole import of_fits, whole_record
 
     readings = all_taken(solution)
 
@@ -258,7 +259,7 @@ def _found(
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
     if accuracy is not None:
-        from qsbearing.studies.chooser.choose import COARSEST, FINEST
+        from qsbearing.studies.chooser.accuracy import COARSEST, FINEST
 
         if not FINEST <= accuracy <= COARSEST:
             allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"

@@ -97,7 +97,7 @@ def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
     from qsbearing.studies.chooser import choose
 
     with solving():
-        return choose.solve(asked, effects=None if tolerance is None else "auto", tolerance=tolerance)
+        return choose.solve(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
 
 
 @contextmanager

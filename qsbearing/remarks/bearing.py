@@ -50,8 +50,6 @@ def message(solution: Solution, index: Index = None) -> str:
     status, residual, iterations = (
         np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
     )
-    if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
-        return solution.thermal.message(index)
     if status == Status.CONVERGED:
         return (
             f"Balls and ring are in equilibrium: largest imbalance {residual:.1e} of the largest force, "

@@ -8,6 +8,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
+from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.front import head, made_with
@@ -16,7 +17,7 @@ from qsbearing.reports.margins import margins
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
-from qsbearing.results.remarks import every_remark, message
+from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.explain import explain
 
 

@@ -18,9 +18,10 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
+from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.readings_record import Readings, number, readings_record
-from qsbearing.results.remarks import every_remark, message, remarks_record
+from qsbearing.results.remarks import every_remark, remarks_record
 
 DISPLACEMENT_NOISE = 1e-15
 """Likewise, of displacements [m, rad]: a hundred-thousandth of an atom."""

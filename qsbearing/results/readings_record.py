@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +12,10 @@ from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.columns import columns
 from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks.remark import Remark, told
+from qsbearing.remarks.of_solution import Readings, of_readings
 
-Readings = Mapping[str, Any]
-"""Results by the name of their reading."""
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.set_solution import SetSolution
 
 
 def taken(solution: Solution) -> Readings:
@@ -27,6 +25,11 @@ def taken(solution: Solution) -> Readings:
     from qsbearing.readings.asked import take_asked  # a scene without readings does not load them
 
     return take_asked(solution)
+
+
+def all_taken(solution: Solution | SetSolution) -> Any:
+    """Likewise; of a set a list, by row."""
+    return taken(solution) if isinstance(solution, Solution) else [taken(row) for row in solution.rows]
 
 
 def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
@@ -69,15 +72,6 @@ def _one(name: str, reading: Any, solution: Solution, index: CasePlace, balls: A
         out["models"] = [model._asdict() for model in reading.models]
     out["warnings"] = [each.written(IN_FILE) for each in of_readings({name: reading})]
     return out
-
-
-def of_readings(readings: Readings, place: Sequence[int] | None = None) -> list[Remark]:
-    """The remarks of readings alone, with the name of each."""
-    return [
-        replace(each, of=replace(each.of, readings=(name,)))
-        for name, reading in readings.items()
-        for each in told(getattr(reading, "remarks", ()), None if place is None else tuple(place))
-    ]
 
 
 def number(value: Any) -> float | None:

@@ -7,18 +7,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from qsbearing.documents.model import Remark as Shown
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.solution.case_index import Index, case_place
+from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import check_kind
-from qsbearing.remarks import bearing
+from qsbearing.remarks import of_solution
 from qsbearing.remarks.kinds import Severity
-from qsbearing.remarks.remark import Remark, Warned, in_order
+from qsbearing.remarks.of_solution import OfRows
+from qsbearing.remarks.remark import Remark, in_order
 from qsbearing.remarks.wording import Span, Words
-from qsbearing.results.readings_record import Readings, of_readings, taken
+from qsbearing.results.readings_record import all_taken
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -28,63 +26,14 @@ AXES = ("readings", "raceways", "rows", "points", "bearings")
 """Whom a remark is about, in the order in which equal ones are put together."""
 
 
-def message(solution: Solution | SetSolution, index: Index = None) -> str:
-    """One sentence on how a case of a bearing or set ended; for several without an index, how many have each status.
-
-    Args:
-        index: the case, along the solution's case axes; negative numbers count from the end.
-
-    Raises:
-        ValueError: the index does not name one case of this solution.
-    """
-    check_kind("message", solution, "Solution", "SetSolution")
-    if isinstance(solution, Solution):
-        return bearing.message(solution, index)
-    from qsbearing.results import set_remarks
-
-    return set_remarks.message(solution, index)
-
-
-def warnings(solution: Solution | SetSolution, index: Index = None) -> list[Warned]:
-    """Warnings about the results of a case of a bearing or set; an empty list if there are none.
-
-    Those that say that the model does not describe the case come first, then those on input data to check, then
-    remarks. Each warning is a sentence with a `rank`, and `see` names the page of the guide that explains it; `remark`
-    has it as data. Readings have their own (`warnings` of each).
-
-    For several cases without an index, there is one sentence for each kind of warning: how many cases have it, which
-    case is the first, and the warning of that case.
-
-    Args:
-        index: the case, along the solution's case axes; negative numbers count from the end.
-
-    Raises:
-        ValueError: the index does not name one case of this solution.
-    """
-    check_kind("warnings", solution, "Solution", "SetSolution")
-    without_readings: Any = {} if isinstance(solution, Solution) else [{}] * len(solution.rows)
-    return [each.said() for each in every_remark(solution, without_readings, index)]
-
-
-def every_remark(
-    solution: Solution | SetSolution, readings: Readings | Sequence[Readings] | None = None, index: Index = None
-) -> list[Remark]:
+def every_remark(solution: Solution | SetSolution, readings: OfRows | None = None, index: Index = None) -> list[Remark]:
     """The one list: those of a solution and those of what its scene or set asks to be read off.
 
     Args:
         readings: where they are taken already; of a set, those of each row.
         index: the case, along the case axes; of several cases without it, in how many each holds.
     """
-    if isinstance(solution, Solution):
-        found: Any = taken(solution) if readings is None else readings
-        place = None if index is None else case_place(index, solution.shape)
-        is_solved = np.any(np.asarray(solution.converged)[() if place is None else place])
-        return in_order(bearing.remarks(solution, index) + (of_readings(found, place) if is_solved else []))
-    from qsbearing.results import set_remarks
-
-    given: Any = [None] * len(solution.rows) if readings is None else readings
-    rows = [every_remark(row, own, index) for row, own in zip(solution.rows, given, strict=True)]
-    return set_remarks.with_rows(solution, rows, index)
+    return of_solution.every_remark(solution, all_taken(solution) if readings is None else readings, index)
 
 
 def of_points(solution: Solution | SetSolution, readings: Any) -> list[Remark]:

@@ -23,8 +23,8 @@ from qsbearing.results.json_record import (
 )
 from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.remarks import every_remark, remarks_record
-from qsbearing.results.set_remarks import with_rows
 from qsbearing.results.shaft_report import shaft_record
+from qsbearing.systems.sets.remarks import with_rows
 from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PRELOAD, SHARE
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life

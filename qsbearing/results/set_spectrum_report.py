@@ -12,9 +12,10 @@ from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
+from qsbearing.remarks.of_solution import message
 from qsbearing.results.json_record import number, of_channels
 from qsbearing.results.readings_record import Readings
-from qsbearing.results.remarks import blocks, every_remark, message, of_points, remarks_record
+from qsbearing.results.remarks import blocks, every_remark, of_points, remarks_record
 from qsbearing.results.spectrum_report import NAMES
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.set_solution import SetSolution

@@ -12,9 +12,10 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import rpm
 from qsbearing.model.version import __version__
 from qsbearing.readings.rating_life import HOUR, MILLION
+from qsbearing.remarks.of_solution import message
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings, number
-from qsbearing.results.remarks import blocks, message, of_points
+from qsbearing.results.remarks import blocks, of_points
 from qsbearing.results.report import asked_for
 from qsbearing.results.tables import digits_of
 

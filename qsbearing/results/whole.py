@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.results.readings_record import taken
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -16,16 +15,11 @@ if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def all_taken(solution: Solution | SetSolution) -> Any:
-    """What the input asks to be read off; of a set a list, by row."""
-    return taken(solution) if isinstance(solution, Solution) else [taken(row) for row in solution.rows]
-
-
 def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, Any]:
     """A solution and its readings as an object, without the input; what a kind needs is loaded only for it.
 
     Args:
-        readings: as `all_taken` gives them.
+        readings: as `readings_record.all_taken` gives them.
     """
     found = _record_of(solution)(solution, readings)
     return found | (of_fits("fits_record", solution) or {})

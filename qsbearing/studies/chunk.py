@@ -15,7 +15,7 @@ from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.solution.status import Reason
-from qsbearing.results.whole import all_taken
+from qsbearing.results.readings_record import all_taken
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
 from qsbearing.studies.remarked import Look, look, looked_at, may_solve, together

@@ -7,9 +7,8 @@ and `MOST_CASES`. What is counted says so.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,12 +18,11 @@ from qsbearing.documents.model import Paragraph
 from qsbearing.documents.model import Remark as Shown
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks import bearing
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.missing_effects import MOST_CASES
-from qsbearing.remarks.remark import Found, Remark
+from qsbearing.remarks.of_solution import holding
+from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import COLOURS
-from qsbearing.results.set_remarks import of_set, of_the_row
 from qsbearing.systems.sets.set_solution import SetSolution
 
 LOOKED_AT = 1024
@@ -68,7 +66,7 @@ def look(
     if not solved.any():
         return seen
     varied = {name: array[numbers] for name, array in values.items() if array.ndim}
-    for where, make in _found(solution, readings, slice(0, solved.size), solves):
+    for where, make in holding(solution, readings, slice(0, solved.size), solves):
         weight = np.where(solved, np.broadcast_to(np.asarray(where, float).reshape(-1), solved.shape), 0.0)
         held = np.flatnonzero(weight)
         if held.size:
@@ -79,32 +77,6 @@ def look(
             key = repr((said.code, replace(said.of, balls=None, cases=None), said.values.get("effect")))
             seen["remarks"][key] = _with(seen["remarks"].get(key), one)
     return seen
-
-
-def _found(solution: Any, readings: Any, part: slice, solves: bool) -> Iterator[Found]:
-    if isinstance(solution, Solution):
-        yield from bearing.found(solution, part, solves)
-        yield from _of_readings(readings)
-        return
-    yield from of_set(solution, part, solves)
-    for number, (row, own) in enumerate(zip(solution.rows, readings, strict=True)):
-        for where, make in (*bearing.found(row, part, solves), *_of_readings(own)):
-            yield where, partial(_of_row, solution, number, make)
-
-
-def _of_row(solution: SetSolution, number: int, make: Any, i: int) -> Remark:
-    return of_the_row(solution, number, make if isinstance(make, Remark) else make(i))
-
-
-def _of_readings(readings: Mapping[str, Any]) -> Iterator[Found]:
-    for name, reading in readings.items():
-        for where, each in getattr(reading, "remarks", ()):
-            yield where, partial(_of_reading, name, each)
-
-
-def _of_reading(name: str, make: Any, i: int) -> Remark:
-    said = make if isinstance(make, Remark) else make(i)
-    return replace(said, of=replace(said.of, readings=(name,)))
 
 
 def _counted(said: Remark, varied: Mapping[str, NDArray], held: NDArray, worst: int) -> dict[str, Any]:

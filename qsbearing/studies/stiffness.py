@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.results.whole import all_taken
+from qsbearing.results.readings_record import all_taken
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import STATUSES

@@ -16,7 +16,7 @@ from fem_check.checks import bearing_sector
 from fem_check.product.scenes import SceneProblemError
 from fem_check.rows.agreement import Level, Row
 from fem_check.running import records_store
-from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
+from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_series, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
 from fem_check.solids.sector_comparison import OperatingPoint
 from fem_check.solids.sector_geometry import SectorGeometry
@@ -223,7 +223,7 @@ def test_what_the_comparison_resolves_is_said_of_each_series_for_itself():
     assert set(alone) == set(moment) == set(bearing_sector.BOUNDS)
     assert {row.verdict for row in alone.values()} == {"pass"}
     assert {row.verdict for row in moment.values()} == {"finding"}
-    curve = series[bearing_sector.WITH_MOMENT]["at speed"]["axial_displacement"]
+    curve = series[sector_series.WITH_MOMENT]["at speed"]["axial_displacement"]
     assert moment["axial_displacement"].found == pytest.approx(max(curve["uncertainty"]) / 100.0)
     allowed = bearing_sector.BOUNDS["axial_displacement"]
     assert (max(curve["uncertainty"]) > allowed) == ("it would fail: axial" in bearing_sector.moment_note(series))

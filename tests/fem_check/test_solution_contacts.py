@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from fem_check.checks import product_scenes, solution_contacts
+from fem_check.checks import product_scenes
 from fem_check.checks.solution_contacts import (
     catalogue_rows,
     clearance_rows,
@@ -25,7 +25,7 @@ from fem_check.checks.solution_contacts import (
 from fem_check.independent import catalogue_sources, equilibrium, quasi_static, references, ring_growth
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.drawing import Drawing
-from fem_check.product import problems, scenes
+from fem_check.product import problems, scenes, solution_equilibrium
 from fem_check.product.scenes import SceneProblemError, Solved
 
 POINTS = scenes.solved("b218")
@@ -247,7 +247,7 @@ def test_every_row_hangs_on_the_reference(label, monkeypatch):
     """The reference doubled where it is computed, the solution as it is: every judged row is red."""
     point = Solved(label, scenes.solve("", label, product_scenes.scenes()[label]))
     ellipse, hertz, stiffness = references.ellipse, references.hertz, quasi_static.stiffness
-    near = solution_contacts.reference_near
+    near = solution_equilibrium.reference_near
 
     def found_doubled(*given):
         found = near(*given)
@@ -257,7 +257,7 @@ def test_every_row_hangs_on_the_reference(label, monkeypatch):
             controls=found.controls,
         )  # fmt: skip
 
-    monkeypatch.setattr(solution_contacts, "reference_near", found_doubled)
+    monkeypatch.setattr(solution_equilibrium, "reference_near", found_doubled)
     monkeypatch.setattr(quasi_static, "stiffness", lambda found: 2.0 * stiffness(found.of))
     monkeypatch.setattr(references, "ellipse", lambda *given: replace(twice(ellipse(*given))))
     monkeypatch.setattr(references, "hertz", lambda *given: replace(twice(hertz(*given))))

@@ -67,6 +67,7 @@ def test_pictures_by_name(scene: qs.Scene) -> None:
     )
     assert len(solution.plot("contact_angles", 2).axes) == 1
     assert len(solution.plot(index=0).axes) > 1
+    assert len(qs.plot(solution, "contact_angles", 2).axes) == 1
     with pytest.raises(ValueError, match="section"):
         solution.plot("sektion")
     figure = qs.Study.of("b218", {"speed_rpm": "1000:9000:3"}).plot(y=["ring_displacement_axial"])

@@ -13,7 +13,8 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.scene_or_set import scene_or_set_of
-from qsbearing.results.whole import all_taken, whole_record
+from qsbearing.results.readings_record import all_taken
+from qsbearing.results.whole import whole_record
 from tests.model.effects.test_elastic_rings_input import FREE_RINGS
 from tests.qsbearing.scenes import B218
 
@@ -44,15 +45,20 @@ def functions() -> Iterator[tuple[str, Any]]:
             if name.startswith("_") or not inspect.isfunction(function):
                 continue
             first = next(iter(inspect.signature(function).parameters.values()), None)
-            words = set(str(first.annotation).replace("|", " ").split()) if first is not None else set()
-            if words & KINDS and name not in ALSO_TAKES:
+            if first is not None and kinds(first) and name not in ALSO_TAKES:
                 yield name, function
+
+
+def kinds(parameter: inspect.Parameter) -> set[str]:
+    """Those that it takes."""
+    words = str(parameter.annotation).replace("SolutionOfCases", "Solution | SetSolution")
+    return set(words.replace("|", " ").split()) & KINDS
 
 
 @pytest.mark.parametrize("name, function", list(functions()))
 def test_a_function_says_what_it_takes(name: str, function: Any) -> None:
     first, *others = inspect.signature(function).parameters.values()
-    takes = set(str(first.annotation).replace("|", " ").split()) & KINDS
+    takes = kinds(first)
     needed = {each.name: None for each in others if each.default is each.empty and each.kind != each.VAR_KEYWORD}
     wrong = 0
     for what, value in given().items():

@@ -22,7 +22,8 @@ from qsbearing.files.scene_file import document_of, text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.scene.scene import Scene
-from qsbearing.results.whole import all_taken, whole_record, with_input
+from qsbearing.results.readings_record import all_taken
+from qsbearing.results.whole import whole_record, with_input
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explained import explained
 from qsbearing.studies.study import Read
@@ -134,8 +135,8 @@ class Tools:
         from qsbearing.documents.html import html
         from qsbearing.documents.pdf import pdf
         from qsbearing.files.output_file import output_file
+        from qsbearing.remarks.of_solution import message
         from qsbearing.reports.of_any import document_of_any
-        from qsbearing.results.remarks import message
 
         places = [self.folder.new(f"{name}{ending}") for ending in (".html", ".pdf")]
         of = self._scene_or_set(scene)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.above import above
+import qsbearing as qs
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -447,4 +447,4 @@ class Solution(SolutionOfCases):
             SceneError: every error of the arguments; cases that are not solved.
             ImportError: ROSS is not installed.
         """
-        return above("of_solution")(self, self.scene.operation.speed, n, index, **arguments)
+        return qs.ross_element(self, n, index, **arguments)

@@ -25,9 +25,25 @@ from qsbearing.model.solution.solved_cases import KEPT
 from qsbearing.model.validation import ErrorDetail, check_kind, raise_if_any
 
 TOLERANCE = 1e-12
+RESIDUALS = (1e-13, 1e-6)
+"""What may be asked of the solver: from just above rounding to an imbalance that leaves all digits of tables right."""
 LEAST_BATCH = 100
 """So many cases are solved in lanes, as far as lanes know them: there 32 take 0.7 of the time, 128 0.6, 256 0.5; of
 fewer than a hundred that is less than a millisecond."""
+
+
+def check_residual(residual_tolerance: float) -> None:
+    """See that the solver can be asked for it.
+
+    Raises:
+        ValueError: it is out of range.
+    """
+    least, most = RESIDUALS
+    if not least <= residual_tolerance <= most:
+        raise ValueError(
+            f"residual_tolerance = {residual_tolerance:g}: must lie between {least:g} (rounding) and {most:g} (beyond "
+            "it, results would be wrong in digits that tables show)"
+        )
 
 
 def solve(

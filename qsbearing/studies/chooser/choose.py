@@ -31,13 +31,7 @@ from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind, raise_if_any
-
-DEFAULT_TOLERANCE = 0.01
-FINEST, COARSEST = 1e-12, 1.0
-"""What may be asked: the solver's own tolerance, and everything."""
-
-RESIDUALS = (1e-13, 1e-6)
-"""What may be asked of the solver: from just above rounding to an imbalance that leaves all digits of tables right."""
+from qsbearing.studies.chooser.accuracy import asked_accuracy, renamed
 
 MARGIN = 5.0
 """What a prediction may be wrong by without harm: of 6,500 random scenes without a light ball none erred by more."""
@@ -61,58 +55,46 @@ def solve(
     scene: Scene,
     *,
     effects: str | None = None,
-    tolerance: float | None = None,
+    accuracy: float | None = None,
     residual_tolerance: float = solver.TOLERANCE,
     start: Solution | None = None,
     threads: int | None = None,
+    tolerance: float | None = None,
 ) -> Solution:
     """Solve every case of a scene.
 
     Args:
         scene: what to solve; its array fields broadcast to the case axes.
-        effects: "auto": effects and choices are left out within `tolerance`; None: those that the scene names, or auto
+        effects: "auto": effects and choices are left out within `accuracy`; None: those that the scene names, or auto
             where it asks for that itself (`Scene.tolerance`).
-        tolerance: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
+        accuracy: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
         residual_tolerance: of the solver, 1e-13 to 1e-6: largest imbalance over the largest force at which a case
             counts as solved (where rounding forbids it, 1e-10 is accepted and `Solution.residual` states it).
         start: a solution near this one (same case axes and ball axis, or a single case) to continue from.
         threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: the old name of `accuracy`.
 
     Returns:
         Solution: raises nothing for a physical outcome; `status` and `qs.message` say what happened, case by case.
         `choice` lists what was chosen and left out.
 
     Raises:
-        ValueError: array fields that do not broadcast, a start of other axes, a tolerance or thread count out of range,
-            a tolerance without effects to choose.
+        ValueError: array fields that do not broadcast, a start of other axes, a tolerance, accuracy or thread count out
+            of range, an accuracy without effects to choose.
         TypeError: not a scene.
     """
     check_kind("solve", scene, "Scene")
     check_readings(scene.readings)
-    least, most = RESIDUALS
-    if not least <= residual_tolerance <= most:
-        raise ValueError(
-            f"residual_tolerance = {residual_tolerance:g}: must lie between {least:g} (rounding) and {most:g} (beyond "
-            "it, results would be wrong in digits that tables show)"
-        )
-    if effects not in (None, "auto"):
-        raise ValueError(f'effects = {effects!r}: "auto", or None for those that the scene names')
-    if effects == "auto" and scene.thermal is not None:
-        raise ValueError("effects are not chosen for a scene with a heat balance: name them")
-    if scene.thermal is not None and effects is None:
+    solver.check_residual(residual_tolerance)
+    asked = asked_accuracy(effects, renamed("tolerance", tolerance, "accuracy", accuracy), scene.tolerance)
+    if asked is None and scene.thermal is None:
+        return solver.solve(scene, start=start, threads=threads, tolerance=residual_tolerance)
+    if asked is None:
         from qsbearing.systems.heat import solve as hot
 
         return hot.solve(scene, threads=threads, tolerance=residual_tolerance)
-    if effects is None and scene.tolerance is None:
-        if tolerance is not None:
-            raise ValueError(
-                f"tolerance = {tolerance:g} is the error that choosing effects may leave: give effects='auto' too; "
-                "the solver's own is residual_tolerance"
-            )
-        return solver.solve(scene, start=start, threads=threads, tolerance=residual_tolerance)
-    asked = next(each for each in (tolerance, scene.tolerance, DEFAULT_TOLERANCE) if each is not None)
-    if not FINEST <= asked <= COARSEST:
-        raise ValueError(f"tolerance = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
+    if scene.thermal is not None:
+        raise ValueError("effects are not chosen for a scene with a heat balance: name them")
     return _Chooser(replace(scene, tolerance=None), asked, start, threads, residual_tolerance).choose()
 
 

@@ -16,10 +16,11 @@ from qsbearing.model.effects import EFFECTS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.comparison import largest
 from qsbearing.model.solution.of_cases import Choice, LeftOut
-from qsbearing.model.solution.solver import TOLERANCE
+from qsbearing.model.solution.solver import TOLERANCE, check_residual
 from qsbearing.model.validation import check_kind
 from qsbearing.studies.chooser import choose
-from qsbearing.studies.chooser.choose import COARSEST, DEFAULT_TOLERANCE, FINEST, check_readings
+from qsbearing.studies.chooser.accuracy import asked_accuracy, renamed
+from qsbearing.studies.chooser.choose import check_readings
 from qsbearing.systems.sets import solve as systems
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -28,21 +29,24 @@ from qsbearing.systems.sets.set_solution import SetSolution
 def solve_set(
     of: BearingSet,
     *,
-    threads: int | None = None,
-    tolerance: float = TOLERANCE,
     effects: str | None = None,
     accuracy: float | None = None,
+    residual_tolerance: float | None = None,
+    threads: int | None = None,
+    tolerance: float | None = None,
 ) -> SetSolution:
     """Solve every case of a set.
 
     Args:
         of: what to solve; its array fields broadcast to the case axes.
-        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
-        tolerance: largest imbalance over the largest force at which a case counts as solved. Where rounding forbids
-            it, 1e-10 is accepted and `SetSolution.residual` states it.
         effects: "auto": effects and choices are left out within `accuracy`; None: those that the set names, or auto
             where it asks for that itself (`BearingSet.tolerance`).
         accuracy: only with effects chosen: the largest relative error of the reported results (0.01 if not given).
+        residual_tolerance: of the solver, 1e-13 to 1e-6 (1e-12 if not given): largest imbalance over the largest force
+            at which a case counts as solved. Where rounding forbids it, 1e-10 is accepted and `SetSolution.residual`
+            states it.
+        threads: at most this many; None: the environment variable QSBEARING_THREADS, else all cores.
+        tolerance: the old name of `residual_tolerance`, up to 0.1.
 
     Returns:
         SetSolution: raises nothing for a physical outcome; `status` and `message` say what happened and which row
@@ -54,20 +58,16 @@ def solve_set(
     check_kind("solve_set", of, "BearingSet")
     for readings in (of.readings, *(row.readings or {} for row in of.rows)):
         check_readings(readings)
-    if effects not in (None, "auto"):
-        raise ValueError(f'effects = {effects!r}: "auto", or None for those that the set names')
-    if effects is None and of.tolerance is None:
-        if accuracy is not None:
-            raise ValueError(
-                f"accuracy = {accuracy:g} is the error that choosing effects may leave: give effects='auto'"
-            )
-        return systems.solve_set(of, threads=threads, tolerance=tolerance)
+    if residual_tolerance is not None:
+        check_residual(residual_tolerance)
+    residual = renamed("tolerance", tolerance, "residual_tolerance", residual_tolerance)
+    how: dict[str, Any] = {"threads": threads, "tolerance": TOLERANCE if residual is None else residual}
+    asked = asked_accuracy(effects, accuracy, of.tolerance)
+    if asked is None:
+        return systems.solve_set(of, **how)
     if of.thermal is not None:
         raise ValueError("effects are not chosen for a set with a heat balance: name them")
-    asked = next(each for each in (accuracy, of.tolerance, DEFAULT_TOLERANCE) if each is not None)
-    if not FINEST <= asked <= COARSEST:
-        raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
-    return _chosen(replace(of, tolerance=None), asked, {"threads": threads, "tolerance": tolerance})
+    return _chosen(replace(of, tolerance=None), asked, how)
 
 
 def solve_any(of: Scene | BearingSet) -> Any:

@@ -7,8 +7,9 @@ from typing import Any, NamedTuple
 
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
-from qsbearing.results.remarks import every_remark, message, remarks_record
+from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.studies.chooser.explain import Row, explain
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution

@@ -14,6 +14,7 @@ from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.case_index import Index, case_place
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.model.validation import ErrorDetail
+from qsbearing.remarks.of_solution import no_steady_state
 from qsbearing.systems.heat.network import Thermal
 
 
@@ -234,6 +235,11 @@ class ThermalState:
         loads = " and ".join(dict.fromkeys(map(_digits, state.preloads)))
         hottest = state.temperatures.max() - zero_celsius
         return f"{state.factor * float(self.speed) / rpm:.5g} rpm ({hottest:.1f} °C, axial load {loads} N)"
+
+
+@no_steady_state.register
+def _(thermal: ThermalState, k: int, index: Index) -> str:
+    return thermal.message(index) if thermal.without_steady_state.flat[k] else ""
 
 
 # In records, as JSON has them

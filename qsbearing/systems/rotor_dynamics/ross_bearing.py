@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.documents.installation import pip_install
+from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.status import Status
-from qsbearing.model.validation import SPEED, ErrorDetail, SceneError, choose, numeric, raise_if_any
+from qsbearing.model.validation import SPEED, ErrorDetail, SceneError, check_kind, choose, numeric, raise_if_any
 from qsbearing.systems.rotor_dynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
 
 _SPEED_IN_ROSS = {"2": "frequency", "3": "speed"}
@@ -138,16 +140,16 @@ def _stiffness_errors(matrix: NDArray, tilt: Tilt) -> list[ErrorDetail]:
     return []
 
 
-def of_solution(solution: Any, speed: ArrayLike, n: int, index: Any = None, **arguments: Any) -> Any:
-    """`to_ross` with the stiffness of a solution's cases.
+def ross_element(solution: SolutionOfCases, n: int, index: Any = None, **arguments: Any) -> Any:
+    """`to_ross` with the stiffness and speeds of a solution's cases; `solution.to_ross`.
 
     Args:
-        speed: of the shaft, broadcasting to the case axes [rad/s].
         index: which cases, as numpy's arrays take it, such as (0, slice(None)); None: all.
 
     Raises:
         SceneError: as `to_ross`; and cases that are not solved, with status and reason.
     """
+    check_kind("ross_element", solution, "Solution", "SetSolution")
     number = np.arange(prod(solution.shape)).reshape(solution.shape)
     errors = []
     try:
@@ -161,7 +163,7 @@ def of_solution(solution: Any, speed: ArrayLike, n: int, index: Any = None, **ar
         errors.append(ErrorDetail("index", problem, index, cause=cause))
     errors += _unsolved(solution, np.ravel(chosen))
     raise_if_any(errors)
-    speeds = np.broadcast_to(np.asarray(speed, float), solution.shape).ravel()
+    speeds = np.broadcast_to(np.asarray(asked(solution).operation.speed, float), solution.shape).ravel()
     return to_ross(solution.stiffness.reshape(-1, 5, 5)[chosen], speeds[chosen], n, **arguments)
 
 

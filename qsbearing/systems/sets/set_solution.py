@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.above import above
+import qsbearing as qs
 from qsbearing.model.effects import RingEffect, as_fitted, as_made
 from qsbearing.model.kernel.admissibility import NO_EQUILIBRIUM
 from qsbearing.model.operation import CHANNELS
@@ -108,8 +108,7 @@ class SetSolution(SolutionOfCases):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        said: str = above("message")(self, index)
-        return said
+        return qs.message(self, index)
 
     def warnings(self, index: Index = None) -> list[Warned]:
         """Sentences on what to beware of in a case, the rows' own warnings among them; of several cases without an
@@ -118,8 +117,7 @@ class SetSolution(SolutionOfCases):
         Raises:
             ValueError: the index does not name one case of this solution.
         """
-        found: list[Warned] = above("warnings")(self, index)
-        return found
+        return qs.warnings(self, index)
 
     @property
     def reason(self) -> Any:
@@ -386,9 +384,7 @@ class SetSolution(SolutionOfCases):
             SceneError: every error of the arguments; cases that are not solved.
             ImportError: ROSS is not installed.
         """
-        from qsbearing.systems.rotor_dynamics import ross_bearing
-
-        return ross_bearing.of_solution(self, self.set.operation.speed, n, index, **arguments)
+        return qs.ross_element(self, n, index, **arguments)
 
     def to_ross_rotor(self, *, disks: Sequence[dict[str, Any]] = (), longest: float = 0.5) -> Any:
         """The whole as a rotor of ROSS: the shaft's elements, each row with its stiffness over the speed in series with

@@ -18,6 +18,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import TOLERANCE, unfound_errors
 from qsbearing.model.validation import raise_if_any
+from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what there is to say of sets
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_give
 from qsbearing.systems.sets.problem import Problem
@@ -55,7 +56,6 @@ def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = 
     if of.thermal is None:
         return solve_at_given_temperatures(of, threads, tolerance)
     from qsbearing.systems.heat.solve import at_steady_temperatures
-    from qsbearing.systems.sets.solve import HotSet
 
     preload = 0.0 if of.preload is None else getattr(of.preload, of.preload.kind)
     offsets = [np.asarray(row.offset) + 0.0 * np.asarray(preload) for row in of.rows]

@@ -34,7 +34,7 @@ found = {}
 for name, one in (("worn", scene), ("new", qs.Scene(scene.bearing, scene.operation))):
     (row,) = (row for row in explain.explain(one, 0.01)[1] if row.effect == "groove_wear")
     found[name] = vars(row)
-chosen = qs.solve(scene, effects="auto", tolerance=0.9)
+chosen = qs.solve(scene, effects="auto", accuracy=0.9)
 found["left_out"] = [each.effect for each in chosen.choice.left_out]
 print(json.dumps(found))
 """

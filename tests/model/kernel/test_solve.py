@@ -19,7 +19,7 @@ from qsbearing.model.effects.raceway_control import CONTROL_CODES
 from qsbearing.model.kernel.ball_inertia import inertia
 from qsbearing.model.kernel.workspace import GIVEN, working_memory
 from qsbearing.model.solution.flatten import CaseMaker
-from qsbearing.results.remarks import warnings
+from qsbearing.remarks.of_solution import warnings
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
     B218,

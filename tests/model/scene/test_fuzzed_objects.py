@@ -22,7 +22,7 @@ import qsbearing as qs
 from qsbearing.model.kernel.newton import STALLED
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution import solver as solving
-from qsbearing.results.remarks import message, warnings
+from qsbearing.remarks.of_solution import message, warnings
 from tests.qsbearing.any_scene import CHOICES, bearings, bounded, few, many, operations
 
 

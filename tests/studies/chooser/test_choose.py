@@ -15,7 +15,7 @@ from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution import solver
 from qsbearing.model.solution.comparison import largest
 from qsbearing.studies.chooser import choose
-from qsbearing.studies.chooser.choose import RESIDUALS, completed, without
+from qsbearing.studies.chooser.choose import completed, without
 from tests.qsbearing.scenes import BOTH_HARRIS, INNER, PER_BALL, fewer, resting, solved, turning
 from tests.verification.benchmarks import auto_accuracy
 
@@ -61,7 +61,7 @@ def test_at_rest_nothing_of_inertia_is_simulated_and_one_solve_does() -> None:
 
 
 def test_at_speed_inertia_is_added_though_not_named() -> None:
-    solution = qs.solve(bare(15_000.0, **THRUST), effects="auto", tolerance=0.01)
+    solution = qs.solve(bare(15_000.0, **THRUST), effects="auto", accuracy=0.01)
     assert solution.choice is not None
     assert {"centrifugal_force", "gyroscopic_moment"} <= set(solution.choice.added)
     assert float(largest(solution, solved(completed(solution.scene)))) <= 0.01
@@ -70,7 +70,7 @@ def test_at_speed_inertia_is_added_though_not_named() -> None:
 def test_asking_for_more_never_leaves_out_more() -> None:
     scene = bare(1500.0, **COMBINED)
     counts = [
-        len(left_out(qs.solve(scene, effects="auto", tolerance=asked))) for asked in (1.0, 1e-1, 1e-2, 1e-3, 1e-12)
+        len(left_out(qs.solve(scene, effects="auto", accuracy=asked))) for asked in (1.0, 1e-1, 1e-2, 1e-3, 1e-12)
     ]
     assert counts == sorted(counts, reverse=True)
     assert (counts[0], counts[-1]) == (4, 0)
@@ -94,7 +94,7 @@ def test_what_is_found_by_trying_is_its_error(monkeypatch: pytest.MonkeyPatch) -
     """With indicators that always doubt, errors are those of the solutions."""
     monkeypatch.setattr(choose, "MARGIN", 1e9)
     scene = bare(1200.0, **THRUST)
-    solution = qs.solve(scene, effects="auto", tolerance=0.05)
+    solution = qs.solve(scene, effects="auto", accuracy=0.05)
     assert solution.choice is not None
     assert left_out(solution)
     estimated = sum(float(one.estimated_error) for one in solution.choice.left_out)
@@ -111,15 +111,15 @@ def test_blind_indicators_are_set_right_where_balls_are_light(monkeypatch: pytes
         return replace(judged, errors={name: 1e-9 * error for name, error in judged.errors.items()})
 
     monkeypatch.setattr(choose, "judge", blind)
-    solution = qs.solve(scene, effects="auto", tolerance=0.01)
+    solution = qs.solve(scene, effects="auto", accuracy=0.01)
     assert float(largest(solution, solved(completed(scene)))) <= 0.01
     assert len(solution.scene.ball_effects) == 2
 
 
 def test_arrays_get_one_choice_that_serves_all_cases() -> None:
     speeds = np.array([0.0, 500.0, 15_000.0])
-    many = qs.solve(bare(speeds, **THRUST), effects="auto", tolerance=0.01)
-    slow = qs.solve(bare(speeds[:2], **THRUST), effects="auto", tolerance=0.01)
+    many = qs.solve(bare(speeds, **THRUST), effects="auto", accuracy=0.01)
+    slow = qs.solve(bare(speeds[:2], **THRUST), effects="auto", accuracy=0.01)
     assert many.shape == (3,)
     assert len(many.scene.ball_effects) == 2
     assert slow.scene.ball_effects == ()
@@ -133,7 +133,7 @@ def test_arrays_get_one_choice_that_serves_all_cases() -> None:
 
 def test_a_scene_may_ask_for_it_itself() -> None:
     scene = replace(bare(3000.0, **THRUST), tolerance=0.01)
-    own, asked = qs.solve(scene), qs.solve(replace(scene, tolerance=None), effects="auto", tolerance=0.01)
+    own, asked = qs.solve(scene), qs.solve(replace(scene, tolerance=None), effects="auto", accuracy=0.01)
     assert own.choice == asked.choice
     assert own.scene.tolerance is None
     with pytest.raises(ValueError, match=r"qsbearing\.solve"):
@@ -150,15 +150,27 @@ def test_what_cannot_be_asked_is_refused() -> None:
         qs.solve(scene, effects="all")
     for asked in (0.0, -1.0, 2.0, float("nan")):
         with pytest.raises(ValueError, match="must lie between"):
-            qs.solve(scene, effects="auto", tolerance=asked)
+            qs.solve(scene, effects="auto", accuracy=asked)
     with pytest.raises(qs.SceneError, match="tolerance"):
         replace(scene, tolerance=2.0)
 
 
-def test_a_tolerance_without_effects_to_choose_is_refused_and_says_what_was_meant() -> None:
+def test_an_accuracy_without_effects_to_choose_is_refused_and_says_what_was_meant() -> None:
     for asked in (0.01, 1e-12):
         with pytest.raises(ValueError, match=r"give effects='auto' too.* residual_tolerance"):
-            qs.solve(bare(300.0, **THRUST), tolerance=asked)
+            qs.solve(bare(300.0, **THRUST), accuracy=asked)
+
+
+def test_tolerance_is_accuracy_by_its_old_name() -> None:
+    scene = bare(9000.0, **COMBINED)
+    for asked in (1.0, 1e-6):
+        with pytest.warns(DeprecationWarning, match="tolerance is called accuracy") as said:
+            by_old = qs.solve(scene, effects="auto", tolerance=asked)
+        assert said[0].filename == __file__
+        assert by_old.choice.tolerance == asked
+        assert left_out(by_old) == left_out(qs.solve(scene, effects="auto", accuracy=asked))
+    with pytest.raises(ValueError, match="give accuracy alone"):
+        qs.solve(scene, effects="auto", tolerance=0.1, accuracy=0.1)
 
 
 @pytest.mark.parametrize(
@@ -179,7 +191,7 @@ def test_the_loosest_residual_leaves_the_digits_of_tables() -> None:
     scene = turning(9000.0, **COMBINED)
     for effects in (None, "auto"):
         loose, tight = (
-            qs.solve(scene, effects=effects, residual_tolerance=asked) for asked in (RESIDUALS[1], RESIDUALS[0])
+            qs.solve(scene, effects=effects, residual_tolerance=asked) for asked in reversed(solver.RESIDUALS)
         )
         assert loose.inner.load == pytest.approx(tight.inner.load, rel=5e-6)
         assert loose.displacement == pytest.approx(tight.displacement, rel=5e-6)

@@ -87,3 +87,15 @@ def test_every_door_takes_it() -> None:
         qs.solve_set(chosen, accuracy=0.01)
     with pytest.raises(qs.SceneError, match="tolerance = 2"):
         dataclasses.replace(of, tolerance=2.0)
+
+
+def test_tolerance_is_residual_tolerance_by_its_old_name() -> None:
+    of = set_of(pair(1) | {"effects": FULL}, "")
+    loose = qs.solve_set(of, residual_tolerance=1e-6)
+    with pytest.warns(DeprecationWarning, match="tolerance is called residual_tolerance") as said:
+        by_old = qs.solve_set(of, tolerance=1e-6)
+    assert said[0].filename == __file__
+    assert by_old.residual == loose.residual > 1e-12 >= qs.solve_set(of).residual
+    for asked in (1e-3, 1e-14):
+        with pytest.raises(ValueError, match=f"residual_tolerance = {asked:g}: must lie between"):
+            qs.solve_set(of, residual_tolerance=asked)

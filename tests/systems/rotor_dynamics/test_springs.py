@@ -91,6 +91,16 @@ def test_the_command(tmp_path: Path) -> None:
         assert CliRunner().invoke(cli, ["stiffness", "b218", *wrong]).exit_code == 2
 
 
+@pytest.mark.parametrize("form", ["json", "calculix", "nastran", "ross", "mat", "abaqus", "ansys"])
+def test_formats_that_go_say_so_and_what_is_in_their_place(form: str, tmp_path: Path) -> None:
+    out = tmp_path / "b218"
+    done = CliRunner().invoke(cli, ["stiffness", "b218", "--format", form, "--out", str(out)])
+    assert (done.exit_code, out.stat().st_size > 0) == (0, True)
+    told = [line for line in done.stderr.splitlines() if "0.5.0" in line]
+    assert len(told) == (form in ("mat", "abaqus", "ansys"))
+    assert all(f"--format {form} goes" in line and ("json has" in line or "calculix has" in line) for line in told)
+
+
 def test_decks_that_were_not_run_say_so_and_hold_the_symmetric_part(fast: qs.Solution) -> None:
     """Abaqus: the sum of its springs, on the combinations of its equations; ANSYS: the matrix, row by row."""
     (seat,) = seats_of(fast, "N-mm-t")

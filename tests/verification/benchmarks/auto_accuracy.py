@@ -84,7 +84,7 @@ def outcomes(count: int = SCENES, seed: int = SEED, tolerance: float = TOLERANCE
     for number, batch in enumerate(random_scenes.batches(seed, -(-count // size), size)):
         for case in range(size):
             scene = operating_point(rng, batch, case)
-            chosen, full = qs.solve(scene, effects="auto", tolerance=tolerance), qs.solve(completed(scene))
+            chosen, full = qs.solve(scene, effects="auto", accuracy=tolerance), qs.solve(completed(scene))
             errors = {name: float(error) for name, error in by_quantity(chosen, full).items()}
             quantity = max(errors, key=lambda name: errors[name])
             choice = chosen.choice

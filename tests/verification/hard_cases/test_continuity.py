@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import has_fast_code
-from qsbearing.results.remarks import warnings
+from qsbearing.remarks.of_solution import warnings
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, PER_BALL, UPRIGHT, fewer, resting, turning
 from tests.verification.hard_cases.generate import load_reference
 

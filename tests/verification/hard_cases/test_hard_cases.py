@@ -12,7 +12,7 @@ from mpmath import mp
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import has_fast_code
-from qsbearing.results.remarks import message, warnings
+from qsbearing.remarks.of_solution import message, warnings
 from tests.qsbearing.scenes import INNER, turning
 from tests.verification.hard_cases import generate
 from tests.verification.hard_cases.cases import CASES, CONVERGED, NO_EQUILIBRIUM

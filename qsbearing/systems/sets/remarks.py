@@ -1,8 +1,11 @@
-"""Messages and remarks of a set's cases: how each ended, which row has no equilibrium, what to beware of."""
+"""Messages and remarks of a set's cases: how each ended, which row has no equilibrium, what to beware of.
+
+They are registered with those of bearings when a set is first solved (`qsbearing.remarks.of_solution`).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -18,10 +21,10 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
-from qsbearing.remarks import bearing
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
+from qsbearing.remarks.of_solution import ended, every_remark, holding
 from qsbearing.remarks.preload import not_grown, of_loads
 from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
 from qsbearing.remarks.wording import capital
@@ -33,16 +36,15 @@ NOTICEABLE = 1e-3
 """Of the largest force on a row: what rows press each other with below it, changes no digit that matters."""
 
 
-def message(solution: SetSolution, index: Index = None) -> str:
-    """One sentence or two on how a case ended; of several cases without an index, how many ended how."""
+@ended.register
+def _(solution: SetSolution, index: Index = None) -> str:
+    """In a sentence or two."""
     outcome = solution.outcome
     if index is None and solution.shape:
-        found = np.ravel(solution.status)
-        counts = [f"{(found == status).sum()} {status}" for status in Status if (found == status).any()]
-        return f"{found.size} cases: {', '.join(counts)}."
+        how = np.ravel(solution.status)
+        counts = [f"{(how == status).sum()} {status}" for status in Status if (how == status).any()]
+        return f"{how.size} cases: {', '.join(counts)}."
     k = solution.flat_index(index)
-    if solution.thermal is not None and solution.thermal.without_steady_state.flat[k]:
-        return solution.thermal.message(index)
     if np.ravel(solution.converged)[k]:
         return (
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "
@@ -53,7 +55,7 @@ def message(solution: SetSolution, index: Index = None) -> str:
         if not np.ravel(side.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
             names = " and ".join(row_name(solution.set.rows[n], n) for n in which)
-            return f"At rest and cold, {names} cannot carry the preload. {message(side, place)}"
+            return f"At rest and cold, {names} cannot carry the preload. {ended(side, place)}"
     return _why(solution, k)
 
 
@@ -68,7 +70,7 @@ def _why(solution: SetSolution, k: int) -> str:
     if outcome.fault[k] >= 0:
         number = int(outcome.fault[k])
         row = solution.rows[number]
-        why = bearing.message(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
+        why = ended(row, tuple(map(int, np.unravel_index(k, row.shape))) if row.shape else None)
         name = capital(row_name(solution.set.rows[number], number))
         return f"{name} has no solution. {why}{_overloaded(solution, k)}{where}"
     if outcome.unsupported[k][: len(names)].any():
@@ -101,6 +103,20 @@ def _overloaded(solution: SetSolution, k: int) -> str:
     return ""
 
 
+@every_remark.register
+def _(solution: SetSolution, readings: Sequence, index: Index = None) -> list[Remark]:
+    rows = [every_remark(row, own, index) for row, own in zip(solution.rows, readings, strict=True)]
+    return with_rows(solution, rows, index)
+
+
+@holding.register
+def _(solution: SetSolution, readings: Sequence, part: slice, may_solve: bool) -> Iterator[Found]:
+    yield from of_set(solution, part, may_solve)
+    for number, (row, own) in enumerate(zip(solution.rows, readings, strict=True)):
+        for where, make in holding(row, own, part, may_solve):
+            yield where, partial(_of_row, solution, number, make)
+
+
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
     """What there is to say of a set and of each row; nothing of a case that is not solved."""
     said = in_case(solution, of_set, index)
@@ -128,7 +144,7 @@ def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterat
         loads = solution.preload_loads if may_solve else at_rest
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(solution, loads, number, part):
-            yield where, partial(_of_preload, solution, number, make)
+            yield where, partial(_of_row, solution, number, make)
     yield from _pressing_rows(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part, may_solve)
@@ -176,8 +192,8 @@ def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
             yield once & (pressed > least), make
 
 
-def _of_preload(solution: SetSolution, number: int, make: Any, i: int) -> Remark:
-    return of_the_row(solution, number, make(i))
+def _of_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int) -> Remark:
+    return of_the_row(solution, number, make if isinstance(make, Remark) else make(i))
 
 
 def _preload(solution: SetSolution, of: Any, number: int, part: slice) -> Iterator[Found]:

@@ -1,0 +1,48 @@
+"""The error that choosing effects may leave, as `qs.solve` and `qs.solve_set` are asked for it."""
+
+from __future__ import annotations
+
+import warnings
+
+DEFAULT_ACCURACY = 0.01
+FINEST, COARSEST = 1e-12, 1.0
+"""What may be asked: the solver's own tolerance, and everything."""
+
+
+def asked_accuracy(effects: str | None, given: float | None, own: float | None) -> float | None:
+    """The error that choosing effects may leave; None where they are those that are named.
+
+    Args:
+        effects: as `qs.solve` has it.
+        own: of the scene or set.
+
+    Raises:
+        ValueError: effects are neither chosen nor named, or the accuracy is out of range or without effects to choose.
+    """
+    if effects not in (None, "auto"):
+        raise ValueError(f'effects = {effects!r}: "auto", or None for those that are named')
+    if effects is None and own is None:
+        if given is None:
+            return None
+        raise ValueError(
+            f"accuracy = {given:g} is the error that choosing effects may leave: give effects='auto' too; the solver's "
+            "own is residual_tolerance"
+        )
+    asked = next(each for each in (given, own, DEFAULT_ACCURACY) if each is not None)
+    if not FINEST <= asked <= COARSEST:
+        raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
+    return asked
+
+
+def renamed(old: str, by_old: float | None, new: str, by_new: float | None) -> float | None:
+    """An argument of a public function that had another name, by whichever is given.
+
+    Raises:
+        ValueError: both are.
+    """
+    if by_old is None:
+        return by_new
+    if by_new is not None:
+        raise ValueError(f"{old} and {new} are one argument: give {new} alone")
+    warnings.warn(f"{old} is called {new} from 0.2.1 on", DeprecationWarning, stacklevel=3)
+    return by_old
