@@ -75,8 +75,8 @@ def read_all(records: Path = records_store.FOLDER) -> dict[str, Record]:
     Raises:
         RecordError: a file that is no record.
     """
-    found = {}
+    by_case = {}
     for path in sorted(folder_of(records).glob("*.json")):
         entry = records_store.read(path, FIELDS, "no record of the book", "run `fem-check book` again")
-        found[entry["case"]] = entry
-    return found
+        by_case[entry["case"]] = entry
+    return by_case

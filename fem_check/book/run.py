@@ -47,7 +47,7 @@ def run_book(
         UnknownCaseError: a name that no case has; nothing was run.
         OSError: the folder cannot be written.
     """
-    chosen, found = selected(names), []
+    chosen, entries = selected(names), []
     for index, case in enumerate(chosen):
         if progress is not None:
             progress(case.name, index / len(chosen))
@@ -60,7 +60,7 @@ def run_book(
             "cpu_seconds": round(time.process_time() - cpu, 2),
             "peak_memory_MB": round(memory.peak_MB()),
         }
-        found.append(records.record(case, result, run))
+        entries.append(records.record(case, result, run))
         if out is not None:
-            records.write(found[-1], out)
-    return found
+            records.write(entries[-1], out)
+    return entries

@@ -132,22 +132,22 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
 
     def solved(mesh_load: float) -> tuple[CondensedContact, list[list[dict[str, float]]]]:
         profile = profile_of(contact, mesh_load)
-        found = []
+        pairs = []
         for number, count in enumerate(elements):
             progress(f"{contact.race}, true bodies, {count} elements per semi-axis", number / len(elements))
             condensed = TrueContact(groove, balls, mesh_load, count, profile).condensed()
-            found.append([condensed.over_hertz(pressed, follows_surface=True, parabola=each) for each in (False, True)])
-        return condensed, found
+            pairs.append([condensed.over_hertz(pressed, follows_surface=True, parabola=each) for each in (False, True)])
+        return condensed, pairs
 
     try:
-        condensed, found = with_room(solved, pressed)
+        condensed, pairs = with_room(solved, pressed)
     except (MeshError, ContactError, np.linalg.LinAlgError) as problem:
         return str(problem)
     values = {}
     assumed = true_geometry.ring_doubt(contact.solution.scene, contact.source, groove, pressed)
     for name in READ:
         # The bodies' size moves the approach alone; of the ellipse the ratio to a parabola keeps the mesh's error out.
-        ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in found]
+        ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in pairs]
         values[name] = ratios[-1], convergence.largest_change(ratios) + (assumed if name == "approach" else 0.0)
     mesh = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
     return OverHertz(values, mesh, condensed.solver)
@@ -180,7 +180,7 @@ def half_space_rows(contact: Heaviest, study: MeshStudy, level: Level) -> list[R
     ]
 
 
-def true_rows(contact: Heaviest, found: OverHertz | Refused) -> list[Row]:
+def true_rows(contact: Heaviest, over_hertz: OverHertz | Refused) -> list[Row]:
     """What the solution reports against the true bodies."""
     exact = references.ellipse(
         contact.drawing.groove(contact.race, contact.reported("angle")).problem(contact.reported("load"))
@@ -188,11 +188,11 @@ def true_rows(contact: Heaviest, found: OverHertz | Refused) -> list[Row]:
     rows = []
     for name in READ:
         reference, case = contact.reported(name), f"{contact.case}; {TRUE_BODIES}"
-        if isinstance(found, Refused):
-            rows.append(Row(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, found))
+        if isinstance(over_hertz, Refused):
+            rows.append(Row(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, over_hertz))
             continue
         scale = getattr(exact, name)
-        value, uncertainty = (scale * each for each in found.values[name])
+        value, uncertainty = (scale * each for each in over_hertz.values[name])
         rows.append(
             Row(case, name, QUANTITIES[name], reference, HERTZ, value, 100.0 * uncertainty / reference, None, FINDING)
         )
@@ -208,11 +208,11 @@ def equilibrium_rows(
 ) -> dict[str, list[Row]]:
     """Load and angle of each contact where all contacts have these approaches."""
     rows: dict[str, list[Row]] = {race: [] for race in contacts}
-    found: dict[str, list[tuple[float, float]]] = {}
+    by_race: dict[str, list[tuple[float, float]]] = {}
     reason = approaches if isinstance(approaches, Refused) else ""
     if not isinstance(approaches, Refused):
         try:
-            found = _loads_and_angles(contacts, approaches)
+            by_race = _loads_and_angles(contacts, approaches)
         except (NoReferenceError, np.linalg.LinAlgError) as problem:
             reason = f"no equilibrium with these approaches: {problem}"
     judged = method == HALF_SPACES and all(each.is_exact for each in contacts.values())
@@ -225,7 +225,7 @@ def equilibrium_rows(
             if reason:
                 rows[race].append(Row(case, name, unit, reference, HERTZ, None, None, None, reason))
                 continue
-            values = [each[number] for each in found[race]]
+            values = [each[number] for each in by_race[race]]
             scale = abs(reference) or 1.0
             uncertainty = sum(abs(each - values[0]) for each in values[1:])
             tolerance = TOLERANCES[level]["approach"] if name == "load" else 100.0 * ANGLE_TOLERANCE / scale
@@ -241,7 +241,7 @@ def equilibrium_rows(
 def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict[str, list[tuple[float, float]]]:
     """Load and angle [degrees] of each contact: at the approaches found, then with each raceway's off by its
     uncertainty."""
-    found: dict[str, list[tuple[float, float]]] = {race: [] for race in contacts}
+    by_race: dict[str, list[tuple[float, float]]] = {race: [] for race in contacts}
     source = next(iter(contacts.values())).source
     values = {race: approaches.get(race, (1.0, 0.0)) for race in RACES}
     whole = load(source)
@@ -266,8 +266,8 @@ def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict
             state = states[number]
             load_, normal = (state.q_i, state.inner) if race == "inner" else (state.q_o, state.outer)
             angle = float(np.degrees(np.arctan2(*normal[contact.ball])))
-            found[race].append((float(load_[contact.ball]), angle))
-    return found
+            by_race[race].append((float(load_[contact.ball]), angle))
+    return by_race
 
 
 def _row_number(contact: Heaviest) -> int:
@@ -321,7 +321,7 @@ def _of_half_spaces(contacts: dict[str, Heaviest], ideal: dict[str, MeshStudy]) 
 
 def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, OverHertz | Refused]) -> Ratios | Refused:
     """Over what the equilibrium takes for Hertz's approach: at its angle, of its form."""
-    found: Ratios = {}
+    ratios: Ratios = {}
     for race, each in true.items():
         if isinstance(each, Refused):
             return f"needs the {race} contact's approach, which was refused"
@@ -330,8 +330,8 @@ def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, OverHertz | R
         taken = references.ellipse(contact.problem, str(contact.solution.scene.hertz_form)).approach
         scale = at_own * contact.reported("load") ** (2.0 / 3.0) / taken
         value, uncertainty = each.values["approach"]
-        found[race] = scale * value, scale * uncertainty
-    return found
+        ratios[race] = scale * value, scale * uncertainty
+    return ratios
 
 
 def _notes(contacts: dict[str, Heaviest]) -> list[str]:

@@ -110,7 +110,7 @@ class Studied:
 
     def deviation(self, name: str) -> float:
         """Elements less model, per cent or degrees."""
-        return (self.compared.found[name] - self.compared.model[name]) / self.scale(name)
+        return (self.compared.elements[name] - self.compared.model[name]) / self.scale(name)
 
     def uncertain(self, name: str) -> float:
         """The uncertainty, per cent or degrees."""
@@ -144,17 +144,17 @@ def study(
     except ContactError as problem:
         raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
     last = meshes[-1]
-    found, uncertainty = {}, {}
+    of_elements, uncertainty = {}, {}
     for name in QUANTITIES:
-        values = [mesh.found[name] for mesh in meshes]
+        values = [mesh.elements[name] for mesh in meshes]
         if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
-            found[name], of_mesh = convergence.extrapolated(sizes, values)
+            of_elements[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
-            found[name] = values[-1]
+            of_elements[name] = values[-1]
             of_mesh = convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), ORDER)
         uncertainty[name] = of_mesh + last.position_uncertainty[name]
     as_read = _finest(sizes, [mesh.as_read for mesh in meshes])
-    return Studied(point, replace(last, found=found), uncertainty, sector, as_read, gyroscopic_moment)
+    return Studied(point, replace(last, elements=of_elements), uncertainty, sector, as_read, gyroscopic_moment)
 
 
 def _finest(sizes: list[float], meshes: list[Values]) -> Values:
@@ -162,7 +162,7 @@ def _finest(sizes: list[float], meshes: list[Values]) -> Values:
     last = meshes[-1]
     both = {
         name: convergence.uncertainty_at_order(
-            *convergence.well_apart(sizes, [mesh.found[name] for mesh in meshes]), ORDER
+            *convergence.well_apart(sizes, [mesh.elements[name] for mesh in meshes]), ORDER
         )
         + last.position_uncertainty[name]
         for name in QUANTITIES
@@ -175,8 +175,8 @@ def judged_rows(studied: Studied, level: Level) -> list[Row]:
     sector, point = studied.sector, studied.point
     load = SectorLoad(point.axial_load, point.speed, studied.moment)
     rigid = sector.support is OuterSupport.RIGID
-    found = sector_judgement.of_bodies(studied.case, studied.as_read, sector.geometry.bearing, level, rigid=rigid)
-    return [*found, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
+    rows = sector_judgement.of_bodies(studied.case, studied.as_read, sector.geometry.bearing, level, rigid=rigid)
+    return [*rows, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
 
 
 def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row]:
@@ -213,7 +213,7 @@ def rows_of(case: str, studied: Studied) -> list[Row]:
             unit,
             compared.model[name],
             MODEL,
-            compared.found[name],
+            compared.elements[name],
             100.0 * studied.uncertainty[name] / abs(compared.model[name]),
             None,
             "a finding: true surfaces, elastic bodies and the orbit's own radius against Hertz and "
@@ -227,13 +227,13 @@ def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
     """What a free outside diameter adds to the axial displacement: elements against the model with elastic rings."""
     name = "axial_displacement"
     reference = with_rings.compared.model[name] - rigid.compared.model[name]
-    found = free.compared.found[name] - rigid.compared.found[name]
+    growth = free.compared.elements[name] - rigid.compared.elements[name]
     uncertainty = free.uncertainty[name] + rigid.uncertainty[name]
     tolerance = GROWN * abs(rigid.compared.model[name] / reference)
     seen = tolerance <= GROWN_SEEN
     return Row(
         f"{rigid.point.label}, outside diameter free instead of rigid", "change of axial displacement", "m",
-        reference, "qsbearing.solve with elastic_rings", found, 100.0 * uncertainty / abs(reference),
+        reference, "qsbearing.solve with elastic_rings", growth, 100.0 * uncertainty / abs(reference),
         tolerance if seen else None,
         WHY_GROWN if seen else "a finding: what the whole displacement allows is about as much as the ring adds",
     )  # fmt: skip
@@ -307,11 +307,11 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
         why = f"twice the uncertainty; at most that of {BOUNDS[kind]:g} % or degrees, as the continuation enlarges it"
         tolerance = min(2.0 * uncertainty, 2.0 * gain * BOUNDS[kind])
         if QUANTITIES[name] == "deg":
-            title, exact, found, scale = f"{name} less the model's", 0.0, limit, 100.0
+            title, exact, extrapolated, scale = f"{name} less the model's", 0.0, limit, 100.0
         else:
-            title, exact, found, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
+            title, exact, extrapolated, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
         unit = "deg" if exact == 0.0 else "1"
-        rows.append(Row(case, title, unit, exact, source, found, scale * uncertainty, scale * tolerance, why))
+        rows.append(Row(case, title, unit, exact, source, extrapolated, scale * uncertainty, scale * tolerance, why))
     return rows
 
 
@@ -375,7 +375,7 @@ def _keep(series: dict[str, Any], studied: Studied) -> None:
     curve = series.setdefault(studied.series, {}).setdefault(state, {"load_N": []})
     curve["load_N"].append(studied.point.axial_load)
     # At speed the displacement passes through zero as the load falls: per cents of it would mislead.
-    difference = studied.compared.found["axial_displacement"] - studied.compared.model["axial_displacement"]
+    difference = studied.compared.elements["axial_displacement"] - studied.compared.model["axial_displacement"]
     curve.setdefault("grown_um", []).append(1e6 * difference)
     for name in QUANTITIES:
         entry = curve.setdefault(name, {"deviation": [], "uncertainty": []})
@@ -411,11 +411,11 @@ def _support_note(series: dict[str, Any]) -> str:
 
 
 def _rings_note(series: dict[str, Any]) -> str:
-    found = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
-    if found is None:
+    with_rings = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
+    if with_rings is None:
         return ""
     return (
-        f"Against the model with the effect elastic_rings, its outer ring free: {_spans(found)} The section is "
+        f"Against the model with the effect elastic_rings, its outer ring free: {_spans(with_rings)} The section is "
         "a rectangle there, evenly loaded over its width; here it has its groove and shoulders, the load is where the "
         "contact is, and one face is held."
     )
@@ -437,11 +437,11 @@ def moment_note(series: dict[str, Any]) -> str:
     """Whether the series with gyroscopic moment would meet the tolerances of that without."""
     if WITH_MOMENT not in series:
         return ""
-    found = largest_uncertainty(series[WITH_MOMENT])
+    largest = largest_uncertainty(series[WITH_MOMENT])
     more = [
-        f"{row_text.in_words(kind)} {found[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
+        f"{row_text.in_words(kind)} {largest[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
         for kind, bound in BOUNDS.items()
-        if found[kind] > bound
+        if largest[kind] > bound
     ]
     return (
         "The tolerances on the uncertainty are those of centrifugal force alone. No tolerance was set for the series "

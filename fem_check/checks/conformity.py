@@ -55,10 +55,10 @@ def over_hertz(groove: BallInGroove, load: float, elements: int, progress: Progr
 def gap_rows(groove: BallInGroove, coefficient: float, case: str, level: Level, progress: Progress) -> list[Row]:
     """What the gap's shape does to each quantity, finite elements against boundary elements."""
     reference = boundary_element.over_hertz(groove, LOAD)
-    found = [over_hertz(groove, LOAD, count, progress) for count in ELEMENTS[level]]
+    per_mesh = [over_hertz(groove, LOAD, count, progress) for count in ELEMENTS[level]]
     rows = []
     for name, tolerance in TOLERANCES[level][coefficient].items():
-        mesh = convergence.largest_change([each[name] for each in found])
+        mesh = convergence.largest_change([each[name] for each in per_mesh])
         rows.append(
             Row(
                 case,
@@ -66,7 +66,7 @@ def gap_rows(groove: BallInGroove, coefficient: float, case: str, level: Level, 
                 "1",
                 reference.ratio[name],
                 boundary_element.SOURCE,
-                found[-1][name],
+                per_mesh[-1][name],
                 100.0 * mesh / reference.ratio[name] + reference.uncertainty_percent[name],
                 tolerance,
                 WHY,

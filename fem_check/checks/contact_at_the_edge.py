@@ -55,11 +55,11 @@ class _Compared:
     def rows(self, level: Level, names: tuple[str, ...]) -> list[Row]:
         """Elements against boundary elements."""
         doubts = {"load": abs(self.uncut.load - 1.0), "centre": abs(self.uncut.centre)}
-        found = []
+        rows = []
         for name in names:
             shift = 1.0 if name == "centre" else 0.0  # per cent of the semi-axis, not of its shift
             reference, value = (shift + getattr(each, name) for each in (self.boundary, self.elements))
-            found.append(
+            rows.append(
                 Row(
                     self.case,
                     WORDS[name],
@@ -72,7 +72,7 @@ class _Compared:
                     WHY,
                 )
             )
-        return found
+        return rows
 
 
 WORDS = {
@@ -118,13 +118,13 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     case = f"{100.0 * share:g} % beyond an edge of the radius {radius:g} b E*/p0, k = {ellipticity:g}"
     rounded = edge_contact.cut(share, ellipticity, radius)
     rows += _Compared(case, block.cut(share, ellipticity, radius), uncut, rounded).rows(level, ("load", "centre"))
-    found = edge_contact.cut(share, ellipticity, REAL_RADIUS)
+    cut = edge_contact.cut(share, ellipticity, REAL_RADIUS)
     intensity = cut_contact.of_share("intensity", np.array([share]), np.array([ellipticity]))
     one = np.ones(1)
     said = float(cut_contact.edge_pressure(intensity, one, one, 1.0, REAL_RADIUS)[0])
     case = f"{100.0 * share:g} % beyond an edge of the radius {REAL_RADIUS:g} b E*/p0, k = {ellipticity:g}"
     name = "reading overrun: largest pressure over p0"
-    rows.append(Row(case, name, "1", found.largest, edge_contact.SOURCE, said, None, EDGE_PRESSURE, WHY_PRESSURE))
+    rows.append(Row(case, name, "1", cut.largest, edge_contact.SOURCE, said, None, EDGE_PRESSURE, WHY_PRESSURE))
     mesh = {"elements_per_semi_axis": ELEMENTS[level], "dofs": block.dofs, "file": "made in place"}
     return Findings(rows, mesh, block.solver, notes=NOTES)
 

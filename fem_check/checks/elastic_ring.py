@@ -347,14 +347,14 @@ def pitch_rows(level: Level) -> list[Row]:
         assert compliance is not None
         for count in counts[level]:
             reference = count * float(np.sum(compliance.by_load[::count]))
-            found = [
+            compliances = [
                 RingPitch(SectorBearing(drawing, count, sections), at_angle, PITCH_LOAD, elements).radial_compliance
                 for elements in PITCH_ELEMENTS[level]
             ]
             rows.append(
                 Row(
                     f"{name}, Z = {count}", "radial deflection by a ball's radial load", "m/N", reference, MODEL_PITCH,
-                    found[-1], 100.0 * abs(found[-1] - found[0]) / reference,
+                    compliances[-1], 100.0 * abs(compliances[-1] - compliances[0]) / reference,
                     PITCH_TOLERANCE if count == BENDING else None, WHY_PITCH,
                 )
             )  # fmt: skip

@@ -56,7 +56,7 @@ def of_scene(level: Level, scene: str) -> list[Contact]:
     Raises:
         SceneProblemError: no contact carries load.
     """
-    found = []
+    contacts = []
     for race in RACES if level is Level.RELEASE else RACES[:1]:
         loads, groove = operating_loads(scene, race), groove_contact(scene, race)
         if not loads:
@@ -64,8 +64,8 @@ def of_scene(level: Level, scene: str) -> list[Contact]:
         ball = ""
         if race == "outer":
             groove, ball = replace(groove, ball=CERAMIC), ", silicon nitride ball"
-        found.append(Contact(f"{groove.name} {race}{ball}: {span(loads)}", groove.problem(loads[-1])))
-    return found
+        contacts.append(Contact(f"{groove.name} {race}{ball}: {span(loads)}", groove.problem(loads[-1])))
+    return contacts
 
 
 def contacts(level: Level, scene: str) -> list[Contact]:
@@ -74,7 +74,7 @@ def contacts(level: Level, scene: str) -> list[Contact]:
     return [circle(), slender, *reversed(of_scene(level, scene))]
 
 
-def circle_rows(of: Contact, found: MeshStudy, rows: list[Row]) -> list[Row]:
+def circle_rows(of: Contact, study: MeshStudy, rows: list[Row]) -> list[Row]:
     """A circle's rows, against the textbook's formulas where it has one."""
     problem = of.problem
     modulus = 1.0 / (problem.ball.compliance + problem.race.compliance)
@@ -90,7 +90,7 @@ def circle_rows(of: Contact, found: MeshStudy, rows: list[Row]) -> list[Row]:
         rows.append(
             Row(
                 f"{of.case}, over p0 and a", name, "1", ratio, TEXTBOOK_SHEAR,
-                found.value(name) / scale, 100.0 * found.uncertainty(name) / (scale * ratio), 100.0 * 0.005 / ratio,
+                study.value(name) / scale, 100.0 * study.uncertainty(name) / (scale * ratio), 100.0 * 0.005 / ratio,
                 "half a unit of the printed last digit",
             )
         )  # fmt: skip
@@ -102,13 +102,13 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows: list[Row] = []
     sound: list[Row] = []
     for of in contacts(level, scene):
-        found = half_space_contact.mesh_study(of.problem, SEQUENCES[level], progress)
-        more = half_space_contact.rows(of.case, found, level, references.HERTZ_SOURCE)
-        rows += circle_rows(of, found, more) if of.is_circle else more
-        sound += half_space_contact.soundness_rows(of.case, [*found.sequence, *found.stretched])
+        study = half_space_contact.mesh_study(of.problem, SEQUENCES[level], progress)
+        more = half_space_contact.rows(of.case, study, level, references.HERTZ_SOURCE)
+        rows += circle_rows(of, study, more) if of.is_circle else more
+        sound += half_space_contact.soundness_rows(of.case, [*study.sequence, *study.stretched])
     rows += collapsed(sound, f"{len(sound) // 2} contacts, all meshes")
-    pictures = contact_pictures(found.solution, found.bodies, "the heaviest load")
-    return Findings(rows, half_space_contact.mesh_entry(found), found.bodies.race.solver, pictures)
+    pictures = contact_pictures(study.solution, study.bodies, "the heaviest load")
+    return Findings(rows, half_space_contact.mesh_entry(study), study.bodies.race.solver, pictures)
 
 
 CHECK = Check(

@@ -111,7 +111,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     fine = meshes[-1]
     each_load, sound = [], []
     scatter = {name: position_scatter(fine.measured, name) for name in EXPONENTS}
-    found = [measured.mean for measured in fine.measured]
+    means = [measured.mean for measured in fine.measured]
     for load, problem, *measured in zip(loads, problems, *(each.measured for each in meshes), strict=True):
         exact = hertz(problem)
         for name in EXPONENTS:
@@ -133,7 +133,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         sound += soundness_rows(f"Q = {load:g} N", measured)
     rows = [*collapsed(each_load, case), covered(case, each_load), *collapsed(sound, case)]
     for name, expected in EXPONENTS.items():
-        values = [getattr(each, name) for each in found]
+        values = [getattr(each, name) for each in means]
         slope = float(np.polyfit(np.log(loads), np.log(values), 1)[0])
         rows.append(
             Row(
@@ -156,7 +156,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     series = {
         "load_series": {
             "load_N": loads,
-            **{name: [getattr(each, name) for each in found] for name in EXPONENTS},
+            **{name: [getattr(each, name) for each in means] for name in EXPONENTS},
             **{f"hertz_{name}": [getattr(hertz(problem), name) for problem in problems] for name in EXPONENTS},
         }
     }

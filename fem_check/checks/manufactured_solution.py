@@ -104,11 +104,11 @@ def errors(space: DisplacementSpace, loads: Array, pulled: Array) -> tuple[dict[
     held[pulled] = False
     held = np.repeat(held, 3)
     matrix = elastic_body.stiffness(space, POISSON)
-    found = displacement(space.nodes).T.ravel()
-    right = np.stack(force, axis=1).ravel() + loads - matrix[:, held] @ found[held]
+    solution = displacement(space.nodes).T.ravel()
+    right = np.stack(force, axis=1).ravel() + loads - matrix[:, held] @ solution[held]
     factor = factorise(sp.csc_matrix(matrix[~held][:, ~held]))
-    found[~held] = factor.solve(right[~held])
-    fields = [basis.interpolate(found[axis::3]) for axis in range(3)]
+    solution[~held] = factor.solve(right[~held])
+    fields = [basis.interpolate(solution[axis::3]) for axis in range(3)]
     values, slopes = np.stack([np.asarray(each) for each in fields]), np.stack([each.grad for each in fields])
     differences = values - displacement(points), slopes - gradient(points)
     sums = [float(np.sqrt((each**2 * basis.dx).sum() / basis.dx.sum())) for each in differences]
@@ -153,10 +153,10 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     for name, solved in BODIES.items():
         (coarse, _), (fine, factor) = (solved(count) for count in COUNTS[level])
         for quantity, order in ORDERS.items():
-            found = float(np.log2(coarse[quantity] / fine[quantity]))
+            observed = float(np.log2(coarse[quantity] / fine[quantity]))
             case = f"{name}, {' to '.join(map(str, COUNTS[level]))} along an edge"
             source = "Ciarlet 1978: quadratic elements, also isoparametric"
-            rows.append(Row(case, f"order of the {quantity}", "1", order, source, found, None, TOLERANCE, WHY))
+            rows.append(Row(case, f"order of the {quantity}", "1", order, source, observed, None, TOLERANCE, WHY))
     mesh = {"elements_per_semi_axis": None, "dofs": None, "file": None}
     return Findings(rows, mesh, factor.solver)
 

@@ -63,8 +63,8 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     free = np.flatnonzero(~np.repeat(boundary, 3))
     fixed = np.flatnonzero(np.repeat(boundary, 3))
     factor = factorise(matrix[free][:, free].tocsc())
-    found = exact.copy()
-    found[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
+    solution = exact.copy()
+    solution[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
     volume = float(np.prod(high)) * np.linalg.det(_sheared(np.eye(3)))
     energy = volume * float(np.sum(_stress() * STRAIN))
     rows = [
@@ -74,7 +74,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             "1",
             0.0,
             "exact: the displacement is affine",
-            float(np.abs(found - exact).max() / np.abs(exact).max()),
+            float(np.abs(solution - exact).max() / np.abs(exact).max()),
             None,
             100.0 * TOLERANCE,
             "rounding",
@@ -85,7 +85,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             "1",
             energy,
             "exact: stress times strain times volume",
-            float(found @ (matrix @ found)),
+            float(solution @ (matrix @ solution)),
             None,
             100.0 * TOLERANCE,
             "rounding",

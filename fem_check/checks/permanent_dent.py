@@ -43,18 +43,18 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     ):
         for yield_stress in (np.inf, *YIELD_STRESSES):
             progress(f"{shape}, {yield_stress / 1e6:.0f} MPa", 0.5 * is_line)
-            found: list[tuple[float, ...]] = []
+            per_mesh: list[tuple[float, ...]] = []
             for count in ELEMENTS[level]:
                 of = Indentation(groove.ball, yield_stress, EXPONENT, STATIC_PRESSURE, count, is_line)
                 at = of.loaded()
                 size, stress = of.contact_radius(at) / of.radius, of.largest_mises(at) / of.max_pressure
-                found.append((size, stress) if yield_stress == np.inf else (2.0 * radius * of.dent(at),))
+                per_mesh.append((size, stress) if yield_stress == np.inf else (2.0 * radius * of.dent(at),))
             steel = "elastic" if yield_stress == np.inf else f"yield {yield_stress / 1e6:.0f} MPa"
             compared = (("size over Hertz", 1.0), ("largest von Mises stress over p0", mises))
             for number, (name, reference) in enumerate(
                 compared if yield_stress == np.inf else (("permanent deformation over D", 1e-4),)
             ):
-                values = [each[number] for each in found]
+                values = [each[number] for each in per_mesh]
                 doubt, is_finding = 100.0 * convergence.largest_change(values) / reference, reference == 1e-4
                 source = "ISO 76, static rating: both bodies" if is_finding else f"Hertz; {references.SHEAR_SOURCE}"
                 tolerance, why = (None, "a finding: the yield stress decides") if is_finding else (1.0, WHY)

@@ -73,7 +73,7 @@ class Loaded:
 
 def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Loaded]:
     """Every loaded contact of a race, at all operating points."""
-    found = []
+    loaded = []
     for point in points:
         scene, contacts = point.solution.scene, getattr(point.solution, race)
         balls = problems.row_of(scene, name).balls
@@ -83,8 +83,8 @@ def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Load
             reported = {name: float(getattr(contacts, name)[ball]) for name in OF_SOLUTION}
             problem = balls[ball].groove(race, angle).problem(load)
             form = str(scene.hertz_form)
-            found.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
-    return found
+            loaded.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
+    return loaded
 
 
 @lru_cache(maxsize=64)
@@ -109,14 +109,14 @@ def closed_form_rows(contacts: list[Loaded], extremes: list[Loaded]) -> Iterator
         shear = contact.form == "exact" and any(contact is extreme for extreme in extremes)
         if shear:
             exact = references.hertz(contact.problem)
-        for name, found in (with_shear(contact) if shear else contact.reported).items():
+        for name, value in (with_shear(contact) if shear else contact.reported).items():
             yield Row(
                 contact.label,
                 name,
                 QUANTITIES[name],
                 getattr(exact, name),
                 f"from the drawing: {references.SHEAR_SOURCE if name in SHEAR_TOLERANCES else references.HERTZ_SOURCE}",
-                found,
+                value,
                 None,
                 100.0 * SHEAR_TOLERANCES.get(name, CLOSED_FORM_TOLERANCE),
                 "two derivations at full precision, some digits lost in root finding; the shear is integrated, and its "
@@ -130,7 +130,7 @@ def element_rows(contacts: list[Loaded], study: MeshStudy, level: Level) -> Iter
         if not np.isclose(_slenderness(contact), _ratio(study.problem), rtol=1e-12, atol=0.0):
             continue
         size = contact.problem.load / study.problem.load
-        for name, found in with_shear(contact).items():
+        for name, value in with_shear(contact).items():
             reference = study.value(name) * size ** POWERS[name]
             yield Row(
                 contact.label,
@@ -138,7 +138,7 @@ def element_rows(contacts: list[Loaded], study: MeshStudy, level: Level) -> Iter
                 QUANTITIES[name],
                 reference,
                 "finite elements, finest mesh",
-                found,
+                value,
                 100.0 * study.uncertainty(name) / study.value(name),
                 TOLERANCES[level][name],
                 WHY[level],
@@ -185,27 +185,27 @@ def equilibrium_rows(
     """
     try:
         problem = make()
-        found = reference_near(problem, rows, displacement)
-        stiffness = quasi_static.stiffness(found)
+        equilibrium = reference_near(problem, rows, displacement)
+        stiffness = quasi_static.stiffness(equilibrium)
     except NoReferenceError as failed:
         why = f"{failed}: what is reported is not in equilibrium either"
         yield Row(label, "equilibria found", "1", 1.0, BALANCE_SOURCE, 0.0, None, 0.0, why)
         return
-    lever, states = problem.lever, found.states
+    lever, states = problem.lever, equilibrium.states
     forces = max(float(max(each.q_i.max(), each.q_o.max())) for each in states)
     approaches = max(float(max(np.abs(each.delta_i).max(), np.abs(each.delta_o).max())) for each in states)
     lengths = problem.scale[: len(displacement)]
-    largest = float(np.abs(np.where(problem.held, 0.0, found.shaft)[: len(displacement)] * lengths).max())
+    largest = float(np.abs(np.where(problem.held, 0.0, equilibrium.shaft)[: len(displacement)] * lengths).max())
 
     def row(quantity: str, unit: str, got: Any, expected: Any, scale: float, tolerance: float = TOLERANCE) -> Row:
         return of_arrays(label, quantity, unit, np.asarray(got), np.asarray(expected), scale, tolerance)
 
-    moved = found.shaft[: len(displacement)] * lengths
+    moved = equilibrium.shaft[: len(displacement)] * lengths
     yield row("displacement, tilts at the groove centres", "m", displacement * lengths, moved, max(largest, approaches))
-    load = found.load[:5] / problem.scale[:5]
+    load = equilibrium.load[:5] / problem.scale[:5]
     yield row("load, moments over the lever", "N", whole.load / problem.scale[:5], load, forces)
     if len(rows) > 1:
-        each = [found.row_load(number) / problem.scale[:5] for number in range(len(rows))]
+        each = [equilibrium.row_load(number) / problem.scale[:5] for number in range(len(rows))]
         yield row("load of each row", "N", [one.load / problem.scale[:5] for one in rows], each, forces)
     size = np.outer([1.0, 1.0, 1.0, lever, lever], [1.0, 1.0, 1.0, lever, lever])
     yield row(
@@ -213,8 +213,8 @@ def equilibrium_rows(
         float(np.abs(stiffness / size).max()), STIFFNESS_TOLERANCE,
     )  # fmt: skip
     # Where a solution says that no controls are consistent, there must be none.
-    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(found)
-    for placed, state, control, solution in zip(problem.rows, states, found.controls, rows, strict=True):
+    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(equilibrium)
+    for placed, state, control, solution in zip(problem.rows, states, equilibrium.controls, rows, strict=True):
         yield from ball_rows(label, placed.row, state, control, solution)
         if consistent and control is not None and placed.row.model.control == "per_ball" and placed.row.turns:
             jones = placed.row.jones_control(state)
@@ -267,7 +267,7 @@ def of_arrays(
     label: str,
     quantity: str,
     unit: str,
-    found: Array,
+    computed: Array,
     expected: Array,
     scale: float = 0.0,
     tolerance: float = TOLERANCE,
@@ -277,7 +277,7 @@ def of_arrays(
     Args:
         scale: at least this is the largest: of what the array is a small part of.
     """
-    worst = float(np.abs(found - expected).max(initial=0.0))
+    worst = float(np.abs(computed - expected).max(initial=0.0))
     size = max(float(np.abs(expected).max(initial=0.0)), scale)
     why = "two solutions at full precision; soft directions lose digits"
     if quantity.startswith("stiffness"):
@@ -366,11 +366,11 @@ def clearance_rows(drawing: Drawing) -> Iterator[Row]:
     bearing = qsbearing.BallBearing.from_diametral_clearance(
         ball_count=8, diametral_clearance=clearance, **{name: getattr(drawing, name) for name in lengths}
     )
-    for quantity, unit, found, expected in (
+    for quantity, unit, computed, expected in (
         ("free contact angle of a clearance", "rad", bearing.free_contact_angle, drawing.free_contact_angle),
         ("diametral clearance of a free contact angle", "m", bearing.diametral_clearance, clearance),
     ):
-        yield of_arrays(drawing.name, quantity, unit, np.asarray(found), np.asarray(expected))
+        yield of_arrays(drawing.name, quantity, unit, np.asarray(computed), np.asarray(expected))
 
 
 def catalogue_rows() -> Iterator[Row]:
@@ -379,7 +379,7 @@ def catalogue_rows() -> Iterator[Row]:
     for name, printed in catalogue_sources.BEARINGS.items():
         bearing = qsbearing.load_scene(name).bearing
         for field, expected in printed.items():
-            found = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
+            value = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
             kind = field.rpartition(".")[2]
             yield Row(
                 name,
@@ -387,7 +387,7 @@ def catalogue_rows() -> Iterator[Row]:
                 catalogue_sources.UNITS[kind],
                 expected,
                 catalogue_sources.__doc__.splitlines()[0],
-                found,
+                value,
                 None,
                 100.0 * catalogue_sources.PRINTED[kind],
                 why,

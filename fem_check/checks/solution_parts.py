@@ -65,7 +65,7 @@ def motion_rows() -> Iterator[Row]:
     friction = 0.03
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
     free = qs.solve(qs.Scene(B218, LOADS, **BOTH))
-    found, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
+    motion, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
     along, outward, size, orbit = (
         np.asarray(getattr(free, name), float)
         for name in ("axial_rotation", "radial_rotation", "rotation_speed", "orbital_speed")
@@ -77,7 +77,7 @@ def motion_rows() -> Iterator[Row]:
         normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle)])
         spin = (rotation * normal).sum(axis=0) - (ring - orbit) * normal[0]
         scale = np.abs(rotation).max()  # the controlling raceway has none
-        told = np.append(getattr(found, race).spin_speed, scale)
+        told = np.append(getattr(motion, race).spin_speed, scale)
         yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
     bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
     asked = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
@@ -186,11 +186,11 @@ def ring_rows() -> Iterator[Row]:
     load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), give))
     case, source = "elastic inner ring on a hollow shaft, 20 kN axial", "Lame's cylinders, an equilibrium of its own"
     why = "twice what bending from ball to ball adds, which the model has and the cylinders have not"
-    for quantity, unit, found, expected, tolerance in (
+    for quantity, unit, computed, expected, tolerance in (
         ("contact load", "N", solution.inner.load, load, 1.4e-4),
         ("axial displacement", "m", solution.displacement[0], shaft[0], 2.4e-3),
     ):
-        yield replace(compared(case, quantity, unit, found, expected, source, tolerance), why_tolerance=why)
+        yield replace(compared(case, quantity, unit, computed, expected, source, tolerance), why_tolerance=why)
 
 
 KEYS = {
@@ -230,7 +230,7 @@ def catalogue_rows() -> Iterator[Row]:
     rows = catalogue_table.rows()
     case, source = f"{len(rows)} bearings of the table, steel and ceramic balls", "the printed table, read again"
     expected: dict[str, list[float]] = {}
-    found: dict[str, list[float]] = {}
+    by_name: dict[str, list[float]] = {}
     for row in rows:
         for hybrid in ("", "_hybrid"):
             bearing = qs.load_scene(row.name + hybrid).bearing
@@ -242,9 +242,9 @@ def catalogue_rows() -> Iterator[Row]:
             printed = row.lengths | {keys[0]: value for keys, value in row.others(bool(hybrid)).items()}
             for name, value in printed.items():
                 expected.setdefault(name, []).append(value)
-                found.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
+                by_name.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
     for name, values in expected.items():
-        off = np.asarray(found[name]) / np.asarray(values)
+        off = np.asarray(by_name[name]) / np.asarray(values)
         short = name.removeprefix("outline.").removesuffix("_mm").removesuffix("_N")
         yield compared(case, f"{short} over the printed", "1", off, np.ones_like(off), source)
     odd = [row.name for row in rows if not row.has_standard_balls]

@@ -100,9 +100,9 @@ class Solved:
 
         One ball under all loads, and far from all contacts: what its meshes do there is the same scatter at every load.
         """
-        every = [[found / sphere for found, sphere in each.bulges] for each in self.alike or (self,)]
-        found, sphere = self.bulges[-1]
-        return found / sphere, convergence.scatter(every)
+        every = [[ball / sphere for ball, sphere in each.bulges] for each in self.alike or (self,)]
+        ball, sphere = self.bulges[-1]
+        return ball / sphere, convergence.scatter(every)
 
     def between_approaches(self, above: str, below: str) -> list[float]:
         """Difference of the approaches of two results over Hertz's, on each mesh."""
@@ -147,14 +147,14 @@ def ring_doubt(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load
 
 def solve(made: list[TrueContact], loads: tuple[float, ...], progress: Progress) -> list[Solved]:
     """A contact on a sequence of meshes, made for one load and solved at loads near it."""
-    found = []
+    per_mesh = []
     for done, contact in enumerate(made):
         stage = f"{contact.groove.race_name}, {contact.elements} elements per semi-axis"
         progress(stage, done / len(made))
         finest = contact.condensed()
-        found.append([_read(finest, load) for load in loads])  # where it fills its patch, the coarsest mesh tells
+        per_mesh.append([_read(finest, load) for load in loads])  # where it fills its patch, the coarsest mesh tells
     solved = []
-    for load, own in zip(loads, zip(*found, strict=True), strict=True):
+    for load, own in zip(loads, zip(*per_mesh, strict=True), strict=True):
         parabola, exact_gap, surface, bulges, added = (list(each) for each in zip(*own, strict=True))
         solved.append(
             Solved(
@@ -181,7 +181,7 @@ def gap_rows(solved: Solved) -> list[Row]:
     reference = boundary_element.over_hertz(solved.groove, solved.load)
     rows = []
     for name, tolerance in GAP_TOLERANCES.items():
-        found, uncertainty = solved.ratio("exact_gap", "parabola", name)
+        effect, uncertainty = solved.ratio("exact_gap", "parabola", name)
         of_both = 100.0 * uncertainty / reference.ratio[name] + reference.uncertainty_percent[name]
         rows.append(
             Row(
@@ -190,7 +190,7 @@ def gap_rows(solved: Solved) -> list[Row]:
                 "1",
                 reference.ratio[name],
                 boundary_element.SOURCE,
-                found,
+                effect,
                 of_both,
                 tolerance,
                 GAP_REASON,
@@ -240,7 +240,7 @@ def true_rows(solved: Solved) -> list[Row]:
             )
         ]
         # The bodies' size moves the approach alone; of the ellipse the ratio keeps the mesh's own error out.
-        found, uncertainty = (
+        ratio, uncertainty = (
             solved.estimate([each[name] for each in solved.surface])
             if name == "approach"
             else solved.ratio("surface", "parabola", name)
@@ -255,7 +255,7 @@ def true_rows(solved: Solved) -> list[Row]:
                 QUANTITIES[name],
                 getattr(exact, name),
                 HERTZ_SOURCE,
-                getattr(exact, name) * found,
+                getattr(exact, name) * ratio,
                 100.0 * uncertainty,
                 None,
                 f"a finding: {', '.join(parts)}",
@@ -368,31 +368,31 @@ def loads_of(scene: str, level: Level) -> tuple[tuple[str, float, tuple[float, .
     if scene == EXAMPLE:
         return LOADS[level]
     races = RACES if level is Level.RELEASE else RACES[:1]
-    found = []
+    cases = []
     for race in races:
         loads = operating_loads(scene, race)
         if loads:
             some = loads[-1:] if level is Level.QUICK else sorted({loads[0], loads[len(loads) // 2], loads[-1]})
-            found += [(race, load, (load,)) for load in (float(f"{load:.4g}") for load in some)]
-    return tuple(found)
+            cases += [(race, load, (load,)) for load in (float(f"{load:.4g}") for load in some)]
+    return tuple(cases)
 
 
 def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """A bearing's raceways over the loads."""
-    found: list[Solved] = []
+    solutions: list[Solved] = []
     refused: list[Row] = []
     for race, mesh_load, loads in loads_of(scene, level):
         try:
             own = solve(contacts(scene, race, mesh_load, sequence(FINEST[level])), loads, progress)
             of = load_scene(scene)
-            found += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
+            solutions += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
         except (MeshError, ContactError) as problem:
             refused += refused_rows(groove_contact(scene, race), mesh_load, problem)
-    if not found:
+    if not solutions:
         raise MeshError(f"no contact was solved: {refused[-1].why_tolerance if refused else 'none carries load'}")
     rows: list[Row] = []
     every: dict[str, list[Solved]] = {}
-    for each in (replace(one, alike=tuple(found)) for one in found):
+    for each in (replace(one, alike=tuple(solutions)) for one in solutions):
         every.setdefault(each.groove.race_name, []).append(each)
         judged = [*gap_rows(each), *body_rows(each, level)]
         rows += [*(judged if scene == EXAMPLE else decided(judged)), *true_rows(each)]
@@ -404,11 +404,11 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 def series(solved: list[Solved]) -> dict[str, object]:
     """Deviations from Hertz over the load, in per cent, for the picture."""
     drawn: dict[str, object] = {"load_N": [each.load for each in solved]}
-    for key, found in (("gap_shape", "exact_gap"), ("true_contact", "surface")):
+    for key, gap in (("gap_shape", "exact_gap"), ("true_contact", "surface")):
         values: dict[str, list[float]] = {}
         spread: dict[str, list[float]] = {}
         for name in READ:
-            both = [each.ratio(found, "parabola", name) for each in solved]
+            both = [each.ratio(gap, "parabola", name) for each in solved]
             values[name] = [100.0 * (value - 1.0) for value, _ in both]
             spread[name] = [100.0 * uncertainty for _, uncertainty in both]
         drawn[f"{key}_percent"], drawn[f"{key}_uncertainty"] = values, spread

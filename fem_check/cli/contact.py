@@ -154,7 +154,7 @@ def contact(
 
 def _loads(texts: Sequence[str], faults: list[str]) -> list[float]:
     """The loads of all options, each once [N]."""
-    found: list[float] = []
+    loads: list[float] = []
     for text in (part.strip() for whole in texts for part in whole.split(",")):
         try:
             load = float(text)
@@ -163,9 +163,9 @@ def _loads(texts: Sequence[str], faults: list[str]) -> list[float]:
             continue
         if not 0.0 < load < float("inf"):
             faults.append(f"--load-N {text}: must be above 0 N and finite")
-        elif load not in found:
-            found.append(load)
-    return found
+        elif load not in loads:
+            loads.append(load)
+    return loads
 
 
 def _angle(text: str | None, faults: list[str]) -> str | float | None:
@@ -173,9 +173,9 @@ def _angle(text: str | None, faults: list[str]) -> str | float | None:
     if text in (None, "free", "loaded"):
         return text
     try:
-        found = float(text)
+        degrees = float(text)
     except ValueError:
-        found = float("nan")
-    if not 0.0 <= found < 90.0:
+        degrees = float("nan")
+    if not 0.0 <= degrees < 90.0:
         faults.append(f"--angle {text}: must be free, loaded, or an angle from 0 to below 90 degrees")
-    return found
+    return degrees

@@ -54,14 +54,14 @@ def counted(rows: list[Row]) -> Text:
 
 
 def _table(rows: list[Row]) -> Table:
-    found = {(row["case"].rpartition("; ")[2], row["quantity"]): row for row in rows}
+    by_method = {(row["case"].rpartition("; ")[2], row["quantity"]): row for row in rows}
     table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False)
     table.add_column("", no_wrap=True)
     headings = ("\nHertz", "half-\nspace FE", "\n±", "", "true\nbodies FE", "\ndifference", "")
     for heading in headings:
         table.add_column(heading, justify="right" if heading else "left", no_wrap=True)
     for quantity, (label, size) in SHOWN.items():
-        ideal, true = (found.get((method, quantity)) for method in ("half-spaces", "true bodies"))
+        ideal, true = (by_method.get((method, quantity)) for method in ("half-spaces", "true bodies"))
         if ideal is None or true is None:
             continue
         table.add_row(
@@ -87,8 +87,8 @@ def _difference(row: Row) -> tuple[str, str]:
         return "", ""
     if row["quantity"] == "angle":
         scale = (abs(row["reference"]) or 1.0) / 100.0
-        found = row["deviation_percent"] * scale, row["uncertainty_percent"] * scale
-        return f"{found[0]:+.2f}", f"{found[1]:.2f}°"
+        difference, uncertainty = row["deviation_percent"] * scale, row["uncertainty_percent"] * scale
+        return f"{difference:+.2f}", f"{uncertainty:.2f}°"
     return f"{row['deviation_percent']:+.2f}", f"{row['uncertainty_percent']:.2f}%"
 
 

@@ -82,10 +82,10 @@ def chosen(source: str, race: str, loads: Sequence[float], angle: str | float | 
     races = raceways(race)
     if loads:
         return _with_loads(source, races, loads, FREE if angle is None else angle)
-    found = _of_scene(source, races, LOADED if angle is None else angle)
-    if not found:
+    contacts = _of_scene(source, races, LOADED if angle is None else angle)
+    if not contacts:
         raise SceneProblemError(f"scene {source}: no ball presses {'a' if race == BOTH else f'the {race}'} raceway")
-    return found
+    return contacts
 
 
 def _with_loads(source: str, races: Sequence[str], loads: Sequence[float], angle: str | float) -> list[Chosen]:

@@ -109,14 +109,14 @@ def _map(pictures: dict[str, Any]) -> Picture:
 
     figure = pressure_map({"pictures": pictures})
     contact = pictures["contact"]
-    found = picture(
+    image = picture(
         figure,
         f"Map of the pressure of {contact['name']} at {contact['load_N']:g} N, ending at Hertz's outline.",
         f"{contact['name']} at {contact['load_N']:g} N: pressure of the finite elements, and Hertz's edge (black line)",
         0.7,
     )
     plt.close(figure)
-    return found
+    return image
 
 
 def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -> Iterable[tuple[str, Field]]:

@@ -87,16 +87,16 @@ def solve(contacts: Sequence[Chosen], sequence: tuple[int, ...], progress: Progr
         problem = each.problem
         similar = float(f"{problem.curvature_x / problem.curvature_y:.9g}"), *problem.bodies
         shapes.setdefault((each.groove.race_name, similar), []).append(each)
-    found = []
+    solved = []
     proportions: ContactProblem | None = None
     heaviest = [max(alike, key=lambda each: each.load).problem for alike in shapes.values()]
     for problem, alike in sorted(zip(heaviest, shapes.values(), strict=True), key=lambda each: ellipticity(each[0])):
         if proportions is None or ellipticity(problem) > (1.0 + NEARLY) * ellipticity(proportions):
             proportions = problem
         study = half_space_contact.mesh_study(problem, sequence, progress, proportions)
-        found.append(Shape(study, tuple(alike)))
+        solved.append(Shape(study, tuple(alike)))
     order = list(contacts)
-    return sorted(found, key=lambda shape: order.index(shape.alike[0]))
+    return sorted(solved, key=lambda shape: order.index(shape.alike[0]))
 
 
 def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> Findings:

@@ -76,24 +76,24 @@ def _contact(contact: Chosen) -> dict[str, Any]:
 
 def pressures_of_half_spaces(shapes: Sequence[Shape]) -> list[dict[str, Any]]:
     """The numbers of a map of each shape's pressure, at its heaviest load."""
-    found = []
+    maps = []
     for shape in shapes:
         solution = shape.study.solution
         middle = len(solution.unit_lengths) // 2
         length, pressure = float(solution.unit_lengths[middle]), solution.pressures[:, middle]
         heaviest = max(shape.alike, key=lambda each: each.load)
-        found.append(map_of(heaviest, solution.basis, length, pressure))
-    return found
+        maps.append(map_of(heaviest, solution.basis, length, pressure))
+    return maps
 
 
 def pressures_of_true_bodies(contacts: Sequence[TrueBodies]) -> list[dict[str, Any]]:
     """The numbers of a map of each contact's pressure."""
-    found = []
+    maps = []
     for each in contacts:
         finest = each.solved.finest
         assert finest is not None
-        found.append(map_of(each.chosen, finest.contact.frame.basis, 1.0, finest.pressure(each.chosen.load)))
-    return found
+        maps.append(map_of(each.chosen, finest.contact.frame.basis, 1.0, finest.pressure(each.chosen.load)))
+    return maps
 
 
 def map_of(contact: Chosen, basis: PressureBasis, length: float, pressure: Array) -> dict[str, Any]:

@@ -31,11 +31,11 @@ MODELS = {
 
 def agreement_rows(entry: Entry) -> dict[str, list[Row]]:
     """The rows of each contact against Hertz, by the case that the contact names."""
-    found: dict[str, list[Row]] = {contact["case"]: [] for contact in entry["contacts"]}
+    by_case: dict[str, list[Row]] = {contact["case"]: [] for contact in entry["contacts"]}
     for row in entry["rows"]:
-        if row["case"] in found:
-            found[row["case"]].append(row)
-    return found
+        if row["case"] in by_case:
+            by_case[row["case"]].append(row)
+    return by_case
 
 
 def heading(entry: Entry) -> Remark:
@@ -50,7 +50,7 @@ def facts(entry: Entry) -> list[tuple[str, str]]:
     bearing, mesh = entry["bearing"], entry["mesh"]
     materials = [_material(bearing[f"{part}_material"]) for part in ("ball", "ring")]
     elements = ", ".join(map(str, entry["elements"][:-1]))
-    found = [
+    pairs = [
         (
             "Bearing",
             f"{bearing['name']}: {bearing['ball_count']} balls of {bearing['ball_diameter_mm']:.6g} mm on "
@@ -69,7 +69,7 @@ def facts(entry: Entry) -> list[tuple[str, str]]:
         ),
     ]
     told = _similar(entry["contacts"])
-    return [*found, ("Solved", told)] if told else found
+    return [*pairs, ("Solved", told)] if told else pairs
 
 
 def _material(material: dict[str, Any]) -> str:

@@ -38,19 +38,19 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
         MeshError: gmsh cannot mesh the bodies.
         ContactError: a contact cannot be solved.
     """
-    found: list[TrueBodies] = []
+    bodies: list[TrueBodies] = []
     rows: list[Row] = []
     for each in contacts:
         own, undecided, solved = true_geometry.single(
             each.bearing, each.groove.name, each.groove, each.load, elements, progress
         )
-        found.append(
+        bodies.append(
             TrueBodies(each, solved, tuple(f"{row.case}, {row_text.in_words(row.quantity)}" for row in undecided))
         )
         rows += own
-    last = found[-1].solved
+    last = bodies[-1].solved
     mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}
-    return found, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
+    return bodies, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
 
 
 def mesh_of(contact: TrueBodies) -> dict[str, Any]:

@@ -114,14 +114,14 @@ def closed_forms(solved: ContactProblem) -> list[dict[str, Any]]:
     modulus = effective_modulus(
         solved.ball.elastic_modulus, solved.ball.poisson_ratio, solved.race.elastic_modulus, solved.race.poisson_ratio
     )
-    found = []
+    table = []
     for form, label in FORMS.items():
         call = partial(qsbearing.point_contact, solved.load, solved.curvature_x, solved.curvature_y, modulus, form)
         contact = call()
         error = {name: getattr(contact, name) / getattr(exact, name) - 1.0 for name in JUDGED if hasattr(contact, name)}
         seconds = [each / CALLS for each in timeit.repeat(call, number=CALLS, repeat=15)]
-        found.append({"label": label, "error": error, "worst_error": max(map(abs, error.values())), **_spread(seconds)})
-    return found
+        table.append({"label": label, "error": error, "worst_error": max(map(abs, error.values())), **_spread(seconds)})
+    return table
 
 
 def measure(level: Level, progress: Progress) -> dict[str, Any]:

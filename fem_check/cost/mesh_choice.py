@@ -50,7 +50,7 @@ class MeshChoice:
 def choices(record: dict[str, Any]) -> list[MeshChoice]:
     """All that a cost record has measured, the cheapest first, but those less accurate than a cheaper one."""
     entries = {e["elements_per_semi_axis"]: e for e in record["meshes"] if e["family"] == SERENDIPITY.label}
-    found: list[MeshChoice] = []
+    candidates: list[MeshChoice] = []
     for sequence in SEQUENCES.values():
         if not set(sequence) <= set(entries):
             continue
@@ -63,9 +63,13 @@ def choices(record: dict[str, Any]) -> list[MeshChoice]:
             uncertainty += chosen[-1]["position_uncertainty"][name]
             accuracies.append(abs(errors[-1]) + uncertainty)
         seconds = sum(entry["seconds"]["median"] for entry in chosen)
-        found.append(MeshChoice(sequence, max(accuracies), seconds, chosen[-1]["peak_memory_MB"]))
-    found.sort(key=lambda choice: choice.seconds)
-    return [choice for i, choice in enumerate(found) if all(choice.accuracy < other.accuracy for other in found[:i])]
+        candidates.append(MeshChoice(sequence, max(accuracies), seconds, chosen[-1]["peak_memory_MB"]))
+    candidates.sort(key=lambda choice: choice.seconds)
+    return [
+        choice
+        for i, choice in enumerate(candidates)
+        if all(choice.accuracy < other.accuracy for other in candidates[:i])
+    ]
 
 
 def proposals(accuracy: float, record: dict[str, Any] | None) -> list[MeshChoice]:
@@ -92,9 +96,9 @@ def reached(rows: Iterable[Row]) -> tuple[float, str]:
 
     Deviation and uncertainty together; the uncertainty alone of a finding, whose reference is not its exact value.
     """
-    found = []
+    accuracies = []
     for row in rows:
         if row.quantity in JUDGED and row.uncertainty_percent is not None:
             deviation = 0.0 if row.tolerance_percent is None else abs(row.deviation_percent)
-            found.append((0.01 * (deviation + row.uncertainty_percent), row.quantity))
-    return max(found)
+            accuracies.append((0.01 * (deviation + row.uncertainty_percent), row.quantity))
+    return max(accuracies)

@@ -105,11 +105,11 @@ def stress(space: DisplacementSpace, moved: Array, material: ElasticConstants) -
     first = 2.0 * second * ratio / (1.0 - 2.0 * ratio)
     nodes = space.element_nodes.ravel()
     times = np.bincount(nodes, minlength=space.count)
-    found = []
+    components = []
     for i, j in COMPONENTS:
         values = second * (gradient[i, j] + gradient[j, i]) + (first * trace if i == j else 0.0)
-        found.append(np.bincount(nodes, values.T.ravel(), space.count) / times)
-    return np.stack(found)
+        components.append(np.bincount(nodes, values.T.ravel(), space.count) / times)
+    return np.stack(components)
 
 
 def in_vtk_order(space: DisplacementSpace) -> Array:

@@ -104,13 +104,13 @@ class Printed:
 
 def rows() -> list[Printed]:
     """All of the table."""
-    found = []
+    bearings = []
     for each in csv.DictReader(TABLE.read_text(encoding="utf-8").splitlines()):
         printed = each.pop("name")
         series, number, letter, *_ = printed.split()
         name = ("" if series == "S" else series) + "7" + number[1:].replace("/", "-") + letter
-        found.append(Printed({key: float(value) for key, value in each.items()}, name, series))
-    return found
+        bearings.append(Printed({key: float(value) for key, value in each.items()}, name, series))
+    return bearings
 
 
 def unlike_boundaries(table: list[Printed]) -> list[str]:

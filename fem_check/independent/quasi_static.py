@@ -267,42 +267,42 @@ def at_speed(problem: Problem, controls: Sequence[Array | None]) -> Equilibrium:
         start = rest
         try:
             for part in np.sqrt(np.arange(1, count + 1) / count):
-                found = solve(problem, start, controls, float(part))
-                start = found.shaft, found.positions
+                equilibrium = solve(problem, start, controls, float(part))
+                start = equilibrium.shaft, equilibrium.positions
         except (NoReferenceError, np.linalg.LinAlgError):
             continue
-        return found
+        return equilibrium
     raise NoReferenceError("no equilibrium was found on the way from rest")
 
 
-def stiffness(found: Equilibrium) -> Array:
+def stiffness(equilibrium: Equilibrium) -> Array:
     """Of the shaft, by differences between independent equilibria with all channels held; shape (5, 5), SI.
 
     A sprung ring keeps its spring's force.
     """
-    problem, columns = found.problem, []
+    problem, columns = equilibrium.problem, []
     held = np.append(np.ones(5, bool), problem.held[5])
-    pressed = [np.maximum(each.delta_i, each.delta_o).max() for each in found.states]
+    pressed = [np.maximum(each.delta_i, each.delta_o).max() for each in equilibrium.states]
     step = 1e-4 * max(float(np.max(pressed)), 1e-9)
     for channel in range(5):
         move = step / problem.scale[channel] * np.eye(CHANNELS)[channel]
         loads = []
-        for shaft in (found.shaft + move, found.shaft - move):
+        for shaft in (equilibrium.shaft + move, equilibrium.shaft - move):
             moved = replace(problem, held=held, shaft=shaft)
-            loads.append(solve(moved, (shaft, found.positions), found.controls).load[:5])
+            loads.append(solve(moved, (shaft, equilibrium.positions), equilibrium.controls).load[:5])
         columns.append((loads[0] - loads[1]) / (2.0 * move[channel]))
     return np.stack(columns, axis=1)
 
 
-def settles(found: Equilibrium) -> bool:
+def settles(equilibrium: Equilibrium) -> bool:
     """Whether Jones's criterion, asked again and again from this equilibrium, comes to controls that it confirms."""
     for _ in range(8):
-        rows = zip(found.problem.rows, found.states, strict=True)
+        rows = zip(equilibrium.problem.rows, equilibrium.states, strict=True)
         asked = [placed.row.jones_control(state) for placed, state in rows]
-        if all(own is not None and (each == own).all() for each, own in zip(asked, found.controls, strict=True)):
+        if all(own is not None and (each == own).all() for each, own in zip(asked, equilibrium.controls, strict=True)):
             return True
         try:
-            found = solve(found.problem, (found.shaft, found.positions), asked)
+            equilibrium = solve(equilibrium.problem, (equilibrium.shaft, equilibrium.positions), asked)
         except NoReferenceError:
             return False
     return False

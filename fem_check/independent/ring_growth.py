@@ -81,8 +81,8 @@ def _joined(inside: Annulus, outside: Annulus, interference: float) -> Array | N
     right = [-at_bore, -at_end, known_out - known_in, 0.5 * interference + by_in - by_out]
     # Stiffnesses and lengths in one matrix: rows are brought to one size.
     size = np.abs(rows).max(axis=1)
-    found = np.linalg.solve(np.array(rows) / size[:, None], np.array(right) / size)
-    return np.asarray(found) if stress_in @ found[:2] + known_in < 0.0 else None
+    constants = np.linalg.solve(np.array(rows) / size[:, None], np.array(right) / size)
+    return np.asarray(constants) if stress_in @ constants[:2] + known_in < 0.0 else None
 
 
 def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]) -> float:

@@ -115,12 +115,12 @@ class RingSections:
         """Beside `profile`, what a ring may look like: of each assumed dimension, both ends of its usual range."""
         usual = self.profile(drawing, race, contact)
         side, ball = (-1.0 if race == "inner" else 1.0), drawing.ball_diameter
-        found = []
+        profiles = []
         if ("bore_diameter" if race == "inner" else "outside_diameter") not in self.known:
             backs = (0.5 * drawing.pitch_diameter + side * offset * ball for offset in BACK_SPREAD)
-            found.append([replace(usual, back_radius=back) for back in backs if back > 0.0])
+            profiles.append([replace(usual, back_radius=back) for back in backs if back > 0.0])
         if "width" not in self.known:
-            found.append([replace(usual, width=width * ball) for width in WIDTH_SPREAD])
+            profiles.append([replace(usual, width=width * ball) for width in WIDTH_SPREAD])
         angle, reach = contact
         for which, name, needed in (
             ("shoulder", "high_shoulder", angle + reach),
@@ -128,8 +128,8 @@ class RingSections:
         ):
             if self._given_shoulder(race, which) is None:
                 ends = (getattr(usual, name) + step for step in (-SHOULDER_SPREAD, SHOULDER_SPREAD))
-                found.append([replace(usual, **{name: min(max(end, needed), HIGHEST)}) for end in ends])
-        return found
+                profiles.append([replace(usual, **{name: min(max(end, needed), HIGHEST)}) for end in ends])
+        return profiles
 
     def _given_shoulder(self, race: str, side: str) -> float | None:
         """A shoulder's diameter; of a symmetric ring, the other one's will do."""
@@ -187,16 +187,16 @@ def _groove(drawing: Drawing, race: str) -> tuple[float, float, float]:
 
 def _limits(drawing: Drawing) -> dict[str, tuple[float, float, str]]:
     """Between what each dimension lies, and why."""
-    found = {}
+    limits = {}
     for race in ("inner", "outer"):
         centre, radius, sign = _groove(drawing, race)
         bottom = 2.0 * (centre + sign * radius)
         if race == "inner":
-            found["bore_diameter"] = (0.0, bottom, "the bottom of the inner groove")
+            limits["bore_diameter"] = (0.0, bottom, "the bottom of the inner groove")
         else:
-            found["outside_diameter"] = (bottom, float("inf"), "the bottom of the outer groove")
+            limits["outside_diameter"] = (bottom, float("inf"), "the bottom of the outer groove")
         for side in ("shoulder", "open"):
             low, high = sorted((bottom, 2.0 * centre))
-            found[f"{race}_{side}_diameter"] = low, high, "the groove's bottom and the circle of its centres"
-    found["width"] = (0.5 * drawing.ball_diameter, float("inf"), "half a ball")
-    return found
+            limits[f"{race}_{side}_diameter"] = low, high, "the groove's bottom and the circle of its centres"
+    limits["width"] = (0.5 * drawing.ball_diameter, float("inf"), "half a ball")
+    return limits

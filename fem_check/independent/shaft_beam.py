@@ -57,7 +57,7 @@ def shape(sections: list[Section], at: Array, forces: Array, moments: Array, ask
     """
     stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, asked]))
     w, slope = 0.0, 0.0
-    found = {stops[0]: (w, slope)}
+    deflections = {stops[0]: (w, slope)}
     for x, beyond in itertools.pairwise(stops):
         section = next(each for each in sections if each.begin <= 0.5 * (x + beyond) <= each.end)
         right = at > 0.5 * (x + beyond)
@@ -66,5 +66,5 @@ def shape(sections: list[Section], at: Array, forces: Array, moments: Array, ask
         h, bending = beyond - x, section.bending
         w += slope * h + (0.5 * moment * h**2 - shear * h**3 / 6.0) / bending + shear * h / section.shear
         slope += (moment * h - 0.5 * shear * h**2) / bending
-        found[beyond] = (w, slope)
-    return np.array([found[each] for each in asked]).T
+        deflections[beyond] = (w, slope)
+    return np.array([deflections[each] for each in asked]).T

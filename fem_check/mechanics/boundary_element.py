@@ -98,7 +98,7 @@ def quantities(
     exact = hertz(problem)
     a, b = exact.semi_major_axis, exact.semi_minor_axis
     compliance = problem.ball.compliance + problem.race.compliance
-    found = []
+    at_positions = []
     for position in range(POSITIONS):
         # Rectangles per semi-axis, from half a rectangle less to half a rectangle more.
         resolution = points / SEMI_AXIS_SPAN + (position + 0.5) / POSITIONS - 0.5
@@ -117,7 +117,7 @@ def quantities(
         hertzian = np.sqrt(np.maximum(1.0 - index[:, None] ** 2 - index**2, 0.0))
         pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined, hertzian)
         share = pressure / pressure.sum()
-        found.append(
+        at_positions.append(
             (
                 approach * b / exact.approach,
                 np.sqrt(5.0 * (share.sum(axis=1) @ index**2)),
@@ -125,7 +125,7 @@ def quantities(
                 pressure.max() / compliance / exact.max_pressure,
             )
         )
-    return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(found, axis=0)), strict=True))
+    return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
 
 
 def solve(

@@ -195,12 +195,12 @@ def mesh_study(
     return MeshStudy(problem, solution, sequence, stretched_out, sizes, bodies)
 
 
-def mesh_entry(found: MeshStudy) -> dict[str, object]:
+def mesh_entry(study: MeshStudy) -> dict[str, object]:
     """The finest mesh, as the record keeps it."""
     return {
-        "elements_per_semi_axis": found.bodies.recipe.elements_per_semi_axis,
-        "dofs": found.bodies.race.dofs,
-        "file": found.bodies.recipe.file_name,
+        "elements_per_semi_axis": study.bodies.recipe.elements_per_semi_axis,
+        "dofs": study.bodies.race.dofs,
+        "file": study.bodies.recipe.file_name,
     }
 
 
@@ -230,9 +230,9 @@ def field(study: MeshStudy) -> fields.Field:
     return fields.of_body(space, moved, on_contact, race).scaled(length=length, stress=1.0)
 
 
-def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
+def rows(case: str, study: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
     """The contact compared with Hertz."""
-    exact = hertz(found.problem)
+    exact = hertz(study.problem)
     table = [
         Row(
             case,
@@ -240,8 +240,8 @@ def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tup
             QUANTITIES[quantity],
             getattr(exact, quantity),
             source,
-            found.value(quantity),
-            100.0 * found.uncertainty(quantity) / abs(getattr(exact, quantity)),
+            study.value(quantity),
+            100.0 * study.uncertainty(quantity) / abs(getattr(exact, quantity)),
             TOLERANCES[level][quantity],
             WHY[level],
         )

@@ -64,8 +64,8 @@ def load_scene(source: str) -> qsbearing.Scene:
     Raises:
         SceneProblemError: it cannot be read; the message has every error.
     """
-    found = load(source)
-    return found if isinstance(found, qsbearing.Scene) else solved(source)[0].solution.scene
+    scene_or_set = load(source)
+    return scene_or_set if isinstance(scene_or_set, qsbearing.Scene) else solved(source)[0].solution.scene
 
 
 def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
@@ -254,17 +254,17 @@ def beyond_thrust(solution: qsbearing.Solution) -> list[str]:
     load = np.asarray(solution.load, float).reshape(-1)
     largest = float(max(solution.inner.load.max(), solution.outer.load.max()))
     lever = float(np.asarray(solution.scene.bearing.pitch_diameter))
-    found = [
+    carried = [
         f"{name} {value:.4g} {unit}"
         for (name, unit), value, scale in zip(channels, load[1:], (1.0, 1.0, lever, lever), strict=True)
         if abs(value) > 1e-6 * largest * scale
     ]
     operation = solution.scene.operation
     if operation.outer_speed is not None and float(np.asarray(operation.outer_speed)) != 0.0:
-        found.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
+        carried.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
     if solution.scene.ball_diameter_deviations is not None:
-        found.append("unequal balls")
-    return found
+        carried.append("unequal balls")
+    return carried
 
 
 def groove_contact(scene: str, race: str) -> BallInGroove:
@@ -322,12 +322,12 @@ def solved(source: str) -> tuple[Solved, ...]:
     of = load(source)
     if isinstance(of, qsbearing.BearingSet):
         rows = enumerate(solve_set(source, of).rows, 1)
-        found = tuple(Solved(f"{ROW}{number}", solution) for number, solution in rows)
+        points = tuple(Solved(f"{ROW}{number}", solution) for number, solution in rows)
     else:
-        found = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
-    for point in found:
+        points = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
+    for point in points:
         _refuse_beyond_elastic_contact(source, point)
-    return found
+    return points
 
 
 def solve_set(source: str, of: qsbearing.BearingSet) -> qsbearing.SetSolution:

@@ -72,16 +72,16 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
         tree.refuse_inside(root, out.resolve())
         with previous_records.opened(root, previous) as before:
             place = steps.Place(root, Level(level), out.resolve(), tree.head(root), before.folder)
-            found = gate.before_all(listed, place, before)
-            runs = all(each.passes for each in found)
+            verdicts = gate.before_all(listed, place, before)
+            runs = all(each.passes for each in verdicts)
             if runs:
                 journal = gate.resumed(place, listed) if resume else {}
                 if not journal:
                     shutil.rmtree(place.gate, ignore_errors=True)
                 gate.run(listed, place, journal, lambda said: click.echo(said, err=True), workers)
-                found = gate.all_judged(listed, place, journal, before)
-        passes = all(each.passes for each in found)
-        _show(found, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
+                verdicts = gate.all_judged(listed, place, journal, before)
+        passes = all(each.passes for each in verdicts)
+        _show(verdicts, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
         if keep and passes:
             written = gate.keep(listed, place)
             click.echo(f"{len(written)} records are now those of {root}: commit them and nothing else", err=True)
@@ -94,12 +94,12 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
     sys.exit(0 if passes else FAILED)
 
 
-def _show(found: list[Verdict], as_json: bool, last: str) -> None:
+def _show(verdicts: list[Verdict], as_json: bool, last: str) -> None:
     """Step, verdict, why, and how to run it again; with `--json` the same as data."""
     if as_json:
-        print(json.dumps([each.as_dict() for each in found]))
+        print(json.dumps([each.as_dict() for each in verdicts]))
         return
-    for each in found:
+    for each in verdicts:
         click.echo(f"{'pass' if each.passes else 'FAIL'}  {each.step}: {each.said}  [{each.command}]")
         for reason in each.reasons[:REASONS]:
             click.echo(f"      {reason}")

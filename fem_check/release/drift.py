@@ -38,11 +38,11 @@ ITERATIONS = 1.0
 def of_check(new: Record, old: Record) -> list[str]:
     """Of a check's rows: values found, references and tolerances; and rows that are gone."""
     known = {(row["case"], row["quantity"]): row for row in old["rows"]}
-    found = {(row["case"], row["quantity"]): row for row in new["rows"]}
+    now = {(row["case"], row["quantity"]): row for row in new["rows"]}
     gmsh = [each.get("versions", {}).get("gmsh") for each in (new, old)]
     same_mesh = new.get("mesh") == old.get("mesh") and gmsh[0] == gmsh[1]
-    moved = [f"the row {_name(row)} of the previous release is gone" for key, row in known.items() if key not in found]
-    return moved + [each for key, row in found.items() if key in known for each in _of_row(row, known[key], same_mesh)]
+    moved = [f"the row {_name(row)} of the previous release is gone" for key, row in known.items() if key not in now]
+    return moved + [each for key, row in now.items() if key in known for each in _of_row(row, known[key], same_mesh)]
 
 
 def _name(row: Record) -> str:
@@ -97,9 +97,9 @@ def _limit(row: Record, old: Record, same_mesh: bool) -> float:
 def of_hard_cases(new: Record, old: Record) -> list[str]:
     """Of the table of hard cases: outcomes, and errors beyond rounding."""
     known = {case["case"]: case for case in old["cases"]}
-    found = {case["case"]: case for case in new["cases"]}
-    moved = [f"the hard case {name} of the previous release is gone" for name in known if name not in found]
-    for name, case in ((name, case) for name, case in found.items() if name in known):
+    current = {case["case"]: case for case in new["cases"]}
+    moved = [f"the hard case {name} of the previous release is gone" for name in known if name not in current]
+    for name, case in ((name, case) for name, case in current.items() if name in known):
         before = known[name]
         was, now = (f"{each['status']}, {each['verdict']}" for each in (before, case))
         if was != now:

@@ -115,21 +115,21 @@ def _side_by_side(steps: list[Step], place: Place, workers: int) -> Iterator[tup
         pool.shutdown(cancel_futures=True)
 
 
-def _enter(place: Place, journal: Journal, found: Iterable[Verdict] = ()) -> None:
+def _enter(place: Place, journal: Journal, verdicts: Iterable[Verdict] = ()) -> None:
     """Write the journal; once all is judged, with the verdicts, by which a report knows a release."""
     made = provenance.of_run(f"fem-check release --level {place.level}", str(place.level))
     content: dict[str, Any] = {"commit": place.commit, "level": str(place.level), "provenance": made, "steps": journal}
-    content |= {"verdicts": {each.step: each.reasons for each in found}} if found else {}
+    content |= {"verdicts": {each.step: each.reasons for each in verdicts}} if verdicts else {}
     place.gate.mkdir(parents=True, exist_ok=True)
     records_store.replace(place.gate / "steps.json", (json.dumps(content, indent=1) + "\n").encode())
 
 
 def all_judged(steps: list[Step], place: Place, journal: Journal, before: Previous) -> list[Verdict]:
     """The verdicts of a gate that has run, of what holds before all too; they are entered beside the journal."""
-    found = before_all(steps, place, before)
-    found += [judged(step, place, journal, before) for step in steps]
-    _enter(place, journal, found)
-    return found
+    verdicts = before_all(steps, place, before)
+    verdicts += [judged(step, place, journal, before) for step in steps]
+    _enter(place, journal, verdicts)
+    return verdicts
 
 
 def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdict]:
@@ -166,11 +166,11 @@ def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verd
         try:
             record = previous.read(place.out / name)
             old = before.read(name)
-            found = integrity.of_provenance(record, place.commit) + step.wrong(record)
-            found += step.moved(record, old) if old else []
+            objections = integrity.of_provenance(record, place.commit) + step.wrong(record)
+            objections += step.moved(record, old) if old else []
         except (RecordError, LookupError, TypeError, ValueError) as problem:
-            found = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
-        reasons += [f"{name}: {each}" for each in found]
+            objections = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
+        reasons += [f"{name}: {each}" for each in objections]
     return Verdict(step.name, reasons, f"{done['seconds']:.0f} s", step.command)
 
 

@@ -185,10 +185,10 @@ def _campaign(level: Level, envelope: str, count: int) -> Step:
             call(accept=1)
 
     def wrong(record: Record) -> list[str]:
-        found = [f"{number} scenes: {what}" for what, number in record["failures"].items()] + known.objections(record)
+        faults = [f"{number} scenes: {what}" for what, number in record["failures"].items()] + known.objections(record)
         if record["count"] != count or sum(record["classes"].values()) != count:
-            found.append(f"{sum(record['classes'].values())} scenes are classified, {count} were asked for")
-        return found
+            faults.append(f"{sum(record['classes'].values())} scenes are classified, {count} were asked for")
+        return faults
 
     made = (f"gate/{level}/campaign/{envelope}/summary.json",)
     command = f"python -m tests.verification.campaign {' '.join(asked)}"

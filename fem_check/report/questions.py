@@ -76,16 +76,16 @@ def _equations(evidence: Evidence) -> Question:
     asked = Question("Are the equations solved?", "mathematics", records)
     if evidence.reference is None:
         return asked
-    found = evidence.reference.data
+    record = evidence.reference.data
     worst = max(
-        max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in found["cases"]
+        max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in record["cases"]
     )
-    bad = [each["case"] for each in found["cases"] if each["verdict"] != "pass"]
+    bad = [each["case"] for each in record["cases"] if each["verdict"] != "pass"]
     files = evidence.relations.data["files"] if evidence.relations else []
     bad += [each["file"] for each in files if each["verdict"] != "pass"]
     return asked._replace(
-        answer=f"{len(found['cases'])} scenes against solutions with fifty digits, {len(files)} files of relations",
-        worst=row_text.scientific(worst, 1), limit=row_text.number(found["tolerance"]), verdict=_judged(not bad),
+        answer=f"{len(record['cases'])} scenes against solutions with fifty digits, {len(files)} files of relations",
+        worst=row_text.scientific(worst, 1), limit=row_text.number(record["tolerance"]), verdict=_judged(not bad),
         missed=f"equations: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
 
@@ -123,8 +123,10 @@ def sector(checks: dict[str, Kept], outside: str, names: Sequence[str] = SECTOR)
     Args:
         outside: how the outside diameter is held, as its cases end.
     """
-    found = [row for row in _rows(checks, "bearing_sector") if row["verdict"] == "finding" and row["reference"]]
-    own = [row for row in found if row["case"].partition("outside diameter ")[2] in (outside, f"{outside}{GYROSCOPIC}")]
+    findings = [row for row in _rows(checks, "bearing_sector") if row["verdict"] == "finding" and row["reference"]]
+    own = [
+        row for row in findings if row["case"].partition("outside diameter ")[2] in (outside, f"{outside}{GYROSCOPIC}")
+    ]
     each = {name: [row for row in own if row["quantity"].split(" ")[-1] == name] for name in names}
     return ", ".join(f"{quantity(name)} {largest(rows)}" for name, rows in each.items() if rows)
 
@@ -173,11 +175,13 @@ def _elastic_rings(evidence: Evidence) -> Question:
     records = [evidence.checks[name] for name in RINGS if name in evidence.checks]
     is_there = "elastic_ring" in evidence.checks
     asked = Question("Elastic rings themselves?", "check-elastic-ring" if is_there else "hertz", records)
-    found = [row for row in _rows(evidence.checks, "elastic_ring") if row["verdict"] == "finding" and row["reference"]]
-    if not found:
+    findings = [
+        row for row in _rows(evidence.checks, "elastic_ring") if row["verdict"] == "finding" and row["reference"]
+    ]
+    if not findings:
         return asked
-    worst, missed = max(found, key=lambda row: abs(row["deviation_percent"])), _failing(records)
-    off = f"{largest(found)} of the {as_read(worst['quantity'])}"
+    worst, missed = max(findings, key=lambda row: abs(row["deviation_percent"])), _failing(records)
+    off = f"{largest(findings)} of the {as_read(worst['quantity'])}"
     return asked._replace(
         answer=f"one pitch in three dimensions; worst: {as_read(worst['case'])}",
         worst=off, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
@@ -247,26 +251,26 @@ class Scenes:
 
 def scenes(kept: Kept) -> Scenes:
     """The counts of a campaign, whichever made it."""
-    found = kept.data
-    if "campaign" in found:
-        lost, wrong = len(found["not_converged"]), len(found["wrong"])
-        solved = found["ended"].get("converged", 0)
-        return Scenes(found["campaign"].replace("_", " "), found["count"], lost, solved, wrong, None)
-    lost, wrong = found["classes"].get("not_converged", 0), sum(found["failures"].values())
-    solved = found["classes"].get("converged", 0)
-    return Scenes(found["envelope"], found["count"], lost, solved, wrong, found["bar"]["allowed"])
+    record = kept.data
+    if "campaign" in record:
+        lost, wrong = len(record["not_converged"]), len(record["wrong"])
+        solved = record["ended"].get("converged", 0)
+        return Scenes(record["campaign"].replace("_", " "), record["count"], lost, solved, wrong, None)
+    lost, wrong = record["classes"].get("not_converged", 0), sum(record["failures"].values())
+    solved = record["classes"].get("converged", 0)
+    return Scenes(record["envelope"], record["count"], lost, solved, wrong, record["bar"]["allowed"])
 
 
 def refusals(kept: Iterable[Kept]) -> dict[str, int]:
     """Scenes of campaigns without an equilibrium by their reason, the most frequent first."""
-    found: Counter[str] = Counter()
+    by_reason: Counter[str] = Counter()
     for one in kept:
         ended = one.data.get("ended", {}).items()
-        found.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
+        by_reason.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
         reasons = one.data.get("no_equilibrium", {}).get("reasons_and_certificates", {})
-        found.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
+        by_reason.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
     merged: Counter[str] = Counter()
-    for why, number in found.items():
+    for why, number in by_reason.items():
         merged[why.replace("_", " ")] += number
     return dict(merged.most_common())
 

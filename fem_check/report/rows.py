@@ -34,9 +34,9 @@ def as_read(text: str) -> str:
     """A text of a record as readers see it: without marks of code, units and powers by their signs."""
     text = re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
     text = re.sub(r"(?<=\d) deg\b", "°", text)
-    text = _FIVE_DIGITS.sub(lambda found: f"{found[1]},{found[2]}", text)
+    text = _FIVE_DIGITS.sub(lambda match: f"{match[1]},{match[2]}", text)
     text = re.sub(r"(?<=[a-z])[ _]material\.(?=[a-z])", "'s ", text)
-    text = re.sub(r"\^([23])(?![\d.])", lambda found: "²³"[int(found[1]) - 2], text)
+    text = re.sub(r"\^([23])(?![\d.])", lambda match: "²³"[int(match[1]) - 2], text)
     return row_text.short_exponents(text)
 
 
@@ -135,13 +135,13 @@ def table(rows: Sequence[tuple[int, Row]], caption: str = "", is_whole: bool = F
 
 def reasons(rows: Iterable[Row]) -> list[list[Cell]]:
     """A line for each reason: its quantities, their limits, the reason."""
-    found: dict[str, dict[str, dict[str, None]]] = {}
+    by_reason: dict[str, dict[str, dict[str, None]]] = {}
     for row in rows:
         why = as_read(row["why_tolerance"] or "").removeprefix("a finding").removeprefix(": ")
-        entry = found.setdefault(why, {"quantity": {}, "limit": {}})
+        entry = by_reason.setdefault(why, {"quantity": {}, "limit": {}})
         entry["quantity"][quantity(as_read(row["quantity"]))] = None
         entry["limit"][row_text.of_row(row).tolerance or "none"] = None
-    return [[", ".join(entry["quantity"]), _several(list(entry["limit"])), why] for why, entry in found.items()]
+    return [[", ".join(entry["quantity"]), _several(list(entry["limit"])), why] for why, entry in by_reason.items()]
 
 
 def _several(limits: Sequence[str]) -> str:

@@ -58,7 +58,7 @@ def scientific(value: float, digits: int) -> str:
 
 def short_exponents(text: str) -> str:
     """Powers of ten without the zeros that a program writes: 1e-7 for 1e-07."""
-    return re.sub(r"(?<=\d)e([+-]?)0*(\d+)\b", lambda found: f"e{found[1].strip('+')}{found[2]}", text)
+    return re.sub(r"(?<=\d)e([+-]?)0*(\d+)\b", lambda match: f"e{match[1].strip('+')}{match[2]}", text)
 
 
 def in_unit(row: Row) -> tuple[float, str]:
@@ -106,21 +106,21 @@ def own_difference(row: Row) -> tuple[str, str]:
 def of_row(row: Row) -> RowText:
     """All numbers of a row."""
     factor, unit = in_unit(row)
-    reference, found = (None if row[name] is None else number(row[name] * factor) for name in ("reference", "found"))
-    if found is None:
+    reference, computed = (None if row[name] is None else number(row[name] * factor) for name in ("reference", "found"))
+    if computed is None:
         return RowText(reference or "", "", "", "", "")
     deviation, uncertainty = rounded(row["deviation_percent"], row["uncertainty_percent"])
     tolerance = row["tolerance_percent"]
     if row["reference"] == 0.0:
         limit = "" if tolerance is None else with_unit(number(tolerance / 100.0 * factor, 2), unit)
         if row["uncertainty_percent"]:
-            found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
-        return RowText("0", found or "", "", "", limit)
+            computed = f"{computed} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
+        return RowText("0", computed or "", "", "", limit)
     limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
     if is_absolute(row):
         deviation, uncertainty = (each and with_unit(each, unit) for each in own_difference(row))
         limit = limit and with_unit(number(0.01 * tolerance * abs(row["reference"]) * factor, 2), unit)
-    return RowText(reference or "", found or "", deviation, uncertainty, limit)
+    return RowText(reference or "", computed or "", deviation, uncertainty, limit)
 
 
 def difference_unit(row: Row) -> str:

@@ -31,9 +31,9 @@ class RecordError(Exception):
 
 def versions() -> dict[str, str]:
     """Versions of what the numbers rest on."""
-    found = {"qsbearing": __version__} | provenance.versions(("numpy", "scipy", *PACKAGES))
+    by_package = {"qsbearing": __version__} | provenance.versions(("numpy", "scipy", *PACKAGES))
     gmsh = meshing.gmsh_version()
-    return found | ({"gmsh": gmsh} if gmsh else {})
+    return by_package | ({"gmsh": gmsh} if gmsh else {})
 
 
 def record(
@@ -125,12 +125,12 @@ def replace(path: Path, content: bytes) -> None:
 
 def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:
     """The records of each check, the release level's where there is one, else the quick level's."""
-    found: dict[str, dict[str, Any]] = {}
+    by_check: dict[str, dict[str, Any]] = {}
     for level in (Level.QUICK, Level.RELEASE):
         for path in sorted((folder / level).glob("*.json")):
             entry = read(path, FIELDS, "no record", "run its check again")
-            found[entry["check"]] = entry
-    return found
+            by_check[entry["check"]] = entry
+    return by_check
 
 
 def read(path: Path, fields: Iterable[str], unfit: str, remedy: str) -> dict[str, Any]:

@@ -81,5 +81,5 @@ def half_spaces(frame: ContactFrame, drawing: Drawing) -> Array:
     for number, each in enumerate(half.T):
         upper = each.reshape(x.shape)
         moved[:, number] = displacement(np.concatenate([upper[:, ::-1], upper], axis=1))[:, x.shape[1] :].ravel()
-    found = sum(compliances) * sides[0] * sides[1] * (half.T @ moved)
-    return 0.5 * (found + found.T)
+    flexibility = sum(compliances) * sides[0] * sides[1] * (half.T @ moved)
+    return 0.5 * (flexibility + flexibility.T)

@@ -93,7 +93,7 @@ class Values:
 
     model: dict[str, float]
     """The quasi-static model's."""
-    found: dict[str, float]
+    elements: dict[str, float]
     """The finite elements'."""
     position_uncertainty: dict[str, float]
 
@@ -214,10 +214,10 @@ def place(
     near = expected(bearing, model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
     if support is OuterSupport.RIGID:
         return near
-    found = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
+    results = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
         SectorLoad(point.axial_load, point.speed)
     )
-    return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), ROOM[support])
+    return _rounded(results.axial_displacement, results.ball_centre, (results.inner, results.outer), ROOM[support])
 
 
 def compare(
@@ -245,7 +245,7 @@ def compare(
     as_read = _averaged(_of_model(nearest(solution)), deviations["as read"], factors)
     return Compared(
         default.model,
-        default.found,
+        default.elements,
         default.position_uncertainty,
         as_read,
         sector.dofs,
@@ -258,7 +258,7 @@ def half_spaces(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bo
 
     The uncertainty is that of the positions and the change from the coarser grid.
     """
-    bearing, found = sector_bearing(scene_name), []
+    bearing, per_grid = sector_bearing(scene_name), []
     where = place(scene_name, point, OuterSupport.RIGID, gyroscopic_moment=gyroscopic_moment)
     for elements in HALF_SPACE_CELLS:
         sector = HalfSpaceSector(SectorGeometry(bearing, where, elements))
@@ -271,20 +271,22 @@ def half_spaces(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bo
             results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
             deviations.append(_deviation(_of_elements(results), _of_model(reference)))
         reference = nearest(model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
-        found.append(_averaged(_of_model(reference), deviations, factors))
-    coarse, fine = found
-    change = {name: abs(fine.found[name] - coarse.found[name]) + fine.position_uncertainty[name] for name in QUANTITIES}
-    return Values(fine.model, fine.found, change), sector
+        per_grid.append(_averaged(_of_model(reference), deviations, factors))
+    coarse, fine = per_grid
+    change = {
+        name: abs(fine.elements[name] - coarse.elements[name]) + fine.position_uncertainty[name] for name in QUANTITIES
+    }
+    return Values(fine.model, fine.elements, change), sector
 
 
 def _averaged(reference: dict[str, float], deviations: list[Array], factors: Array) -> Values:
     """Deviations at all positions as one value at the point itself."""
     values = np.array(list(reference.values()))
     table = np.column_stack([np.ones(len(factors)), np.log(factors)])
-    found = np.array(deviations)
-    fit = np.linalg.lstsq(table, found, rcond=None)[0]
+    at_positions = np.array(deviations)
+    fit = np.linalg.lstsq(table, at_positions, rcond=None)[0]
     # Positions are spread evenly, not drawn: the scatter of evenly spread parts of them tells how well they average.
-    parts = np.array([np.linalg.lstsq(table[k::PARTS], found[k::PARTS], rcond=None)[0][0] for k in range(PARTS)])
+    parts = np.array([np.linalg.lstsq(table[k::PARTS], at_positions[k::PARTS], rcond=None)[0][0] for k in range(PARTS)])
     error = 2.0 * parts.std(axis=0, ddof=1) / np.sqrt(PARTS)
     scale = np.where(_relative(), values, 1.0)
     return Values(
@@ -299,8 +301,8 @@ def _relative() -> Array:
     return np.array([unit not in ("deg",) and name != "axial_displacement" for name, unit in QUANTITIES.items()])
 
 
-def _deviation(found: dict[str, float], reference: dict[str, float]) -> Array:
-    f, r = np.array(list(found.values())), np.array(list(reference.values()))
+def _deviation(computed: dict[str, float], reference: dict[str, float]) -> Array:
+    f, r = np.array(list(computed.values())), np.array(list(reference.values()))
     return np.where(_relative(), f / r - 1.0, f - r)
 
 

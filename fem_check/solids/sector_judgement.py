@@ -62,26 +62,26 @@ def _surfaces(values: Values, bearing: SectorBearing, race: str) -> dict[str, fl
 
 
 def _ellipses(case: str, values: Values, bearing: SectorBearing, tolerances: dict[str, float]) -> list[Row]:
-    found = []
+    rows = []
     for race in ("inner", "outer"):
         surfaces = _surfaces(values, bearing, race)
         for kind in ELLIPSE:
             name = f"{race} {kind}"
             reference = values.model[name] * surfaces[kind]
-            found.append(
+            rows.append(
                 Row(
                     f"{case}: as read, against the model and boundary elements",
                     name,
                     QUANTITIES[name],
                     reference,
                     f"qsbearing.solve, Hertz at the contact's own angle; {boundary_element.ALONG_NORMALS}",
-                    values.found[name],
+                    values.elements[name],
                     100.0 * values.position_uncertainty[name] / reference,
                     tolerances[kind],
                     WHY_ELLIPSE,
                 )
             )
-    return found
+    return rows
 
 
 def turned(bearing: SectorBearing, values: Values) -> float:
@@ -110,7 +110,7 @@ def _elastic_bodies(case: str, values: Values, bearing: SectorBearing) -> list[R
 
 def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[Row]:
     """Half-spaces in the bodies' place."""
-    found = [
+    rows = [
         _against_model(case, f"{race} {kind}", values, tolerance, WHY_HALF_SPACE)
         for race in ("inner", "outer")
         for kind, tolerance in HALF_SPACE_TOLERANCES.items()
@@ -122,7 +122,7 @@ def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[Ro
         part = SURFACE_PART * (hertzian.semi_major_axis / bearing.ball_radius) ** 2
         moved += part * hertzian.approach / abs(sin(angle))
     tolerance = DISPLACEMENT_GRID + 100.0 * moved / abs(values.model["axial_displacement"])
-    return [*found, _against_model(case, "axial_displacement", values, tolerance, WHY_DISPLACEMENT)]
+    return [*rows, _against_model(case, "axial_displacement", values, tolerance, WHY_DISPLACEMENT)]
 
 
 def _against_model(case: str, name: str, values: Values, tolerance: float, why: str) -> Row:
@@ -132,4 +132,4 @@ def _against_model(case: str, name: str, values: Values, tolerance: float, why: 
         tolerance *= 100.0 / abs(reference)
     uncertainty = 100.0 * values.position_uncertainty[name] / abs(reference)
     source = "qsbearing.solve, Hertz at the contact's own angle, the ball's own orbit"
-    return Row(case, name, QUANTITIES[name], reference, source, values.found[name], uncertainty, tolerance, why)
+    return Row(case, name, QUANTITIES[name], reference, source, values.elements[name], uncertainty, tolerance, why)

@@ -71,7 +71,7 @@ def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResu
     held = sector.supports(results)
     per_ball = load.axial_load / sector.geometry.bearing.ball_count
     scale = max(per_ball, results.centrifugal_force)
-    found = [
+    forces = [
         force(case, "axial force of the bore on the inner ring", per_ball, float(held["inner"][0])),
         force(case, "axial force of the seat on the outer ring", per_ball, -float(held["outer"][0])),
         Row(
@@ -82,8 +82,8 @@ def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResu
     if load.speed:
         expected = inertia(sector, load, results).centrifugal_force
         radial = -float(held["inner"][1] + held["outer"][1])
-        found.append(force(case, "centrifugal force, from both rings' supports", expected, radial))
-    return found + inertia_rows(case, sector, load, results) + _stiffness(case, sector)
+        forces.append(force(case, "centrifugal force, from both rings' supports", expected, radial))
+    return forces + inertia_rows(case, sector, load, results) + _stiffness(case, sector)
 
 
 def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorResults) -> list[Row]:
@@ -96,17 +96,17 @@ def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorRes
     rubbing = sector.geometry.frames[1].friction_resultants @ results.friction
     of = inertia(sector, load, results)
     balancing = float((inner + outer - rubbing)[1])
-    found = [force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
+    rows = [force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
     if load.gyroscopic_moment:
         moment = sector.geometry.bearing.ball_radius * hypot(*rubbing)
-        found.append(force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
-    return found
+        rows.append(force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
+    return rows
 
 
-def force(case: str, name: str, reference: float, found: float, unit: str = "N") -> Row:
+def force(case: str, name: str, reference: float, computed: float, unit: str = "N") -> Row:
     """A force from statics."""
     source = "statics, from the drawing"
-    return Row(case, name, unit, reference, source, found, None, FORCE_TOLERANCE, WHY_FORCE)
+    return Row(case, name, unit, reference, source, computed, None, FORCE_TOLERANCE, WHY_FORCE)
 
 
 def _stiffness(case: str, sector: BearingSector) -> list[Row]:

@@ -61,7 +61,7 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
         np.pi / 3.0 * groove.ball_radius**3,
         section_moment(contact.section) * pi / contact.ball_count,
     )
-    found = []
+    rows = []
     for name, body, material, volume in zip(
         ("ball", "ring"), condensed.bodies, (groove.ball, groove.race), volumes, strict=True
     ):
@@ -75,7 +75,7 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
             ),
             ("mass over density", "m3", volume, body.volume, "volume of the drawn body"),
         ):
-            found.append(
+            rows.append(
                 Row(
                     case,
                     f"{quantity}, {name}",
@@ -88,7 +88,7 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
                     WHY_STIFFNESS,
                 )
             )
-    return found
+    return rows
 
 
 def approach_rows(
@@ -114,18 +114,18 @@ def approach_rows(
     hertzian = ellipse(groove.problem(load)).approach / load
     gap = boundary_element.over_hertz(groove, load)
 
-    def row(quantity: str, expected: float, source: str, found: float, doubt: float) -> Row:
+    def row(quantity: str, expected: float, source: str, computed: float, doubt: float) -> Row:
         uncertainty, tolerance = 100.0 * doubt / expected, BODY_TOLERANCES[level]
-        return Row(case, quantity, "m/N", expected, source, found, uncertainty, tolerance, BODY_REASON)
+        return Row(case, quantity, "m/N", expected, source, computed, uncertainty, tolerance, BODY_REASON)
 
     rows = [
-        row(f"Hertz plus what the {body} adds", hertzian + expected, source, hertzian + found, doubt)
-        for body, source, expected, (found, doubt) in zip(
+        row(f"Hertz plus what the {body} adds", hertzian + expected, source, hertzian + computed, doubt)
+        for body, source, expected, (computed, doubt) in zip(
             ("ball", "ring"), (BALL_SOURCE, RING_SOURCE), excess, added, strict=True
         )
     ]
-    found, doubt = (hertzian * each for each in approach)
+    computed, doubt = (hertzian * each for each in approach)
     expected = gap.ratio["approach"] * hertzian + sum(excess)
     doubt += 0.01 * gap.uncertainty_percent["approach"] * expected
     source = f"{boundary_element.SOURCE}; {BALL_SOURCE}; {RING_SOURCE}"
-    return [*rows, row("approach over load", expected, source, found, doubt)]
+    return [*rows, row("approach over load", expected, source, computed, doubt)]

@@ -102,14 +102,14 @@ def heaviest(source: str, race: str = "inner"):
 def test_an_option_goes_before_the_catalogue_and_what_nobody_gives_is_assumed(rings):
     scene = qs.load_scene("7210c")
     rings(width=24.0)
-    found = ring_sections(scene, "7210c")
+    sections = ring_sections(scene, "7210c")
     drawing = drawing_at_rest(scene, "7210c")
-    inner, outer = (found.profile(drawing, race) for race in ("inner", "outer"))
+    inner, outer = (sections.profile(drawing, race) for race in ("inner", "outer"))
     assert (inner.back_radius, outer.back_radius, inner.width) == pytest.approx((0.025, 0.045, 0.024), rel=1e-12)
     # GMN's d1 62.5 mm: that far round the groove from its bottom, by the circle's height.
     centre = 35.0 + (6.58 - 6.35) * cos(radians(15.0))
     assert inner.high_shoulder == pytest.approx(acos((centre - 31.25) / 6.58), rel=1e-12)
-    told = found.told(drawing, {"inner": inner, "outer": outer})
+    told = sections.told(drawing, {"inner": inner, "outer": outer})
     assert "bore 50, outside diameter 90" in told and "from the catalogue" in told
     assert "width 24 mm from the option" in told
     assert "assumed: inner open side" in told
@@ -119,10 +119,10 @@ def test_ring_expansion_and_readings_of_a_scene_give_dimensions():
     fitted = qs.RingExpansion(85 * qs.mm, 165 * qs.mm, shaft_interference=10 * qs.um)
     overrun = {"inner_shoulder_diameter": 112 * qs.mm}
     scene = replace(qs.load_scene("b218"), ring_effects=(fitted,), readings={"overrun": overrun})
-    found = ring_sections(scene, "b218")
-    assert found.known["bore_diameter"] == 85 * qs.mm and found.sources["bore_diameter"] == "scene"
-    assert found.known["inner_shoulder_diameter"] == 112 * qs.mm
-    assert found.sources["width"] == "catalogue"
+    sections = ring_sections(scene, "b218")
+    assert sections.known["bore_diameter"] == 85 * qs.mm and sections.sources["bore_diameter"] == "scene"
+    assert sections.known["inner_shoulder_diameter"] == 112 * qs.mm
+    assert sections.sources["width"] == "catalogue"
 
 
 def test_a_designation_gives_boundary_dimensions(tmp_path):
@@ -140,11 +140,11 @@ def test_a_designation_gives_boundary_dimensions(tmp_path):
 def test_a_bearing_of_other_size_is_not_the_catalogues():
     scene = qs.load_scene("b218")
     larger = replace(scene, bearing=replace(scene.bearing, pitch_diameter=130 * qs.mm, name="B218, modified"))
-    found = ring_sections(larger, "my")
-    assert not found.known
-    assert "assumed: bore 94.74, outside diameter 164.7, width 30" in found.told(
+    sections = ring_sections(larger, "my")
+    assert not sections.known
+    assert "assumed: bore 94.74, outside diameter 164.7, width 30" in sections.told(
         drawing_at_rest(larger, "my"),
-        {race: found.profile(drawing_at_rest(larger, "my"), race) for race in scenes.RACES},
+        {race: sections.profile(drawing_at_rest(larger, "my"), race) for race in scenes.RACES},
     )
 
 
@@ -240,8 +240,8 @@ def test_angle_follows_from_the_approaches(tmp_path):
     )
     assert all(row.verdict == "pass" and row.reach_percent < 1e-5 for row in same["inner"] + same["outer"])
     ratios = {"inner": (1.05, 0.0), "outer": (0.9, 0.0)}
-    found = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, Level.QUICK)["inner"]
-    load, angle = (row.found for row in found)
+    rows = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, Level.QUICK)["inner"]
+    load, angle = (row.found for row in rows)
     # At rest, under thrust: the groove centres' distance across the bearing stays (Harris & Kotzalas).
     drawing = contacts["inner"].drawing
     distance = drawing.groove_centre_distance
@@ -283,8 +283,8 @@ rigid_N = 3000
     # The load presses the row that carries in its direction.
     assert contacts["inner"].point.label == "row 1" and "row 1, ball 1" in contacts["inner"].case
     ratios = dict.fromkeys(scenes.RACES, (1.0, 0.0))
-    found = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, Level.QUICK)
-    assert all(row.reach_percent < 1e-5 for rows in found.values() for row in rows)
+    by_race = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, Level.QUICK)
+    assert all(row.reach_percent < 1e-5 for rows in by_race.values() for row in rows)
     softer = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, {**ratios, "outer": (1.2, 0.0)}, Level.QUICK)
     assert "fail" in {row.verdict for rows in softer.values() for row in rows}
 
@@ -301,9 +301,9 @@ def printed(rows) -> str:
 
 def rows_of(true: float | None, half_space: float = 3.0001e-6) -> list[Row]:
     made = []
-    for method, found, tolerance in ((HALF_SPACES, half_space, 0.3), (TRUE_BODIES, true, None)):
-        doubt, why = (0.05, "why") if found else (None, "a contact at 61 deg does not fit a groove to 55 deg")
-        made.append(Row(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", found, doubt, tolerance, why))
+    for method, approach, tolerance in ((HALF_SPACES, half_space, 0.3), (TRUE_BODIES, true, None)):
+        doubt, why = (0.05, "why") if approach else (None, "a contact at 61 deg does not fit a groove to 55 deg")
+        made.append(Row(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", approach, doubt, tolerance, why))
         made.append(Row(f"B1 inner: ball 1; {method}", "angle", "deg", 40.0, "solve", 40.01, 0.01, 1.0, why))
     return made
 

@@ -48,36 +48,36 @@ def test_orbit_under_outer_control_is_the_closed_form():
 
 
 def test_ball_and_ring_are_in_equilibrium_and_near_the_model(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
-    inner, outer = found.inner, found.outer
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    inner, outer = results.inner, results.outer
     # Statics written down anew: the ball's two equations, and the ring's.
     axial = inner.load * np.sin(inner.angle) - outer.load * np.sin(outer.angle)
-    radial = inner.load * np.cos(inner.angle) - outer.load * np.cos(outer.angle) + found.centrifugal_force
+    radial = inner.load * np.cos(inner.angle) - outer.load * np.cos(outer.angle) + results.centrifugal_force
     assert abs(axial) < 1e-5 * inner.load and abs(radial) < 1e-5 * inner.load
     assert 16 * inner.load * np.sin(inner.angle) == pytest.approx(17800.0, rel=1e-5)
     # Centrifugal force from the orbit that the elements found: m r w^2.
-    orbit = motion(0.5 * 22.225e-3 / found.ball_centre[1], inner.angle, outer.angle)[0] * POINT.speed
+    orbit = motion(0.5 * 22.225e-3 / results.ball_centre[1], inner.angle, outer.angle)[0] * POINT.speed
     mass = 7800.0 * np.pi * 22.225e-3**3 / 6.0
-    assert found.centrifugal_force == pytest.approx(mass * found.ball_centre[1] * orbit**2, rel=1e-9)
+    assert results.centrifugal_force == pytest.approx(mass * results.ball_centre[1] * orbit**2, rel=1e-9)
     model = sector_comparison.model("b218", POINT, gyroscopic_moment=False)
     # Two elements per semi-axis, one position of the edge: loads to a per cent, angles to half a degree.
     assert inner.load == pytest.approx(model.inner.load[0], rel=0.01)
     assert np.degrees(abs(outer.angle - model.outer.angle[0])) < 0.5
-    assert found.penetration < 1e-9
+    assert results.penetration < 1e-9
 
 
 def test_what_the_mesh_does_to_an_ellipse_is_known_from_a_parabola(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
     for race in ("inner", "outer"):
-        mesh = sector.parabola_over_hertz(race, getattr(found, race))
+        mesh = sector.parabola_over_hertz(race, getattr(results, race))
         # Two elements per semi-axis at one position of the edge: each quantity off by per cents, not by tens of them.
         assert set(mesh) == {"semi_major_axis", "semi_minor_axis", "max_pressure"}
         assert all(0.001 < abs(ratio - 1.0) < 0.1 for ratio in mesh.values())
 
 
 def test_the_pictures_show_the_bodies_and_their_contacts(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
-    drawn = sector_pictures.of_sector(sector, found, POINT.label)
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    drawn = sector_pictures.of_sector(sector, results, POINT.label)
     for name, body in drawn["bodies"].items():
         corners = np.sort(np.asarray(body["triangles"]), axis=1)
         edges = np.concatenate([corners[:, [0, 1]], corners[:, [0, 2]], corners[:, [1, 2]]])
@@ -153,12 +153,12 @@ def test_what_a_free_ring_adds_is_judged_against_elastic_rings(monkeypatch):
     """On the release record's displacements; then with a ring that grows 10 % less."""
     record = json.loads((records_store.FOLDER / "release" / "bearing_sector.json").read_text())
     name = "axial_displacement"
-    found = {row["case"]: row for row in record["rows"] if row["quantity"] == name}
+    by_case = {row["case"]: row for row in record["rows"] if row["quantity"] == name}
 
     def studied(point, support, model):
-        row = found[f"{point.label}, outside diameter {support}"]
+        row = by_case[f"{point.label}, outside diameter {support}"]
         uncertainty = {name: abs(row["uncertainty_percent"] / 100.0 * row["reference"])}
-        compared = SimpleNamespace(model=model, found={name: row["found"]})
+        compared = SimpleNamespace(model=model, elements={name: row["found"]})
         return SimpleNamespace(point=point, compared=compared, uncertainty=uncertainty)
 
     def rows():
@@ -197,7 +197,7 @@ def test_a_free_outside_diameter_softens_the_bearing():
             POINT,
             BearingSector(SectorGeometry(bearing, sector_comparison.place("b218", POINT, support), 2), support),
             positions=4,
-        ).found["axial_displacement"]
+        ).elements["axial_displacement"]
         for support in OuterSupport
     )
     assert 1.2 * rigid < free < 1.5 * rigid
@@ -241,12 +241,12 @@ def cut_open(sector):
 def test_stress_below_a_contact_is_hertz(sector, cut_open):
     """Von Mises' stress of a slender ellipse is largest below the surface, 0.55 to 0.63 of p0 (Johnson, section 4.3),
     and falls off: at the ball's centre it is that of a point load's far field, a small part."""
-    record, found = cut_open
+    record, bodies = cut_open
     assert cutaway.geometry_of(record) == sector.geometry
-    for body in found.values():
+    for body in bodies.values():
         p0 = body.pressure.max()
         assert 0.5 < body.von_mises.max() / p0 < 0.7
-    ball = found["ball"]
+    ball = bodies["ball"]
     centre = 1e3 * np.array([*sector.geometry.expected.ball_centre, 0.0])
     depth = np.linalg.norm(ball.nodes - centre[:, None], axis=0)
     assert ball.von_mises[depth < 2.0].max() < 0.05 * ball.pressure.max()
@@ -257,9 +257,9 @@ def test_stress_below_a_contact_is_hertz(sector, cut_open):
 
 
 def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
-    record, found = cut_open
+    record, bodies = cut_open
     _, contact, major, minor = cutaway.hertz_ellipse(record, sector.geometry)
-    ball = found["ball"]
+    ball = bodies["ball"]
     offset = ball.nodes - contact[:, None]
     along = offset.T @ major / (major @ major), offset.T @ minor / (minor @ minor)
     near = np.linalg.norm(offset, axis=0) < 2.0 * np.linalg.norm(major)
@@ -270,7 +270,7 @@ def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
 
 def test_the_picture_is_drawn(sector, cut_open, tmp_path, drawn):
     pytest.importorskip("pyvista")
-    record, found = cut_open
-    files = cutaway.files(found, tmp_path / "cut.png")
+    record, bodies = cut_open
+    files = cutaway.files(bodies, tmp_path / "cut.png")
     cutaway.draw(files, cutaway.hertz_ellipse(record, sector.geometry), tmp_path / "cut.png", (320, 160))
     assert matplotlib.pyplot.imread(tmp_path / "cut.png").std() > 0.05

@@ -158,12 +158,12 @@ def test_the_angle_is_free_for_loads_given_and_loaded_for_the_scene_s_own():
 
     solution = qsbearing.solve(qsbearing.load_scene("b218"))
     own = choose("b218", "both", [], None)
-    found = {(each.groove.race_name, ball): each for each in own for ball in _balls(each)}
+    by_ball = {(each.groove.race_name, ball): each for each in own for ball in _balls(each)}
     for race in ("inner", "outer"):
         contacts = getattr(solution, race)
         for ball, (load, angle) in enumerate(zip(contacts.load, contacts.angle, strict=True), 1):
-            assert found[race, ball].load == pytest.approx(float(load), rel=1e-5)
-            assert found[race, ball].groove.contact_angle == pytest.approx(float(angle), abs=1e-6)
+            assert by_ball[race, ball].load == pytest.approx(float(load), rel=1e-5)
+            assert by_ball[race, ball].groove.contact_angle == pytest.approx(float(angle), abs=1e-6)
     assert {each.angle for each in own} == {"loaded"}
     assert {each.groove.contact_angle for each in choose("b218", "inner", [], "free")} == {
         drawing.groove("inner").contact_angle

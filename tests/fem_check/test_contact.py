@@ -58,10 +58,10 @@ def test_a_stiffer_ball_gives_less(inner):
     problem = inner.problem(1000.0)
     ceramic = replace(problem, ball=ElasticConstants(310e9, 0.27))
     bodies, hybrid = half_space_contact.condensed_bodies(problem, 4), half_space_contact.condensed_bodies(ceramic, 4)
-    found = half_space_contact.solve_on(ceramic, hybrid)[1].mean
-    assert found.approach < half_space_contact.solve_on(problem, bodies)[1].mean.approach
+    measured = half_space_contact.solve_on(ceramic, hybrid)[1].mean
+    assert measured.approach < half_space_contact.solve_on(problem, bodies)[1].mean.approach
     # Four elements per semi-axis: 0.5 % is what that mesh gives for steel too.
-    assert found.approach == pytest.approx(hertz(ceramic).approach, rel=5e-3)
+    assert measured.approach == pytest.approx(hertz(ceramic).approach, rel=5e-3)
 
 
 def test_a_patch_too_small_is_said(inner):
@@ -174,6 +174,6 @@ def test_release_level_other_shapes(k):
     from fem_check.checks.half_space_contacts import ellipse_of
 
     problem: ContactProblem = ellipse_of(k)
-    found = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.Level.RELEASE])
-    rows = half_space_contact.rows("case", found, agreement.Level.RELEASE, "Hertz")
+    study = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.Level.RELEASE])
+    rows = half_space_contact.rows("case", study, agreement.Level.RELEASE, "Hertz")
     assert [row for row in rows if row.verdict != "pass"] == []

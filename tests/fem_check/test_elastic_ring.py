@@ -26,9 +26,9 @@ def moved(ring: Ring, n: int, rim: str = "bore_radius") -> np.ndarray:
 
 @pytest.mark.parametrize("n", [0, 2, 5])
 def test_a_wave_of_pressure_makes_that_wave_alone(n):
-    found = moved(Ring(Body(0.07, 0.08, STEEL, *GRID)), n)
-    found[1] = 0.0  # the ring's place is arbitrary
-    assert np.abs(np.delete(found, n)).max() < 1e-3 * abs(found[n])
+    waves = moved(Ring(Body(0.07, 0.08, STEEL, *GRID)), n)
+    waves[1] = 0.0  # the ring's place is arbitrary
+    assert np.abs(np.delete(waves, n)).max() < 1e-3 * abs(waves[n])
 
 
 def test_uniform_growth_is_that_of_a_thick_cylinder():
@@ -62,9 +62,9 @@ def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body():
 @pytest.mark.heavy  # the release gate judges these rows at each level
 def test_the_model_is_right():
     for rows in (elastic_ring.compliance_rows, elastic_ring.opposed_rows, elastic_ring.load_rows):
-        found = rows(Level.QUICK)
-        assert failing(found) == set()
-        assert {row.verdict for row in found} >= {"pass"}
+        judged = rows(Level.QUICK)
+        assert failing(judged) == set()
+        assert {row.verdict for row in judged} >= {"pass"}
 
 
 @pytest.mark.heavy

@@ -283,9 +283,9 @@ def drifted(place: Path, **values: Any) -> list[str]:
     commit(repository)
     result = release(place / "new", "--json")
     assert result.exit_code == 1
-    found = verdicts(result)
-    assert [name for name, reasons in found.items() if reasons] == ["check formula"]
-    return found["check formula"]
+    by_step = verdicts(result)
+    assert [name for name, reasons in by_step.items() if reasons] == ["check formula"]
+    return by_step["check formula"]
 
 
 def test_drift_within_the_tolerance_is_named(place):
@@ -327,9 +327,9 @@ def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypat
     monkeypatch.setitem(ALL, "patch_test", replace(ALL["patch_test"], run=broken))
     result = release(place / "new", "--json")
     assert result.exit_code == 1
-    found = verdicts(result)
-    assert found["check patch_test"] == ["ZeroDivisionError: planted"]
-    assert found["check formula"] == []
+    reasons = verdicts(result)
+    assert reasons["check patch_test"] == ["ZeroDivisionError: planted"]
+    assert reasons["check formula"] == []
 
 
 def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeypatch):
@@ -409,8 +409,8 @@ def test_another_folder_or_a_tag_can_be_the_previous_release(place):
     provenance.git("tag", "v1", folder=place / "repository")
     change(place / "out" / PATCH, found=1.0)
     for previous, moved in ((str(place / "out"), 1), ("v1", 0)):
-        found = verdicts(release(place / "new", "--json", "--previous", previous))
-        assert len(found["check patch_test"]) == moved
+        reasons = verdicts(release(place / "new", "--json", "--previous", previous))
+        assert len(reasons["check patch_test"]) == moved
     result = release(place / "new", "--previous", "v2")
     assert result.exit_code == 2
     assert "neither a folder nor a tag" in result.stderr
@@ -426,8 +426,8 @@ def test_records_without_provenance_serve_as_values_only(place):
     commit(repository)
     result = release(place / "new", "--json")
     assert result.exit_code == 0, result.output
-    (found,) = [each for each in json.loads(result.stdout) if each["step"] == "previous release"]
-    assert "; 1 of 2 do not say from what: values only" in found["said"]
+    (step,) = [each for each in json.loads(result.stdout) if each["step"] == "previous release"]
+    assert "; 1 of 2 do not say from what: values only" in step["said"]
 
 
 def test_it_does_not_write_into_the_tree(place):

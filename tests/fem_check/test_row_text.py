@@ -11,9 +11,9 @@ from fem_check.rows.agreement import Row
 
 
 def row(
-    reference: float, found: float, unit: str, uncertainty: float | None, tolerance: float | None
+    reference: float, value: float, unit: str, uncertainty: float | None, tolerance: float | None
 ) -> dict[str, Any]:
-    return Row("case", "quantity", unit, reference, "source", found, uncertainty, tolerance, "why").as_dict()
+    return Row("case", "quantity", unit, reference, "source", value, uncertainty, tolerance, "why").as_dict()
 
 
 @pytest.mark.parametrize(

@@ -211,9 +211,9 @@ EVERY_QUANTITY = (
 
 def test_a_few_scenes_have_rows_of_every_quantity():
     """The other scenes add no kind of row: what doubling does to one it does to all."""
-    found = {row.quantity for label in EVERY_QUANTITY for row in rows_of(label)}
+    quantities = {row.quantity for label in EVERY_QUANTITY for row in rows_of(label)}
     others = ("unequal balls, 6000 rpm", "displaced orbit, 10000 rpm", "stiffness of each contact's angle, 8000 rpm")
-    assert {row.quantity for label in others for row in rows_of(label)} <= found
+    assert {row.quantity for label in others for row in rows_of(label)} <= quantities
 
 
 @pytest.mark.parametrize("label", [*EVERY_QUANTITY, next(iter(product_scenes.sets()))])
@@ -249,16 +249,16 @@ def test_every_row_hangs_on_the_reference(label, monkeypatch):
     ellipse, hertz, stiffness = references.ellipse, references.hertz, quasi_static.stiffness
     near = solution_contacts.reference_near
 
-    def found_doubled(*given):
-        found = near(*given)
-        states = [twice(each) for each in found.states]
+    def equilibrium_doubled(*given):
+        equilibrium = near(*given)
+        states = [twice(each) for each in equilibrium.states]
         return SimpleNamespace(
-            problem=found.problem, shaft=2.0 * found.shaft, load=2.0 * found.load, states=states, of=found,
-            controls=found.controls,
+            problem=equilibrium.problem, shaft=2.0 * equilibrium.shaft, load=2.0 * equilibrium.load, states=states,
+            of=equilibrium, controls=equilibrium.controls,
         )  # fmt: skip
 
-    monkeypatch.setattr(solution_contacts, "reference_near", found_doubled)
-    monkeypatch.setattr(quasi_static, "stiffness", lambda found: 2.0 * stiffness(found.of))
+    monkeypatch.setattr(solution_contacts, "reference_near", equilibrium_doubled)
+    monkeypatch.setattr(quasi_static, "stiffness", lambda equilibrium: 2.0 * stiffness(equilibrium.of))
     monkeypatch.setattr(references, "ellipse", lambda *given: replace(twice(ellipse(*given))))
     monkeypatch.setattr(references, "hertz", lambda *given: replace(twice(hertz(*given))))
     rows = list(mechanics_rows((point,), "x"))
@@ -306,8 +306,8 @@ def test_rolling_is_the_textbooks():
 @pytest.mark.parametrize("form", ["exact", "brewe_hamrock_1977", "hamrock_brewe_1983"])
 def test_hertz_stiffness_of_b218_is_the_books(form):
     # theory: Ki = 4.1097262e10 N/m^1.5; the fits are known to be 0.3 to 0.7 % off in approach, 1 % in stiffness.
-    found = references.ellipse(DRAWING.groove("inner").problem(1.0), form).approach ** -1.5
-    assert found == pytest.approx(4.1097262e10, rel=1e-7 if form == "exact" else 1.2e-2)
+    stiffness = references.ellipse(DRAWING.groove("inner").problem(1.0), form).approach ** -1.5
+    assert stiffness == pytest.approx(4.1097262e10, rel=1e-7 if form == "exact" else 1.2e-2)
 
 
 def test_a_solid_disk_grows_as_the_books_say():

@@ -61,8 +61,8 @@ def test_what_the_bodies_add_to_both_approaches_is_no_part_of_the_gap_s(bodies):
 
 
 def test_ball_moves_out_at_its_equator_like_an_elastic_sphere(condensed):
-    found, exact = condensed.bulges(LOAD)
-    assert found == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
+    ball, exact = condensed.bulges(LOAD)
+    assert ball == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
 
 
 def test_angle_is_that_of_the_model_at_rest():
@@ -79,8 +79,8 @@ def test_sphere_under_pressure_all_round():
     # Each force stands for two: p = 2F/(4 pi R^2), and the sphere shrinks by (1 - 2 nu) p R/E.
     cosines, forces = np.linspace(-0.9999, 0.9999, 10_000), np.full(10_000, 0.5)
     pressure = 2.0 * forces.sum() / (4.0 * np.pi * 0.01**2)
-    found = references.pressed_sphere(cosines, forces, 0.01, STEEL)
-    assert found == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
+    displacement = references.pressed_sphere(cosines, forces, 0.01, STEEL)
+    assert displacement == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
 
 
 def test_a_sphere_s_equator_changes_smoothly_with_the_patch_that_presses_it():
@@ -123,9 +123,9 @@ def test_the_equator_s_uncertainty_holds_the_direction_of_the_forces():
 
 def test_hertz_s_gap_on_the_true_bodies_gives_his_ellipse_but_for_the_mesh(condensed):
     # With three elements per semi-axis a is 0.2, b 1.0 and p0 1.8 % off; the ratios of the checks keep that out.
-    found = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
+    over_hertz = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
     for name, within in (("semi_major_axis", 0.005), ("semi_minor_axis", 0.02), ("max_pressure", 0.03)):
-        assert found[name] == pytest.approx(1.0, abs=within)
+        assert over_hertz[name] == pytest.approx(1.0, abs=within)
 
 
 def test_normals_that_follow_the_surface_matter(condensed):
@@ -195,8 +195,8 @@ def test_planted_ball_clamped_at_its_equator(contact, monkeypatch):
         return fixed, axes
 
     monkeypatch.setattr(TrueContact, "_equator", clamped)
-    found, exact = contact.condensed().bulges(LOAD)
-    assert abs(found / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
+    equator, exact = contact.condensed().bulges(LOAD)
+    assert abs(equator / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
 
 
 def test_another_scene_is_checked_at_its_own_loads(tmp_path):

@@ -81,10 +81,10 @@ def run() -> Result:
     way = f"tilts of up to 5 mrad as angles here, as sines there: {1e9 * moved:.2f} nm on the groove centres' circle"
     turning = 1e3 * float((np.abs(theirs.solution.stiffness[:, 4, 4]) * turned).max())
 
-    def worst(column: str, found: Found, unit: str, some: NDArray | None = None) -> tuple[float, str]:
+    def worst(column: str, tilts: Found, unit: str, some: NDArray | None = None) -> tuple[float, str]:
         """The largest difference, relative or in its unit, and where."""
         printed = points[column]
-        apart = found.values[column] - printed
+        apart = tilts.values[column] - printed
         if unit == "relative":
             apart = np.where(printed == 0.0, 0.0, apart / np.where(printed == 0.0, 1.0, printed))
         apart = np.where(True if some is None else some, apart, 0.0)

@@ -16,7 +16,7 @@ LEVEL, SCATTER = 1.03, 0.015
 
 def run() -> Result:
     """Printed over computed ratings, with and without the groove radii."""
-    rows, panels, points, found = [], [], [], []
+    rows, panels, points, deviations = [], [], [], []
     for angle in ANGLES:
         catalogue = [row for row in gmn("S", angle) if row["CaxS"] >= 40.0]
         f = fitted_groove(catalogue)
@@ -24,7 +24,7 @@ def run() -> Result:
         by_groove = C / dynamic_load_rating(bearing(Z, D, dm, angle, f, f, **STEEL))
         by_table = C / dynamic_load_rating(bearing(Z, D, dm, angle), Rating.ISO_281)
         case = f"series S, {angle:.0f} degrees, {len(catalogue)} bearings: printed over computed"
-        found.append((by_groove.std(), by_table.std()))
+        deviations.append((by_groove.std(), by_table.std()))
         rows += [
             compared(
                 case,
@@ -93,7 +93,7 @@ def run() -> Result:
             [row["name"].removesuffix(" TA"), row["C"], *map(float, rest)]
             for row, *rest in zip(catalogue, f, by_groove, by_table, strict=True)
         ]
-    (groove, table), (groove_25, table_25) = found
+    (groove, table), (groove_25, table_25) = deviations
     return Result(
         f"With groove radii from the stiffness the scatter of printed over computed falls from {100 * table:.1f}"
         f" and {100 * table_25:.1f} % (15 and 25 degrees) to {100 * groove:.1f} and {100 * groove_25:.1f} %.",

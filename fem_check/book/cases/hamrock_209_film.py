@@ -55,7 +55,7 @@ def run() -> Result:
     """Largest ball load and films of both raceways."""
     solution = solved()
     oil = OilState(VISCOSITY, PRESSURE_VISCOSITY)
-    found = qs.readings.film(solution, oil, ball_roughness=BALL_ROUGHNESS, raceway_roughness=RACEWAY_ROUGHNESS)
+    films = qs.readings.film(solution, oil, ball_roughness=BALL_ROUGHNESS, raceway_roughness=RACEWAY_ROUGHNESS)
     exact = {"inner": contact(-1.0, True), "outer": contact(1.0, True)}
     simple = {"inner": contact(-1.0, False), "outer": contact(1.0, False)}
     load, simple_load = largest_load(*exact.values()), largest_load(*simple.values())
@@ -75,7 +75,7 @@ def run() -> Result:
             forms,
         ),
     ]
-    for name, raceway in (("inner", found.inner), ("outer", found.outer)):
+    for name, raceway in (("inner", films.inner), ("outer", films.outer)):
         least, central = (1e6 * each for each in film(exact[name], load))
         by_simple, _ = (1e6 * each for each in film(simple[name], simple_load))
         here = 1e6 * raceway.minimum_thickness[0], 1e6 * raceway.central_thickness[0]
@@ -97,7 +97,7 @@ def run() -> Result:
     motion = qs.readings.kinematics(solution)
     entrainment = entrainment_speed()
     Lambda = film(exact["inner"], load)[0] / sqrt(BALL_ROUGHNESS**2 + RACEWAY_ROUGHNESS**2)
-    parameter = float(np.asarray(found.inner.film_parameter)[0])
+    parameter = float(np.asarray(films.inner.film_parameter)[0])
     rows += [
         compared(
             "inner raceway, heaviest ball",
@@ -118,8 +118,8 @@ def run() -> Result:
     order = np.argsort(shown)
     pressed = order[solution.inner.load[order] > 0.0]
     return Result(
-        f"Heaviest ball {Q:.1f} N; minimum film {1e6 * found.inner.minimum_thickness[0]:.4f} µm inside and "
-        f"{1e6 * found.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
+        f"Heaviest ball {Q:.1f} N; minimum film {1e6 * films.inner.minimum_thickness[0]:.4f} µm inside and "
+        f"{1e6 * films.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
         rows,
         [
             Panel(
@@ -135,8 +135,8 @@ def run() -> Result:
                 "azimuth from the load line, degrees",
                 "minimum film, µm",
                 [
-                    Series("inner raceway", "dots", shown[pressed], 1e6 * found.inner.minimum_thickness[pressed]),
-                    Series("outer raceway", "squares", shown[pressed], 1e6 * found.outer.minimum_thickness[pressed]),
+                    Series("inner raceway", "dots", shown[pressed], 1e6 * films.inner.minimum_thickness[pressed]),
+                    Series("outer raceway", "squares", shown[pressed], 1e6 * films.outer.minimum_thickness[pressed]),
                 ],
                 title="films of loaded balls",
             ),

@@ -84,12 +84,12 @@ def solved(load: Load, lever: qs.TiltLever = qs.TiltLever.PITCH_CIRCLE) -> tuple
     scene = qs.Scene(b, qs.Operation(**operation), hertz_angle=qs.HertzAngle.ZERO, tilt_lever=lever)
     solution = qs.solve(scene)
     x, y, z, tilt_y, tilt_z = solution.displacement
-    found = {
+    values = {
         "radial": 1e6 * float(np.hypot(y, z)),
         "axial": 1e6 * (float(x) + half_endplay(b)),
         "tilt": 1e3 * float(np.hypot(tilt_y, tilt_z)),
     }
-    return solution, found
+    return solution, values
 
 
 def second_order(tilt_mrad: float) -> float:
@@ -102,7 +102,7 @@ def run() -> Result:
     """All displacements and lives."""
     rows, deviations, life_deviations = [], [], []
     for load in LOADS:
-        solution, found = solved(load)
+        solution, values = solved(load)
         tilt = load.printed.get("tilt", 0.0)
         limit = LIMIT if tilt == 0.0 else second_order(tilt)
         why = (
@@ -117,13 +117,13 @@ def run() -> Result:
                     f"{name} displacement" if name != "tilt" else "tilt",
                     UNITS[name],
                     printed,
-                    found[name],
+                    values[name],
                     SOURCE,
                     limit * printed,
                     why,
                 )
             )
-            deviations.append(found[name] / printed - 1.0)
+            deviations.append(values[name] / printed - 1.0)
         life = float(qs.readings.life(solution, dynamic_load_rating=RATING).basic_reference_rating_life) / 1e6
         rows.append(
             compared(

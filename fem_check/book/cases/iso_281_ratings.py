@@ -112,16 +112,16 @@ def run() -> Result:
         ),
     ]
     rows += thrust_rows()
-    found = {S: float(readings.reliability_factor(S)) for S in RELIABILITY}
+    factors = {S: float(readings.reliability_factor(S)) for S in RELIABILITY}
     reach = {S: (0.5e-3 if a < 0.1 else 0.5e-2) for S, a in RELIABILITY.items()}
-    S = max(RELIABILITY, key=lambda each: abs(found[each] - RELIABILITY[each]) / reach[each])
+    S = max(RELIABILITY, key=lambda each: abs(factors[each] - RELIABILITY[each]) / reach[each])
     rows.append(
         compared(
             f"all {len(RELIABILITY)} reliability factors",
             "a1, worst of them",
             "1",
             RELIABILITY[S],
-            found[S],
+            factors[S],
             "ISO 281:2007, table 12, p. 21 of GOST 18855-2013",
             1.02 * reach[S],
             "two digits are printed",

@@ -35,8 +35,8 @@ def ratios(loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     operation = qs.Operation(
         speed=SHAFT * 2.0 * np.pi, radial_load_y=loads * POUND, axial_displacement=centred, tilt_y=0.0, tilt_z=0.0
     )
-    found = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation))).solved
-    return found.ball_pass_inner / SHAFT, found.ball_pass_outer / SHAFT
+    frequencies = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation))).solved
+    return frequencies.ball_pass_inner / SHAFT, frequencies.ball_pass_outer / SHAFT
 
 
 def run() -> Result:

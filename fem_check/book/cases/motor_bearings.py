@@ -87,8 +87,8 @@ def outer_ratio(motor: Motor, force: ArrayLike, f: ArrayLike, clearance: ArrayLi
     )  # fmt: skip
     operation = qs.Operation(speed=RPM * qs.rpm, axial_load=force)
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment())
-    found = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation, effects, qs.RacewayControl.OUTER)))
-    solved, nominal = (each.ball_pass_outer * 60.0 / RPM for each in (found.solved, found.nominal))
+    frequencies = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation, effects, qs.RacewayControl.OUTER)))
+    solved, nominal = (each.ball_pass_outer * 60.0 / RPM for each in (frequencies.solved, frequencies.nominal))
     return solved, nominal
 
 

@@ -53,29 +53,29 @@ FACTORS = (
 
 def factors(of: Printed) -> NDArray:
     """The factor at each preload."""
-    found = []
+    ratios = []
     for preload in of.preloads:
         pair = ground_set(1, 1, of.row, float(preload))
         several = ground_set(*of.rows, of.row, float(preload))
-        found.append(several[1] / pair[1] if of.is_rigidity else several[0] / float(preload))
-    return np.array(found)
+        ratios.append(several[1] / pair[1] if of.is_rigidity else several[0] / float(preload))
+    return np.array(ratios)
 
 
 def run() -> Result:
     """Every printed factor, and how the preload moves it."""
     rows, summary = [], []
     for each in FACTORS:
-        found = factors(each)
-        outside = np.abs(found - np.clip(found, each.low, each.high))
+        ratios = factors(each)
+        outside = np.abs(ratios - np.clip(ratios, each.low, each.high))
         printed = f"{each.low:g}" if each.low == each.high else f"{each.low:g} to {each.high:g}"
         rows += [
             compared(each.case, f"{each.quantity}, printed {printed}: how far the nearest preload is outside", "1", 0.0,
                      outside.min(), each.source, each.step / 2.0, "half a step of the printed numbers"),
-            compared(each.case, each.quantity, "1", 0.5 * (each.low + each.high), found[outside.argmin()], each.source,
-                     None, f"a finding: {found.min():.4f} to {found.max():.4f} over the preloads"),
+            compared(each.case, each.quantity, "1", 0.5 * (each.low + each.high), ratios[outside.argmin()], each.source,
+                     None, f"a finding: {ratios.min():.4f} to {ratios.max():.4f} over the preloads"),
         ]  # fmt: skip
         if each.rows == (2, 1):
-            summary.append(f"{each.case}: {each.quantity} {found.min():.3f} to {found.max():.3f}, printed {printed}")
+            summary.append(f"{each.case}: {each.quantity} {ratios.min():.3f} to {ratios.max():.3f}, printed {printed}")
     twice = np.array([pair_rigidities(ROW_60, 2.0 * P)[0] / pair_rigidities(ROW_60, P)[0] for P in PRELOADS_60])
     rows.append(
         compared("pair, 60°", "axial rigidity at twice the preload over that at the preload", "1", TWICE, twice[0], IBC,

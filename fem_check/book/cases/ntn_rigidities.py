@@ -48,10 +48,10 @@ def rows_of(sizes: Table, angle: float, f: ArrayLike = COEFFICIENT) -> qs.BallBe
 
 def deviations(sizes: Table, angle: int) -> dict[str, NDArray]:
     """Computed over printed rigidities less one [%], axial and radial."""
-    found = pair_rigidities(rows_of(sizes, float(angle)), sizes[f"preload_{angle}_N"])
+    rigidities = pair_rigidities(rows_of(sizes, float(angle)), sizes[f"preload_{angle}_N"])
     return {
         direction: 100.0 * (each / sizes[f"{direction}_{angle}_N_um"] - 1.0)
-        for direction, each in zip(DIRECTIONS, found, strict=True)
+        for direction, each in zip(DIRECTIONS, rigidities, strict=True)
     }
 
 

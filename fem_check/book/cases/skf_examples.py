@@ -22,8 +22,8 @@ def life(load: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Basic rating life of the 6309 [10^6 revolutions, hours] under a radial load [N]."""
     ball_bearing = bearing(8, 17.5, 72.5, 0.0, kind=qs.BearingKind.DEEP_GROOVE)
     operation = qs.Operation(speed=RPM * qs.rpm, radial_load_y=load, axial_displacement=0.0, tilt_y=0.0, tilt_z=0.0)
-    found = qs.readings.life(qs.solve(qs.Scene(ball_bearing, operation)), dynamic_load_rating=C)
-    millions = np.asarray(found.basic_rating_life) / 1e6
+    reading = qs.readings.life(qs.solve(qs.Scene(ball_bearing, operation)), dynamic_load_rating=C)
+    millions = np.asarray(reading.basic_rating_life) / 1e6
     return millions, millions * 1e6 / RPM / 60.0
 
 

@@ -28,16 +28,16 @@ def run() -> Result:
     light, at_each = factors(LIGHT), [factors(float(preload)) for preload in PRELOADS_15]
     rows = []
     for name, printed in PRINTED.items():
-        found = np.array([each[name] for each in at_each])
+        ratios = np.array([each[name] for each in at_each])
         rows += [
             compared("light preload", f"{name} rigidity over that of the pair", "1", constant_angle, light[name],
                      "Hertz at a constant angle, closed form", 1e-4 * constant_angle,
                      "the contact angle turns by 2e-5 of its tangent, of which a rigidity has at most the fifth power"),
             compared(f"preload {PRELOADS_15[0]:.0f} to {PRELOADS_15[-1]:.0f} N",
-                     f"{name} rigidity over that of the pair", "1", printed, found[np.abs(found - printed).argmin()],
+                     f"{name} rigidity over that of the pair", "1", printed, ratios[np.abs(ratios - printed).argmin()],
                      SOURCE, None,
-                     f"a finding: a negative result, the printed factor is not met; computed {found.min():.3f} to "
-                     f"{found.max():.3f}"),
+                     f"a finding: a negative result, the printed factor is not met; computed {ratios.min():.3f} to "
+                     f"{ratios.max():.3f}"),
         ]  # fmt: skip
     preloads = np.geomspace(1.0, 1500.0, 9)
     curves = [factors(float(preload)) for preload in preloads]

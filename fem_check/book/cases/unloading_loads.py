@@ -106,10 +106,10 @@ def run() -> Result:
                  TABLE, None, "a finding: the printed factor is that of light preloads")
     )  # fmt: skip
     forces = [force(pair) for pair in PAIRS]
-    for pair, found in zip(PAIRS, forces, strict=True):
+    for pair, value in zip(PAIRS, forces, strict=True):
         case = f"{pair.name} DB, preload {pair.preload:.0f} N"
         rows += [
-            compared(case, "unloading force", "N", pair.force, found, FORCES, None,
+            compared(case, "unloading force", "N", pair.force, value, FORCES, None,
                      "a finding: below the printed force by more than its rounding"),
             compared(case, "unloading force by Hertz at a constant angle", "N", pair.force,
                      2.0**1.5 * pair.preload, FORCES, None, "a finding: the opening angle is most of the difference"),
@@ -120,7 +120,7 @@ def run() -> Result:
     return Result(
         f"{sum(each.is_met for each in ARRANGEMENTS)} of {len(ARRANGEMENTS)} printed factors are met to the digit at a "
         f"light preload; at {HEAVY:.0f} N a pair of 15 degrees has {heavy:.2f}. FAG's forces come out "
-        f"{' and '.join(f'{100 * (found / pair.force - 1):.1f}' for pair, found in zip(PAIRS, forces, strict=True))} % "
+        f"{' and '.join(f'{100 * (value / pair.force - 1):.1f}' for pair, value in zip(PAIRS, forces, strict=True))} % "
         "off.",
         rows,
         [

@@ -74,6 +74,6 @@ def one(entry: Entry) -> list[Picture]:
     if drawing is SHARES and not shares.drawable(entry["rows"]):
         return []
     figure = drawing.draw(entry)
-    found = picture(figure, drawing.alt, drawing.caption, min(1.0, figure.get_size_inches()[0] / INCHES))
+    image = picture(figure, drawing.alt, drawing.caption, min(1.0, figure.get_size_inches()[0] / INCHES))
     plt.close(figure)
-    return [found]
+    return [image]

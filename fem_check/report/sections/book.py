@@ -49,8 +49,8 @@ def sections(evidence: Evidence, whole: bool = False) -> list[Section]:
         first = [*_overview(computed), *(_card(kept) for kept in computed if is_counter_example(kept.data))]
         last = list(map(_card, measured))
     first = [Paragraph(COMPUTED), *first] if computed else [missing("The validation book", "fem-check book")]
-    found = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
-    return [*found, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else found
+    parts = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
+    return [*parts, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else parts
 
 
 def _overview(records: Sequence[Kept]) -> list[Block]:
@@ -144,11 +144,11 @@ def _scipy(kept: Kept | None) -> list[Block]:
     """The same equations by a library's root finder."""
     if kept is None or "against_scipy" not in kept.data:
         return []
-    found = kept.data["against_scipy"]
+    counts = kept.data["against_scipy"]
     rows = [
-        [name, f"{found[f'{key}_right']} of {found['points']}", f"{found[f'{key}_ms']['median']:g}"]
+        [name, f"{counts[f'{key}_right']} of {counts['points']}", f"{counts[f'{key}_ms']['median']:g}"]
         for name, key in (("scipy.optimize.root, all unknowns at once", "scipy"), ("qsbearing.solve", "solve"))
     ]
-    words = f"{found['points']} random operating points of B218, compared with scipy.optimize.root."
+    words = f"{counts['points']} random operating points of B218, compared with scipy.optimize.root."
     table = Table(("solved by", "right", "median time, ms"), rows)
     return [Section("scipy.optimize.root", [Paragraph(words), table, kept.trace], is_whole=True)]

@@ -88,8 +88,8 @@ def answer(name: str, kept: Kept) -> str:
     if bad:
         return f"**{len(bad)} of {len(rows)} rows are out of their limits.** {as_read(kept.data['question'])} No."
     findings = [row for row in rows if row["verdict"] == "finding" and row["reference"]]
-    found = _OF[name](kept, findings) if name in _OF else ""
-    return " ".join(filter(None, (found and f"**{found}**", _judged(name, kept, bold=not found))))
+    sentence = _OF[name](kept, findings) if name in _OF else ""
+    return " ".join(filter(None, (sentence and f"**{sentence}**", _judged(name, kept, bold=not sentence))))
 
 
 def _judged(name: str, kept: Kept, bold: bool) -> str:

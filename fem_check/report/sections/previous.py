@@ -77,5 +77,5 @@ def _change(old: Row, new: Row) -> float:
 
 def _line(key: Key, old: Row, new: Row, change: float) -> list[Cell]:
     now: Badge = badge(new["verdict"])
-    found = (number(old["found"]), number(new["found"]), f"{100.0 * change:.2g}")
-    return [key[0], key[1], quantity(key[2]), *found, badge(old["verdict"]), now]
+    numbers = (number(old["found"]), number(new["found"]), f"{100.0 * change:.2g}")
+    return [key[0], key[1], quantity(key[2]), *numbers, badge(old["verdict"]), now]

@@ -46,12 +46,12 @@ def _wide_lines(name: str, rows: list[Row]) -> list[list[Cell]]:
     for row in rows:
         if not _is_rounding(row) and _over_both(row) > WIDE:
             reasons.setdefault(row["why_tolerance"], []).append(row)
-    found: list[list[Cell]] = []
+    lines: list[list[Cell]] = []
     for why, some in reasons.items():
         widest = max(some, key=_over_both)
         place = f"{widest['case']}: {quantity(widest['quantity'])}"
-        found.append([_link(name), str(len(some)), place, number(_over_both(widest), 2), why])
-    return found
+        lines.append([_link(name), str(len(some)), place, number(_over_both(widest), 2), why])
+    return lines
 
 
 def _judged(rows: list[Row]) -> list[Row]:
