@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from fem_check.book.case import EVIDENCE, Case, Result, plain
+from fem_check.book.case import EVIDENCE, Case, CaseResult, plain
 from fem_check.running import records_store
 
 Record = dict[str, Any]
@@ -19,7 +19,7 @@ FIELDS = (
 )  # fmt: skip
 
 
-def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
+def record(case: Case, result: CaseResult, run: dict[str, Any]) -> Record:
     """A case and what its run found, as kept; `run` has the entries RUN."""
     texts = case.texts.model_dump(mode="json")
     picture = {

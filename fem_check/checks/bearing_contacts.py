@@ -19,7 +19,7 @@ import qsbearing
 from fem_check.checks import solution_contacts, true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.equilibrium import own_angle
 from fem_check.independent.groove import RACES
 from fem_check.independent.quasi_static import NoReferenceError
@@ -30,7 +30,7 @@ from fem_check.mechanics.half_space_contact import TOLERANCES, WHY, MeshStudy
 from fem_check.meshing import MeshError
 from fem_check.product import problems
 from fem_check.product.scenes import (
-    Solved,
+    SolvedPoint,
     beyond_thrust,
     drawing_at_rest,
     load,
@@ -40,10 +40,10 @@ from fem_check.product.scenes import (
     solved,
 )
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
 
-ELEMENTS = {Level.QUICK: (3, 4, 5), Level.RELEASE: (4, 6, 8)}
+ELEMENTS = {MeshLevel.QUICK: (3, 4, 5), MeshLevel.RELEASE: (4, 6, 8)}
 """Of true bodies, per semi-axis."""
 HALF_SPACES, TRUE_BODIES = "half-spaces", "true bodies"
 HERTZ = "qsbearing.solve"
@@ -58,7 +58,7 @@ Refused = str
 class Heaviest:
     """The contact of a raceway that carries most."""
 
-    point: Solved
+    point: SolvedPoint
     source: str
     race: str
     ball: int
@@ -69,7 +69,7 @@ class Heaviest:
         return self.point.solution
 
     @cached_property
-    def drawing(self) -> Drawing:
+    def drawing(self) -> BearingDrawing:
         """With the ball's own diameter, as the rings have grown."""
         return problems.row_of(self.solution.scene, self.source).balls[self.ball]
 
@@ -99,15 +99,15 @@ class Heaviest:
         )
 
 
-def operated(source: str) -> tuple[Solved, ...]:
+def operated(source: str) -> tuple[SolvedPoint, ...]:
     """A scene as it is operated; a set row by row."""
     of = load(source)
     if isinstance(of, qsbearing.BearingSet) or source != EXAMPLE:
         return solved(source)
-    return (Solved("own operation", solve(source, "own operation", of)),)
+    return (SolvedPoint("own operation", solve(source, "own operation", of)),)
 
 
-def heaviest(points: Sequence[Solved], source: str, race: str) -> Heaviest | None:
+def heaviest(points: Sequence[SolvedPoint], source: str, race: str) -> Heaviest | None:
     """Of one bearing at its points; None where nothing presses the raceway."""
     loads = [np.asarray(getattr(point.solution, race).load) for point in points]
     most = int(np.argmax([each.max() for each in loads]))
@@ -116,7 +116,7 @@ def heaviest(points: Sequence[Solved], source: str, race: str) -> Heaviest | Non
 
 
 @dataclass(frozen=True)
-class OverHertz:
+class TrueBodyRatios:
     """Quantities over Hertz's, by name, each with its uncertainty."""
 
     values: dict[str, tuple[float, float]]
@@ -124,7 +124,7 @@ class OverHertz:
     solver: str
 
 
-def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) -> OverHertz | Refused:
+def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) -> TrueBodyRatios | Refused:
     """The contact of the true bodies over Hertz at its own angle, on a sequence of meshes; or why there is none."""
     angle, pressed = round(contact.reported("angle"), 6), float(f"{contact.reported('load'):.5g}")
     groove = contact.drawing.groove(contact.race, angle)
@@ -150,7 +150,7 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
         ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in pairs]
         values[name] = ratios[-1], convergence.largest_change(ratios) + (assumed if name == "approach" else 0.0)
     mesh = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
-    return OverHertz(values, mesh, condensed.solver)
+    return TrueBodyRatios(values, mesh, condensed.solver)
 
 
 def profile_of(contact: Heaviest, load: float | None = None) -> RingProfile:
@@ -161,11 +161,11 @@ def profile_of(contact: Heaviest, load: float | None = None) -> RingProfile:
     return ring_sections(scene, source).profile(drawing_at_rest(scene, source), contact.race, needs)
 
 
-def half_space_rows(contact: Heaviest, study: MeshStudy, level: Level) -> list[Row]:
+def half_space_rows(contact: Heaviest, study: MeshStudy, level: MeshLevel) -> list[AgreementRow]:
     """What the solution reports of a contact against the elements."""
     why = WHY[level] if contact.is_exact else "a finding: the scene asks for a published fit of Hertz's ellipse"
     return [
-        Row(
+        AgreementRow(
             f"{contact.case}; {HALF_SPACES}",
             name,
             QUANTITIES[name],
@@ -180,7 +180,7 @@ def half_space_rows(contact: Heaviest, study: MeshStudy, level: Level) -> list[R
     ]
 
 
-def true_rows(contact: Heaviest, over_hertz: OverHertz | Refused) -> list[Row]:
+def true_rows(contact: Heaviest, over_hertz: TrueBodyRatios | Refused) -> list[AgreementRow]:
     """What the solution reports against the true bodies."""
     exact = references.ellipse(
         contact.drawing.groove(contact.race, contact.reported("angle")).problem(contact.reported("load"))
@@ -189,12 +189,14 @@ def true_rows(contact: Heaviest, over_hertz: OverHertz | Refused) -> list[Row]:
     for name in READ:
         reference, case = contact.reported(name), f"{contact.case}; {TRUE_BODIES}"
         if isinstance(over_hertz, Refused):
-            rows.append(Row(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, over_hertz))
+            rows.append(AgreementRow(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, over_hertz))
             continue
         scale = getattr(exact, name)
         value, uncertainty = (scale * each for each in over_hertz.values[name])
         rows.append(
-            Row(case, name, QUANTITIES[name], reference, HERTZ, value, 100.0 * uncertainty / reference, None, FINDING)
+            AgreementRow(
+                case, name, QUANTITIES[name], reference, HERTZ, value, 100.0 * uncertainty / reference, None, FINDING
+            )
         )
     return rows
 
@@ -204,10 +206,10 @@ Ratios = dict[str, tuple[float, float]]
 
 
 def equilibrium_rows(
-    contacts: dict[str, Heaviest], method: str, approaches: Ratios | Refused, level: Level
-) -> dict[str, list[Row]]:
+    contacts: dict[str, Heaviest], method: str, approaches: Ratios | Refused, level: MeshLevel
+) -> dict[str, list[AgreementRow]]:
     """Load and angle of each contact where all contacts have these approaches."""
-    rows: dict[str, list[Row]] = {race: [] for race in contacts}
+    rows: dict[str, list[AgreementRow]] = {race: [] for race in contacts}
     by_race: dict[str, list[tuple[float, float]]] = {}
     reason = approaches if isinstance(approaches, Refused) else ""
     if not isinstance(approaches, Refused):
@@ -223,14 +225,14 @@ def equilibrium_rows(
             reported = contact.reported(name)
             reference = round(degrees(reported), 9) if name == "angle" else reported
             if reason:
-                rows[race].append(Row(case, name, unit, reference, HERTZ, None, None, None, reason))
+                rows[race].append(AgreementRow(case, name, unit, reference, HERTZ, None, None, None, reason))
                 continue
             values = [each[number] for each in by_race[race]]
             scale = abs(reference) or 1.0
             uncertainty = sum(abs(each - values[0]) for each in values[1:])
             tolerance = TOLERANCES[level]["approach"] if name == "load" else 100.0 * ANGLE_TOLERANCE / scale
             rows[race].append(
-                Row(
+                AgreementRow(
                     case, name, unit, reference, HERTZ, values[0], 100.0 * uncertainty / scale,
                     tolerance if judged else None, why,
                 )
@@ -274,9 +276,9 @@ def _row_number(contact: Heaviest) -> int:
     return int(contact.point.label.rpartition(" ")[2]) - 1
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both contacts of each bearing."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     notes: list[str] = []
     mesh: dict[str, Any] = {}
     solver = ""
@@ -294,7 +296,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         if not contacts:
             continue
         ideal: dict[str, MeshStudy] = {}
-        true: dict[str, OverHertz | Refused] = {}
+        true: dict[str, TrueBodyRatios | Refused] = {}
         for race, contact in contacts.items():
             progress(f"{race}, half-spaces", 0.0)
             ideal[race] = half_space_contact.mesh_study(contact.problem, half_space_contact.SEQUENCES[level], progress)
@@ -319,7 +321,7 @@ def _of_half_spaces(contacts: dict[str, Heaviest], ideal: dict[str, MeshStudy]) 
     }
 
 
-def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, OverHertz | Refused]) -> Ratios | Refused:
+def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, TrueBodyRatios | Refused]) -> Ratios | Refused:
     """Over what the equilibrium takes for Hertz's approach: at its angle, of its form."""
     ratios: Ratios = {}
     for race, each in true.items():
@@ -366,11 +368,11 @@ def _notes(contacts: dict[str, Heaviest]) -> list[str]:
 CHECK = Check(
     name="bearing_contacts",
     question="Your bearing: is Hertz solved right for its heaviest contacts, and how far are the true bodies from it?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="finite elements of half-spaces; an equilibrium from the drawing alone; true bodies for comparison",
     tolerance="half-spaces: quick 0.3 %, release 0.02 to 0.05 %; angle 0.02 degrees; true bodies: findings",
     run=run,
     largest_dofs=lambda level: max(
-        half_space_contact.largest_dofs(level), {Level.QUICK: 45_000, Level.RELEASE: 110_000}[level]
+        half_space_contact.largest_dofs(level), {MeshLevel.QUICK: 45_000, MeshLevel.RELEASE: 110_000}[level]
     ),
 )

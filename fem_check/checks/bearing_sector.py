@@ -14,28 +14,28 @@ from fem_check import meshing
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import beyond_thrust, solved
 from fem_check.rows import convergence, row_text
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.solids import contact_block, sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
-from fem_check.solids.sector_comparison import QUANTITIES, Compared, OperatingPoint, Values, own_point
+from fem_check.solids.sector_comparison import QUANTITIES, ComparedSector, ThrustPoint, Values, own_point
 from fem_check.solids.sector_geometry import SectorGeometry
 
-ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 6)}
+ELEMENTS = {MeshLevel.QUICK: (2, 3, 4), MeshLevel.RELEASE: (2, 3, 4, 6)}
 """Per semi-minor axis; six take 3 GB and 100 s. Each mesh is well apart from the next, as five and six are not, so that
 every one tells of the finest's uncertainty."""
 ORDER = 2.0
 """By which the errors of all else fall at least; on half-spaces those of the ellipse fall by 2.4 (`convergence_order`).
 """
 POINTS = {
-    Level.QUICK: (OperatingPoint(17800.0, 10000.0 * qsbearing.rpm),),
-    Level.RELEASE: tuple(
-        OperatingPoint(load, speed * qsbearing.rpm)
+    MeshLevel.QUICK: (ThrustPoint(17800.0, 10000.0 * qsbearing.rpm),),
+    MeshLevel.RELEASE: tuple(
+        ThrustPoint(load, speed * qsbearing.rpm)
         for load in (500.0, 2000.0, 17800.0, 44500.0)
         for speed in (0.0, 10000.0)
     ),
 }
 """Of the example; another scene is compared at its own thrust and speed."""
-SUPPORTS = {Level.QUICK: (OuterSupport.RIGID,), Level.RELEASE: (OuterSupport.RIGID, OuterSupport.FREE)}
+SUPPORTS = {MeshLevel.QUICK: (OuterSupport.RIGID,), MeshLevel.RELEASE: (OuterSupport.RIGID, OuterSupport.FREE)}
 BOUNDS = {
     "axial_displacement": 0.2,
     "load": 0.05,
@@ -82,8 +82,8 @@ def quantity_kind(quantity: str) -> str:
 class Studied:
     """One operating point, from all meshes."""
 
-    point: OperatingPoint
-    compared: Compared
+    point: ThrustPoint
+    compared: ComparedSector
     uncertainty: dict[str, float]
     """Of each quantity found, same unit."""
     sector: BearingSector
@@ -119,14 +119,14 @@ class Studied:
 
 def study(
     scene: str,
-    point: OperatingPoint,
-    level: Level,
+    point: ThrustPoint,
+    level: MeshLevel,
     support: OuterSupport,
     *,
     gyroscopic_moment: bool = False,
 ) -> Studied:
     """Solve a point on all meshes: ellipse and pressure of the finest, the rest extrapolated at the release level."""
-    meshes: list[Compared] = []
+    meshes: list[ComparedSector] = []
     sizes: list[float] = []
     try:
         where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
@@ -147,7 +147,7 @@ def study(
     of_elements, uncertainty = {}, {}
     for name in QUANTITIES:
         values = [mesh.elements[name] for mesh in meshes]
-        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
+        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is MeshLevel.RELEASE:
             of_elements[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
             of_elements[name] = values[-1]
@@ -170,7 +170,7 @@ def _finest(sizes: list[float], meshes: list[Values]) -> Values:
     return replace(last, position_uncertainty=both)
 
 
-def judged_rows(studied: Studied, level: Level) -> list[Row]:
+def judged_rows(studied: Studied, level: MeshLevel) -> list[AgreementRow]:
     """The meshed bodies against the model, boundary elements and statics, each with a tolerance."""
     sector, point = studied.sector, studied.point
     load = SectorLoad(point.axial_load, point.speed, studied.moment)
@@ -179,12 +179,12 @@ def judged_rows(studied: Studied, level: Level) -> list[Row]:
     return [*rows, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
 
 
-def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row]:
+def half_space_rows(scene: str, point: ThrustPoint, level: MeshLevel) -> list[AgreementRow]:
     """Half-spaces in the bodies' place, at speed with the gyroscopic moment, at the release level without it too."""
     rows = []
     bearing = sector_comparison.sector_bearing(scene)
     turns = bool(point.speed)
-    for moment in (False, True) if turns and level is Level.RELEASE else (turns,):
+    for moment in (False, True) if turns and level is MeshLevel.RELEASE else (turns,):
         case = f"{point.label}{MOMENT_STEP if moment else ''}: half-spaces for bodies"
         try:
             values, sector = sector_comparison.half_spaces(scene, point, gyroscopic_moment=moment)
@@ -197,17 +197,17 @@ def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row
     return rows
 
 
-def _misplaced(case: str, problem: ContactError) -> Row:
+def _misplaced(case: str, problem: ContactError) -> AgreementRow:
     """Bodies with no size to limit their contacts find none where the model has them: the model is wrong, or lost."""
     source, why = "qsbearing.solve says where", f"no contact is as far from it as that: {problem}"
-    return Row(case, "contacts that are not where the model has them", "1", 0.0, source, 1.0, None, 0.0, why)
+    return AgreementRow(case, "contacts that are not where the model has them", "1", 0.0, source, 1.0, None, 0.0, why)
 
 
-def rows_of(case: str, studied: Studied) -> list[Row]:
+def rows_of(case: str, studied: Studied) -> list[AgreementRow]:
     """The differences from the model: findings, without a tolerance."""
     compared = studied.compared
     return [
-        Row(
+        AgreementRow(
             case,
             name,
             unit,
@@ -223,7 +223,7 @@ def rows_of(case: str, studied: Studied) -> list[Row]:
     ]
 
 
-def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
+def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> AgreementRow:
     """What a free outside diameter adds to the axial displacement: elements against the model with elastic rings."""
     name = "axial_displacement"
     reference = with_rings.compared.model[name] - rigid.compared.model[name]
@@ -231,7 +231,7 @@ def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
     uncertainty = free.uncertainty[name] + rigid.uncertainty[name]
     tolerance = GROWN * abs(rigid.compared.model[name] / reference)
     seen = tolerance <= GROWN_SEEN
-    return Row(
+    return AgreementRow(
         f"{rigid.point.label}, outside diameter free instead of rigid", "change of axial displacement", "m",
         reference, "qsbearing.solve with elastic_rings", growth, 100.0 * uncertainty / abs(reference),
         tolerance if seen else None,
@@ -239,9 +239,9 @@ def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
     )  # fmt: skip
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All points, the supports side by side, then the gyroscopic moment."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     series: dict[str, Any] = {}
     points = POINTS[level] if scene == EXAMPLE else (own_point(scene),)
     dofs, solver = 0, ""
@@ -249,7 +249,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     for done, point in enumerate(points):
         progress(point.label, done / len(points))
         steps = [(support, "") for support in SUPPORTS[level]]
-        if level is Level.RELEASE and point.speed:
+        if level is MeshLevel.RELEASE and point.speed:
             steps.append((OuterSupport.RIGID, MOMENT_STEP))
         rows += half_space_rows(scene, point, level)
         for support, step in steps:
@@ -267,7 +267,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 with_rings = replace(studied, compared=compared, with_rings=True)
                 rows += [*rows_of(with_rings.case, with_rings), grown_row(drawn, studied, with_rings)]
                 _keep(series, with_rings)
-    if level is Level.RELEASE:
+    if level is MeshLevel.RELEASE:
         rows += uncertainty_rows(series)
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
@@ -290,7 +290,7 @@ def _drawn(studied: Studied) -> dict[str, Any]:
     return sector_pictures.of_sector(sector, sector.solve(SectorLoad(point.axial_load, point.speed)), point.label)
 
 
-def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
+def _light_load_limit(light: Studied, heavier: Studied) -> list[AgreementRow]:
     """Deviations from the model at two light loads, continued to none by the power of each."""
     rows = []
     ratio = heavier.point.axial_load / light.point.axial_load
@@ -311,7 +311,9 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
         else:
             title, exact, extrapolated, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
         unit = "deg" if exact == 0.0 else "1"
-        rows.append(Row(case, title, unit, exact, source, extrapolated, scale * uncertainty, scale * tolerance, why))
+        rows.append(
+            AgreementRow(case, title, unit, exact, source, extrapolated, scale * uncertainty, scale * tolerance, why)
+        )
     return rows
 
 
@@ -326,7 +328,7 @@ def largest_uncertainty(states: dict[str, Any]) -> dict[str, float]:
     return largest
 
 
-def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
+def uncertainty_rows(series: dict[str, Any]) -> list[AgreementRow]:
     """What the comparison with the model resolves where the outside diameter is fixed.
 
     It has a tolerance where centrifugal force acts alone. With the gyroscopic moment it is a finding: none was set
@@ -351,10 +353,10 @@ def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
 
 def _uncertainties(
     case: str, states: dict[str, Any], why: str, bounds: Mapping[str, float] = MappingProxyType({})
-) -> list[Row]:
+) -> list[AgreementRow]:
     """Rows of the largest uncertainties of one series; without a bound a finding."""
     return [
-        Row(
+        AgreementRow(
             case,
             kind,
             "deg" if kind == "angle" else "1",
@@ -421,7 +423,7 @@ def _rings_note(series: dict[str, Any]) -> str:
     )
 
 
-def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
+def uncertainty_note(series: dict[str, Any], key: str, level: MeshLevel) -> str:
     """What the cases of one series resolve."""
     parts = [
         f"{row_text.in_words(name)} {value:.2g}{'°' if name == 'angle' else ' %'}"
@@ -470,11 +472,11 @@ NOTE = (
 CHECK = Check(
     name="bearing_sector",
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
-    kind=Kind.MODEL_COMPARISON,
+    kind=CheckKind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
     tolerance="a 0.9, b 2, p0 2.5 % (release 0.6, 1.3, 1.5); half-spaces: load 0.12 %, angle 0.1°; statics 0.05 %",
     run=run,
-    largest_dofs=lambda level: {Level.QUICK: 60_000, Level.RELEASE: 110_000}[level],
+    largest_dofs=lambda level: {MeshLevel.QUICK: 60_000, MeshLevel.RELEASE: 110_000}[level],
 )
 
 
@@ -484,9 +486,9 @@ def keep_meshes() -> None:
     for path in folder.glob("sector-*.npz"):
         path.unlink()
     entries = {}
-    for point in POINTS[Level.QUICK]:
+    for point in POINTS[MeshLevel.QUICK]:
         where = sector_comparison.place(EXAMPLE, point, OuterSupport.RIGID)
-        for elements in ELEMENTS[Level.QUICK]:
+        for elements in ELEMENTS[MeshLevel.QUICK]:
             geometry = SectorGeometry(sector_comparison.sector_bearing(EXAMPLE), where, elements)
             for body in ("ball", "inner", "outer"):
                 path = folder / geometry.mesh_file(body)

@@ -17,7 +17,7 @@ import qsbearing as qs
 from fem_check.checks.product_scenes import ALUMINIUM, B218, BOTH, CELSIUS, MINUS
 from fem_check.independent.sliding import mean_speed
 from fem_check.product.scenes import drawing_of
-from fem_check.rows.agreement import EXAMPLE, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow
 from fem_check.rows.compared import compared
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
 
@@ -94,7 +94,7 @@ def contact_heat(solution: qs.Solution, outer_speed: float = 0.0) -> dict[str, f
     return by_race
 
 
-def bearing_rows() -> Iterator[Row]:
+def bearing_rows() -> Iterator[AgreementRow]:
     """One bearing at its steady temperatures."""
     solution = qs.solve(SCENE)
     state = solution.thermal
@@ -131,7 +131,7 @@ def bearing_rows() -> Iterator[Row]:
         yield compared(case, quantity, unit, of(solution), of(given), source)
 
 
-def set_rows() -> Iterator[Row]:
+def set_rows() -> Iterator[AgreementRow]:
     """Two rows on one warm shaft: each its own rings and balls, one shaft, housing and oil."""
     rows = (qs.Row(B218, 0.0), qs.Row(B218, 60e-3, MINUS))
     of = qs.BearingSet(
@@ -166,7 +166,7 @@ def set_rows() -> Iterator[Row]:
     )  # fmt: skip
 
 
-def heat_rows() -> Iterator[Row]:
+def heat_rows() -> Iterator[AgreementRow]:
     """All of heat."""
     yield from bearing_rows()
     yield from set_rows()

@@ -14,12 +14,12 @@ from fem_check.elements import elastic_body
 from fem_check.elements.elastic_body import DisplacementSpace, lame
 from fem_check.elements.linear_solver import Factor, factorise
 from fem_check.independent.contact_problem import Array, ElasticConstants
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 POISSON = 0.3
-COUNTS = {Level.QUICK: (4, 8), Level.RELEASE: (6, 12)}
+COUNTS = {MeshLevel.QUICK: (4, 8), MeshLevel.RELEASE: (6, 12)}
 """Elements along each edge, coarse and fine."""
 ORDERS = {"displacement": 3.0, "displacement gradient": 2.0}
 TOLERANCE = 2.5
@@ -147,7 +147,7 @@ BODIES = {
 }
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both kinds of element, each on two meshes."""
     rows = []
     for name, solved in BODIES.items():
@@ -156,7 +156,9 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             observed = float(np.log2(coarse[quantity] / fine[quantity]))
             case = f"{name}, {' to '.join(map(str, COUNTS[level]))} along an edge"
             source = "Ciarlet 1978: quadratic elements, also isoparametric"
-            rows.append(Row(case, f"order of the {quantity}", "1", order, source, observed, None, TOLERANCE, WHY))
+            rows.append(
+                AgreementRow(case, f"order of the {quantity}", "1", order, source, observed, None, TOLERANCE, WHY)
+            )
     mesh = {"elements_per_semi_axis": None, "dofs": None, "file": None}
     return Findings(rows, mesh, factor.solver)
 
@@ -164,7 +166,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 CHECK = Check(
     name="manufactured_solution",
     question="Do hexahedra and curved tetrahedra solve elasticity at the order that theory gives them?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="a manufactured solution; orders 3 in the displacement and 2 in its gradient",
     tolerance="2.5 % of the order",
     run=run,

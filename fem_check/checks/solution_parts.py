@@ -22,7 +22,7 @@ from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
 from fem_check.independent.ring_growth import give_on_shaft
 from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.compared import compared
 from qsbearing.files import catalogue
 from qsbearing.readings import kinematics, stress
@@ -32,14 +32,14 @@ LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_l
 FEW, MANY = 64, 1000
 
 
-def batch_rows() -> Iterator[Row]:
+def batch_rows() -> Iterator[AgreementRow]:
     """Cases in one call against calls of their own: as many as are solved one by one, and side by side where there is
     machine code."""
     for count in (FEW, MANY):
         yield from batch_of(count)
 
 
-def batch_of(count: int) -> Iterator[Row]:
+def batch_of(count: int) -> Iterator[AgreementRow]:
     """A batch, of which ten cases are solved again."""
     share = np.linspace(0.5, 1.0, count)
     speed = SPEED * share[::-1]
@@ -60,7 +60,7 @@ def batch_of(count: int) -> Iterator[Row]:
         yield compared(case, name, unit, of(many)[list(at)], [of(one) for one in each], source)
 
 
-def motion_rows() -> Iterator[Row]:
+def motion_rows() -> Iterator[AgreementRow]:
     """The balls' axis and spin, by vectors from the reported rotation; slip from what is asked and what is allowed."""
     friction = 0.03
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
@@ -88,7 +88,7 @@ def motion_rows() -> Iterator[Row]:
     )  # fmt: skip
 
 
-def stress_rows() -> Iterator[Row]:
+def stress_rows() -> Iterator[AgreementRow]:
     """The orthogonal shear below the contacts."""
     solution = qs.solve(qs.Scene(B218, LOADS, **BOTH))
     told = stress(solution)
@@ -111,7 +111,7 @@ HOUSING = {"axial": 4e8, "radial": 6e8, "tilt": 2e6}
 MOMENT = 40.0
 
 
-def shaft_rows() -> Iterator[Row]:
+def shaft_rows() -> Iterator[AgreementRow]:
     """A stepped, hollow shaft on two rows, one of them in an elastic housing: its shape, and what the housing gives."""
     places = (0.0, 0.2)
     shaft = qs.Shaft(
@@ -141,7 +141,7 @@ def shaft_rows() -> Iterator[Row]:
     steel, begin, sections = drawing.ring, START, []
     for length, outer, inner in SECTIONS:
         sections.append(
-            shaft_beam.Section(
+            shaft_beam.BeamSection(
                 begin, begin + length, outer, inner, float(np.asarray(qs.STEEL.elastic_modulus)), steel.poisson_ratio
             )
         )
@@ -170,7 +170,7 @@ def shaft_rows() -> Iterator[Row]:
 BORE, WIDTH, HOLLOW, ALUMINIUM = 90e-3, 30e-3, 60e-3, (70e9, 0.33)
 
 
-def ring_rows() -> Iterator[Row]:
+def ring_rows() -> Iterator[AgreementRow]:
     """An elastic inner ring on a hollow shaft of aluminium under thrust, where it gives way alike all round."""
     rigid = qs.Scene(B218, qs.Operation(axial_load=20e3))
     rings = qs.ElasticRings(
@@ -210,7 +210,7 @@ KEYS = {
 """Key of a scene file: field of the operation, number written, in SI units."""
 
 
-def key_rows() -> Iterator[Row]:
+def key_rows() -> Iterator[AgreementRow]:
     """Keys of a scene file, in two files: a channel has its load or its displacement."""
     channels = list(KEYS)
     speeds = channels[5:7]
@@ -225,7 +225,7 @@ def key_rows() -> Iterator[Row]:
                 yield compared(name, "keys of [operation] in SI units", "SI", getattr(operation, field), expected, "SI")
 
 
-def catalogue_rows() -> Iterator[Row]:
+def catalogue_rows() -> Iterator[AgreementRow]:
     """Every bearing of the printed table, with balls of steel and of ceramic."""
     rows = catalogue_table.rows()
     case, source = f"{len(rows)} bearings of the table, steel and ceramic balls", "the printed table, read again"
@@ -248,23 +248,23 @@ def catalogue_rows() -> Iterator[Row]:
         short = name.removeprefix("outline.").removesuffix("_mm").removesuffix("_N")
         yield compared(case, f"{short} over the printed", "1", off, np.ones_like(off), source)
     odd = [row.name for row in rows if not row.has_standard_balls]
-    yield Row(
+    yield AgreementRow(
         case, "balls of a standard size", "1", float(len(rows)), "ISO 3290-1: inches by 1/64, or millimetres by 1/2",
         float(len(rows) - len(odd)), None, 0.0, "a count", ", ".join(odd[:3]) or None,
     )  # fmt: skip
     over = np.array([row.pitch_over_mean for row in rows])
-    yield Row(
+    yield AgreementRow(
         case, "pitch diameter over the mean of bore and outside diameter, farthest from 1", "1", 1.0, "drawing",
         float(over[np.argmax(np.abs(over - 1.0))]), None, 5.1, "rings of unequal height, as the lowest has",
         rows[int(np.argmax(np.abs(over - 1.0)))].name,
     )  # fmt: skip
     boundaries = catalogue_table.unlike_boundaries(rows)
-    yield Row(
+    yield AgreementRow(
         case, "boundary dimensions unlike their designation's", "1", 0.0, "ISO 15: one designation, one d, D and B",
         float(len(boundaries)), None, 0.0, "a count", ", ".join(boundaries[:3]) or None,
     )  # fmt: skip
     twins = catalogue_table.unlike_twins(rows)
-    yield Row(
+    yield AgreementRow(
         case, "sizes whose balls differ with the angle", "1", 0.0, "the table: one ring, two angles", float(len(twins)),
         None, 0.0, "a count", ", ".join(twins[:3]) or None,
     )  # fmt: skip
@@ -274,7 +274,7 @@ def catalogue_rows() -> Iterator[Row]:
         for name, values, allowed in zip(("C over ISO 281's", "C0 over Z Dw2 cos alpha"), ratios, spreads, strict=True):
             off = np.asarray(values) / np.median(values)
             worst = int(np.argmax(np.abs(off - 1.0)))
-            yield Row(
+            yield AgreementRow(
                 f"{len(some)} bearings of series {series}", f"{name}, over the median", "1", 1.0, "ISO 281 and ISO 76",
                 float(off[worst]), None, None if allowed is None else 100.0 * allowed, catalogue_table.WHY_SPREAD,
                 some[worst].name,
@@ -293,9 +293,9 @@ PARTS = {
 }
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All parts; always B218, whatever the scene."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     for done, (name, part) in enumerate(PARTS.items()):
         progress(name, done / len(PARTS))
         more = list(part())
@@ -306,7 +306,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 CHECK = Check(
     name="solution_parts",
     question="Are batches, motion, stresses, elastic shafts, heat, scene files and the catalogue right?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="single calls, vectors, integrals, a beam, balances of heat, the printed table; no code of qsbearing",
     tolerance="1e-9; friction 1e-4; standard sizes exactly; ratings against ISO's as far as makers differ",
     run=run,

@@ -32,17 +32,17 @@ def cost(level: str, out: Path, as_json: bool) -> None:
 
     from fem_check import meshing
     from fem_check.cost import measurement, picture, record, table
-    from fem_check.rows.agreement import Level
+    from fem_check.rows.agreement import MeshLevel
     from fem_check.running import records_store, runner
 
     path = record.path_of(level, out)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=path.parent).close()  # before the work, not after it
-        finest = max(max(counts) for counts in measurement.MESHES[Level(level)].values())
+        finest = max(max(counts) for counts in measurement.MESHES[MeshLevel(level)].values())
         runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
         with progress_bar(as_json) as reporter:
-            measured = measurement.measure(Level(level), reporter("cost"))
+            measured = measurement.measure(MeshLevel(level), reporter("cost"))
         records_store.replace(path, records_store.text(measured))
         records_store.replace(path.with_suffix(".png"), picture.png(measured))
     except BrokenProcessPool:

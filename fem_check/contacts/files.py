@@ -12,7 +12,7 @@ from fem_check.contacts import shown
 from fem_check.contacts.chosen import Chosen
 from fem_check.contacts.half_spaces import Shape
 from fem_check.contacts.true_bodies import TrueBodies
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.running import records_store
@@ -23,7 +23,7 @@ NAME = "contact"
 
 
 def write(
-    entry: dict[str, Any], maps: Sequence[dict[str, Any]], solved: Iterable[tuple[str, Field]], out: Path
+    entry: dict[str, Any], maps: Sequence[dict[str, Any]], solved: Iterable[tuple[str, NodalFields]], out: Path
 ) -> list[Path]:
     """Write all forms into a folder; returns their paths.
 
@@ -119,7 +119,7 @@ def _map(pictures: dict[str, Any]) -> Picture:
     return image
 
 
-def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -> Iterable[tuple[str, Field]]:
+def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -> Iterable[tuple[str, NodalFields]]:
     """The raceway's half-space of each contact: solved once for a shape, and scaled."""
     names = _names(contacts)
     for shape in shapes:
@@ -130,7 +130,7 @@ def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -
             yield f"half_space_{names[id(each)]}", field.scaled(length, own.max_pressure / solved.max_pressure)
 
 
-def fields_of_true_bodies(contacts: Sequence[TrueBodies]) -> Iterable[tuple[str, Field]]:
+def fields_of_true_bodies(contacts: Sequence[TrueBodies]) -> Iterable[tuple[str, NodalFields]]:
     """Ball and ring of each contact, on its finest mesh."""
     names = _names([each.chosen for each in contacts])
     for each in contacts:

@@ -20,7 +20,7 @@ from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import MeshStudy
-from fem_check.rows.agreement import Findings, Level, Progress, Row, collapsed, covered
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel, Progress, collapsed, covered
 
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5
@@ -30,9 +30,9 @@ NEARLY = 0.02
 3 %."""
 
 
-def level_of(elements: int) -> Level:
+def level_of(elements: int) -> MeshLevel:
     """The level whose tolerances apply to so many elements."""
-    return Level.RELEASE if elements >= half_space_contact.SEQUENCES[Level.RELEASE][-1] else Level.QUICK
+    return MeshLevel.RELEASE if elements >= half_space_contact.SEQUENCES[MeshLevel.RELEASE][-1] else MeshLevel.QUICK
 
 
 def sequence_of(elements: int) -> tuple[int, ...]:
@@ -107,8 +107,8 @@ def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> 
         elements: per semi-axis of the finest mesh.
         accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
-    rows: list[Row] = []
-    checks: list[Row] = []
+    rows: list[AgreementRow] = []
+    checks: list[AgreementRow] = []
     for shape in shapes:
         each = [row for contact in shape.alike for row in agreement(shape, contact, elements, accuracy)]
         judged = covered(shape.name, each)
@@ -129,20 +129,20 @@ def case_of(contact: Chosen) -> str:
     return f"{contact.groove.name} {contact.label}, parabolic gap"
 
 
-def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | None) -> list[Row]:
+def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | None) -> list[AgreementRow]:
     """One contact against Hertz: what its shape was found to be over Hertz, times its own."""
     level = level_of(elements)
     tolerances, why = half_space_contact.TOLERANCES[level], half_space_contact.WHY[level]
     if accuracy is not None:
         tolerances, why = dict.fromkeys(JUDGED, 100.0 * accuracy), "the accuracy asked for"
-    elif elements < half_space_contact.SEQUENCES[Level.QUICK][-1]:
+    elif elements < half_space_contact.SEQUENCES[MeshLevel.QUICK][-1]:
         tolerances, why = {}, COARSE
     solved, own = hertz(shape.study.problem), hertz(contact.problem)
     rows = []
     for name, unit in QUANTITIES.items():
         exact, reference = getattr(solved, name), getattr(own, name)
         rows.append(
-            Row(
+            AgreementRow(
                 case_of(contact),
                 name,
                 unit,

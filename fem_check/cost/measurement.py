@@ -22,7 +22,7 @@ from fem_check.independent.contact_problem import ContactProblem
 from fem_check.independent.references import axis_ratio, hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.product.scenes import groove_contact
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import memory, records_store
 from qsbearing.model.contact.hertz import HertzForm, effective_modulus
 from qsbearing.results import provenance
@@ -34,9 +34,9 @@ JUDGED = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max
 """The *accuracy* of a contact is the worst of these. The depth of the largest shear is left out: at the maximum, 0.05 %
 of shear is 2 % of depth."""
 
-MESHES: dict[Level, dict[str, tuple[int, ...]]] = {
-    Level.QUICK: {SERENDIPITY.name: (3, 4, 5, 6), "hex27": (4,), "hex8": (4, 6), "tet10": (4,), "tet4": (4, 6)},
-    Level.RELEASE: {
+MESHES: dict[MeshLevel, dict[str, tuple[int, ...]]] = {
+    MeshLevel.QUICK: {SERENDIPITY.name: (3, 4, 5, 6), "hex27": (4,), "hex8": (4, 6), "tet10": (4,), "tet4": (4, 6)},
+    MeshLevel.RELEASE: {
         SERENDIPITY.name: (3, 4, 5, 6, 8, 10, 12, 16),
         "hex27": (4, 6, 8, 10),
         "hex8": (4, 6, 8, 12, 16),
@@ -124,7 +124,7 @@ def closed_forms(solved: ContactProblem) -> list[dict[str, Any]]:
     return table
 
 
-def measure(level: Level, progress: Progress) -> dict[str, Any]:
+def measure(level: MeshLevel, progress: Progress) -> dict[str, Any]:
     """Measure a level: a cost record; nothing is written.
 
     Raises:

@@ -14,7 +14,7 @@ from fem_check.cost.measurement import JUDGED
 from fem_check.elements.element_family import SERENDIPITY
 from fem_check.mechanics.half_space_contact import ORDERS
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing.documents.numbers import duration
 
 SEQUENCES = {6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (4, 8, 16)}
@@ -91,7 +91,7 @@ def proposals(accuracy: float, record: dict[str, Any] | None) -> list[MeshChoice
     return good
 
 
-def reached(rows: Iterable[Row]) -> tuple[float, str]:
+def reached(rows: Iterable[AgreementRow]) -> tuple[float, str]:
     """Accuracy reached, and the quantity that it is that of.
 
     Deviation and uncertainty together; the uncertainty alone of a finding, whose reference is not its exact value.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
 
 FIELDS = ("level", "made_by", "machine", "contact", "ellipticity", "solver", "meshes", "closed_forms", "seconds")
@@ -22,7 +22,7 @@ def read(records: Path = records_store.FOLDER) -> dict[str, Any] | None:
     Raises:
         RecordError: a file that is no cost record.
     """
-    for level in (Level.RELEASE, Level.QUICK):
+    for level in (MeshLevel.RELEASE, MeshLevel.QUICK):
         path = path_of(level, records)
         if path.is_file():
             return records_store.read(path, FIELDS, "no cost record", "run `fem-check cost` again")

@@ -30,7 +30,7 @@ CELLS = {
 
 
 @dataclass(frozen=True)
-class Field:
+class NodalFields:
     """A body and what its nodes have; lengths [mm], stresses [MPa]."""
 
     nodes: Array
@@ -44,7 +44,7 @@ class Field:
     pressure: Array
     """Of the contact, zero elsewhere, (node,)."""
 
-    def scaled(self, length: float, stress: float) -> Field:
+    def scaled(self, length: float, stress: float) -> NodalFields:
         """A similar body: lengths are multiplied by one number, stresses, and so strains, by another."""
         return replace(
             self,
@@ -78,7 +78,7 @@ class Field:
         mesh.write(path, file_format="vtu")
 
 
-def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: ElasticConstants) -> Field:
+def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: ElasticConstants) -> NodalFields:
     """The field of a body.
 
     Args:
@@ -88,7 +88,7 @@ def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: E
         material: of the body.
     """
     stresses = 1e-6 * stress(space, moved, material)
-    return Field(1e3 * space.nodes, in_vtk_order(space), 1e3 * moved.T, stresses, 1e-6 * pressure)
+    return NodalFields(1e3 * space.nodes, in_vtk_order(space), 1e3 * moved.T, stresses, 1e-6 * pressure)
 
 
 def stress(space: DisplacementSpace, moved: Array, material: ElasticConstants) -> Array:

@@ -23,7 +23,7 @@ NEAR = 1e-9
 
 
 @dataclass(frozen=True)
-class Body:
+class RingGrid:
     """An annulus of unit width and its grid: elements round half of it, and through it."""
 
     bore_radius: float
@@ -114,8 +114,8 @@ class Body:
 class Ring:
     """A ring, and what it is in or on, if anything."""
 
-    ring: Body
-    seat: Body | None = None
+    ring: RingGrid
+    seat: RingGrid | None = None
 
     @cached_property
     def dofs(self) -> int:

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.equilibrium import BallRow, State
+from fem_check.independent.equilibrium import BallRow, BallStates
 
 CHANNELS = 6
 """Of the shaft: five, and the slide of sprung outer rings."""
@@ -63,7 +63,7 @@ def alone() -> Array:
 
 
 @dataclass(frozen=True)
-class Problem:
+class BalanceProblem:
     """What is to be in equilibrium. Of each of the shaft's channels its load, or (held) its displacement."""
 
     rows: tuple[Placed, ...]
@@ -87,14 +87,14 @@ class Problem:
 class Equilibrium:
     """The shaft's displacement, and all balls."""
 
-    problem: Problem
+    problem: BalanceProblem
     shaft: Array
     positions: tuple[Array, ...]
     """Of the balls' centres from the outer groove's, row by row; shape (ball, 2) [m]."""
     controls: tuple[Array | None, ...]
 
     @property
-    def states(self) -> list[State]:
+    def states(self) -> list[BallStates]:
         """Row by row."""
         return [
             placed.row.state(placed.row.groove_centres(placed.moved(self.shaft)), position, control)
@@ -113,7 +113,7 @@ class Equilibrium:
 
 
 def solve(
-    problem: Problem,
+    problem: BalanceProblem,
     start: tuple[Array, Sequence[Array]],
     controls: Sequence[Array | None],
     speed: float = 1.0,
@@ -166,7 +166,7 @@ def solve(
 
 
 def _imbalance(
-    problem: Problem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
+    problem: BalanceProblem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
 ) -> float:
     """The largest of any ball and of the shaft's free channels, over the largest force."""
     unbalanced, forces, left = problem.load.copy(), [1e-30], [0.0]
@@ -182,7 +182,7 @@ def _imbalance(
 
 
 def _linearised(
-    problem: Problem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
+    problem: BalanceProblem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
 ) -> tuple[Array, Array, list[tuple[Array, Array]]]:
     """The shaft's stiffness and imbalance with the balls eliminated, and each row's moves of its balls: by themselves
     (ball, 2, 1), and by their groove centres (ball, 2, 2)."""
@@ -209,7 +209,7 @@ def _linearised(
     return stiffness, unbalanced, moves
 
 
-def at_rest(problem: Problem) -> tuple[Array, Sequence[Array]]:
+def at_rest(problem: BalanceProblem) -> tuple[Array, Sequence[Array]]:
     """A start: the set at rest, each ball a spring along the line between its groove centres.
 
     Its energy is convex in the shaft's displacement; a stiffness is added while a step does not lower it.
@@ -256,7 +256,7 @@ def at_rest(problem: Problem) -> tuple[Array, Sequence[Array]]:
     return shaft, positions
 
 
-def at_speed(problem: Problem, controls: Sequence[Array | None]) -> Equilibrium:
+def at_speed(problem: BalanceProblem, controls: Sequence[Array | None]) -> Equilibrium:
     """The equilibrium that continues the one at rest, by Newton's method in as few steps of speed as it takes.
 
     Raises:

@@ -22,7 +22,7 @@ from fem_check.independent.contact_problem import Array
 
 
 @dataclass(frozen=True)
-class Annulus:
+class LameRing:
     """A ring, a shaft (bore 0: solid) or a housing; SI units."""
 
     bore_radius: float
@@ -52,7 +52,7 @@ class Annulus:
         return np.array([e / (1.0 - nu), -e / (1.0 + nu) / radius**2]), self._rotation(radius)[1]
 
 
-def elastic_growth(ring: Annulus, radius: float, seat: Annulus | None = None, interference: float = 0.0) -> float:
+def elastic_growth(ring: LameRing, radius: float, seat: LameRing | None = None, interference: float = 0.0) -> float:
     """Outward displacement of a ring at a radius, but for that by its own heat [m].
 
     Args:
@@ -70,7 +70,7 @@ def elastic_growth(ring: Annulus, radius: float, seat: Annulus | None = None, in
     return float(row @ free) + known
 
 
-def _joined(inside: Annulus, outside: Annulus, interference: float) -> Array | None:
+def _joined(inside: LameRing, outside: LameRing, interference: float) -> Array | None:
     """(c1, c2) of both bodies; None where the seat is open."""
     seat, none = inside.outside_radius, np.zeros(2)
     (stress_in, known_in), (stress_out, known_out) = inside.radial_stress(seat), outside.radial_stress(seat)

@@ -20,7 +20,7 @@ from fem_check.independent.contact_problem import Array
 
 
 @dataclass(frozen=True)
-class Section:
+class BeamSection:
     """A length of the shaft; SI units."""
 
     begin: float
@@ -45,7 +45,7 @@ class Section:
         return k * self.elastic_modulus / (2.0 * (1.0 + nu)) * area
 
 
-def shape(sections: list[Section], at: Array, forces: Array, moments: Array, asked: Array) -> Array:
+def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array, asked: Array) -> Array:
     """Deflection and slope at `asked`, from the first section's begin, where both are taken as zero; (2, asked).
 
     Args:

@@ -49,7 +49,7 @@ MAX_ITERATIONS = 1000
 
 
 @dataclass(frozen=True)
-class OverHertz:
+class BoundaryElementRatios:
     """A contact's quantities over Hertz's."""
 
     ratio: dict[str, float]
@@ -58,7 +58,7 @@ class OverHertz:
 
 
 @lru_cache(maxsize=256)
-def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> OverHertz:
+def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> BoundaryElementRatios:
     """A ball in its groove with the exact gap; about a second.
 
     Args:
@@ -72,7 +72,7 @@ def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False)
     problem = groove.problem(load)
     slope = groove.shared_slope if follows_surface else None
     coarse, fine = (_over_parabola(problem, groove.gap, slope, points) for points in GRIDS)
-    return OverHertz(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
+    return BoundaryElementRatios(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
 
 
 def _over_parabola(

@@ -14,7 +14,7 @@ from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import BAD_INPUT, note
 
 if TYPE_CHECKING:
-    from fem_check.release.gate import Verdict
+    from fem_check.release.gate import StepVerdict
 
 FAILED = 1
 REASONS = 5
@@ -63,15 +63,15 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
 
         from fem_check.release import gate, steps, tree
         from fem_check.release import previous as previous_records
-        from fem_check.rows.agreement import Level
+        from fem_check.rows.agreement import MeshLevel
         from fem_check.running.records_store import RecordError
     except ImportError as problem:
         _refuse(f"{problem}: the gate needs `pip install -e '.[dev]'`")
     try:
-        root, listed = tree.root(), steps.all_steps(Level(level))
+        root, listed = tree.root(), steps.all_steps(MeshLevel(level))
         tree.refuse_inside(root, out.resolve())
         with previous_records.opened(root, previous) as before:
-            place = steps.Place(root, Level(level), out.resolve(), tree.head(root), before.folder)
+            place = steps.GateFolders(root, MeshLevel(level), out.resolve(), tree.head(root), before.folder)
             verdicts = gate.before_all(listed, place, before)
             runs = all(each.passes for each in verdicts)
             if runs:
@@ -94,7 +94,7 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
     sys.exit(0 if passes else FAILED)
 
 
-def _show(verdicts: list[Verdict], as_json: bool, last: str) -> None:
+def _show(verdicts: list[StepVerdict], as_json: bool, last: str) -> None:
     """Step, verdict, why, and how to run it again; with `--json` the same as data."""
     if as_json:
         print(json.dumps([each.as_dict() for each in verdicts]))

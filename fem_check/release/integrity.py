@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Any
 
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing.documents.numbers import plain
 
-NAMES = [field.name for field in fields(Row)]
+NAMES = [field.name for field in fields(AgreementRow)]
 
 
 def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
@@ -29,7 +29,7 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
     """
     wrong = [] if record["rows"] else ["it has no rows"]
     for entry in record["rows"]:
-        row = Row(**{name: entry[name] for name in NAMES})
+        row = AgreementRow(**{name: entry[name] for name in NAMES})
         if row.found is None:  # refused: nothing that could contradict itself
             continue
         name = f"{row.quantity!r} of {row.case!r}"

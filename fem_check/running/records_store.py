@@ -13,7 +13,7 @@ from typing import Any
 
 from fem_check import meshing
 from fem_check.product.scenes import RING_OPTIONS
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Level
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, MeshLevel
 from qsbearing import __version__
 from qsbearing.results import provenance
 
@@ -126,7 +126,7 @@ def replace(path: Path, content: bytes) -> None:
 def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:
     """The records of each check, the release level's where there is one, else the quick level's."""
     by_check: dict[str, dict[str, Any]] = {}
-    for level in (Level.QUICK, Level.RELEASE):
+    for level in (MeshLevel.QUICK, MeshLevel.RELEASE):
         for path in sorted((folder / level).glob("*.json")):
             entry = read(path, FIELDS, "no record", "run its check again")
             by_check[entry["check"]] = entry

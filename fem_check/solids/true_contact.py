@@ -27,7 +27,7 @@ import scipy.sparse as sp
 from fem_check import meshing
 from fem_check.elements import fields
 from fem_check.elements.elastic_body import silent
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.groove import BallInGroove
@@ -264,7 +264,7 @@ class TrueContact:
             half.solver,
         )
 
-    def fields(self, pressure: Array) -> dict[str, Field]:
+    def fields(self, pressure: Array) -> dict[str, NodalFields]:
         """Displacement, stress and pressure of both bodies under a pressure along the surfaces' normal."""
         by_body = {}
         for name, body, held in (("ball", self.ball(), self._equator), ("ring", self.ring(), self._segment)):

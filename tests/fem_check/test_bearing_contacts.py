@@ -22,7 +22,7 @@ from fem_check.independent.ring_sections import RingProfile, RingSections, Secti
 from fem_check.mechanics import half_space_contact
 from fem_check.product import scenes
 from fem_check.product.scenes import RING_OPTIONS, drawing_at_rest, ring_sections
-from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel
 from fem_check.solids import tetrahedra
 from fem_check.solids.true_contact import TrueContact
 
@@ -177,7 +177,7 @@ def test_a_contact_over_its_shoulder_is_refused_and_the_other_column_stays(rings
     assert {row.verdict for row in refused} == {"refused"}
     assert all(row.found is None and row.as_dict()["deviation_percent"] is None for row in refused)
     contacts = {"inner": contact}
-    held = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, "no approach", Level.QUICK)["inner"]
+    held = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, "no approach", MeshLevel.QUICK)["inner"]
     assert [(row.quantity, row.verdict, row.why_tolerance) for row in held] == [
         ("load", "refused", "no approach"), ("angle", "refused", "no approach"),
     ]  # fmt: skip
@@ -192,7 +192,7 @@ def test_true_geometry_refuses_a_contact_by_its_rows(rings):
     # Where no contact is left the check was not run.
     rings(inner_shoulder_diameter=58.0)
     with pytest.raises(meshing.MeshError, match=r"no contact was solved: a contact at .* does not fit a groove"):
-        true_geometry.run(Level.QUICK, silent, "7210c")
+        true_geometry.run(MeshLevel.QUICK, silent, "7210c")
 
 
 def test_slender_elements_over_a_curved_groove_are_not_folded(tmp_path, monkeypatch):
@@ -236,11 +236,11 @@ def test_angle_follows_from_the_approaches(tmp_path):
     source = str(path)
     contacts = {race: heaviest(source, race) for race in scenes.RACES}
     same = bearing_contacts.equilibrium_rows(
-        contacts, HALF_SPACES, {"inner": (1.0, 0.0), "outer": (1.0, 0.0)}, Level.QUICK
+        contacts, HALF_SPACES, {"inner": (1.0, 0.0), "outer": (1.0, 0.0)}, MeshLevel.QUICK
     )
     assert all(row.verdict == "pass" and row.reach_percent < 1e-5 for row in same["inner"] + same["outer"])
     ratios = {"inner": (1.05, 0.0), "outer": (0.9, 0.0)}
-    rows = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, Level.QUICK)["inner"]
+    rows = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, MeshLevel.QUICK)["inner"]
     load, angle = (row.found for row in rows)
     # At rest, under thrust: the groove centres' distance across the bearing stays (Harris & Kotzalas).
     drawing = contacts["inner"].drawing
@@ -252,10 +252,10 @@ def test_angle_follows_from_the_approaches(tmp_path):
     assert load * np.sin(radians(angle)) == pytest.approx(contacts["inner"].solution.load[0] / 16, rel=1e-9)
     # An approach that is off by its uncertainty turns the contact by the angle's.
     doubtful = bearing_contacts.equilibrium_rows(
-        contacts, TRUE_BODIES, {"inner": (1.05, 0.01), "outer": (0.9, 0.0)}, Level.QUICK
+        contacts, TRUE_BODIES, {"inner": (1.05, 0.01), "outer": (0.9, 0.0)}, MeshLevel.QUICK
     )["inner"][1]
     moved = bearing_contacts.equilibrium_rows(
-        contacts, TRUE_BODIES, {"inner": (1.06, 0.0), "outer": (0.9, 0.0)}, Level.QUICK
+        contacts, TRUE_BODIES, {"inner": (1.06, 0.0), "outer": (0.9, 0.0)}, MeshLevel.QUICK
     )["inner"][1]
     assert doubtful.uncertainty_percent == pytest.approx(100.0 * abs(moved.found - angle) / moved.reference, rel=1e-6)
 
@@ -283,9 +283,9 @@ rigid_N = 3000
     # The load presses the row that carries in its direction.
     assert contacts["inner"].point.label == "row 1" and "row 1, ball 1" in contacts["inner"].case
     ratios = dict.fromkeys(scenes.RACES, (1.0, 0.0))
-    by_race = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, Level.QUICK)
+    by_race = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, MeshLevel.QUICK)
     assert all(row.reach_percent < 1e-5 for rows in by_race.values() for row in rows)
-    softer = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, {**ratios, "outer": (1.2, 0.0)}, Level.QUICK)
+    softer = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, {**ratios, "outer": (1.2, 0.0)}, MeshLevel.QUICK)
     assert "fail" in {row.verdict for rows in softer.values() for row in rows}
 
 
@@ -299,12 +299,14 @@ def printed(rows) -> str:
     return console.export_text()
 
 
-def rows_of(true: float | None, half_space: float = 3.0001e-6) -> list[Row]:
+def rows_of(true: float | None, half_space: float = 3.0001e-6) -> list[AgreementRow]:
     made = []
     for method, approach, tolerance in ((HALF_SPACES, half_space, 0.3), (TRUE_BODIES, true, None)):
         doubt, why = (0.05, "why") if approach else (None, "a contact at 61 deg does not fit a groove to 55 deg")
-        made.append(Row(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", approach, doubt, tolerance, why))
-        made.append(Row(f"B1 inner: ball 1; {method}", "angle", "deg", 40.0, "solve", 40.01, 0.01, 1.0, why))
+        made.append(
+            AgreementRow(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", approach, doubt, tolerance, why)
+        )
+        made.append(AgreementRow(f"B1 inner: ball 1; {method}", "angle", "deg", 40.0, "solve", 40.01, 0.01, 1.0, why))
     return made
 
 
@@ -359,9 +361,9 @@ def test_any_bearing_is_verified_and_its_true_bodies_solved_or_refused(bearing, 
     path = tmp_path / "bearing.toml"
     path.write_text(scene_text(bearing))
     rings(bore_diameter=bearing[-3], outside_diameter=bearing[-2], width=bearing[-1])
-    monkeypatch.setitem(bearing_contacts.ELEMENTS, Level.QUICK, (3, 4))
-    monkeypatch.setitem(half_space_contact.SEQUENCES, Level.QUICK, (4, 6))
-    findings = bearing_contacts.run(Level.QUICK, silent, str(path))
+    monkeypatch.setitem(bearing_contacts.ELEMENTS, MeshLevel.QUICK, (3, 4))
+    monkeypatch.setitem(half_space_contact.SEQUENCES, MeshLevel.QUICK, (4, 6))
+    findings = bearing_contacts.run(MeshLevel.QUICK, silent, str(path))
     assert len(findings.rows) == 24 and findings.verdict != ""
     ideal = [row for row in findings.rows if row.case.endswith(HALF_SPACES)]
     true = [row for row in findings.rows if row.case.endswith(TRUE_BODIES)]

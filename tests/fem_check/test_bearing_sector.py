@@ -14,15 +14,15 @@ import qsbearing
 from fem_check import meshing
 from fem_check.checks import bearing_sector
 from fem_check.product.scenes import SceneProblemError
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.running import records_store
 from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
-from fem_check.solids.sector_comparison import OperatingPoint
+from fem_check.solids.sector_comparison import ThrustPoint
 from fem_check.solids.sector_geometry import SectorGeometry
 from tests.verification.benchmarks import cutaway
 
-POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
+POINT = ThrustPoint(17800.0, 10000.0 * qsbearing.rpm)
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +103,7 @@ def test_meshed_bodies_obey_statics(sector):
 
 
 def test_half_spaces_in_the_bodies_place_give_the_model():
-    values, _ = sector_comparison.half_spaces("b218", OperatingPoint(2000.0, 0.0), gyroscopic_moment=False)
+    values, _ = sector_comparison.half_spaces("b218", ThrustPoint(2000.0, 0.0), gyroscopic_moment=False)
     rows = sector_judgement.of_half_spaces("2 kN at rest", values, sector_comparison.sector_bearing("b218"))
     assert len(rows) == 5
     assert {row.verdict for row in rows} == {"pass"}
@@ -120,7 +120,7 @@ def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
     judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
     assert len(judged) >= 25
     for entry in judged:
-        row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
+        row = AgreementRow(**{field.name: entry[field.name] for field in dataclasses.fields(AgreementRow)})
         other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
         assert (row.verdict, other.verdict) == ("pass", "fail"), (row.case, row.quantity)
 
@@ -131,7 +131,7 @@ def test_the_limit_of_light_loads_can_fail():
 
     def studied(index, more):
         return SimpleNamespace(
-            point=OperatingPoint(curve["load_N"][index], 0.0),
+            point=ThrustPoint(curve["load_N"][index], 0.0),
             deviation=lambda name: curve[name]["deviation"][index] + more.get(bearing_sector.quantity_kind(name), 0.0),
             uncertain=lambda name: curve[name]["uncertainty"][index],
         )
@@ -162,7 +162,7 @@ def test_what_a_free_ring_adds_is_judged_against_elastic_rings(monkeypatch):
         return SimpleNamespace(point=point, compared=compared, uncertainty=uncertainty)
 
     def rows():
-        for point in bearing_sector.POINTS[Level.RELEASE]:
+        for point in bearing_sector.POINTS[MeshLevel.RELEASE]:
             rigid = {name: float(sector_comparison.model("b218", point, gyroscopic_moment=False).displacement[0])}
             grown = sector_comparison.with_free_ring("b218", point)
             yield bearing_sector.grown_row(
@@ -205,7 +205,7 @@ def test_a_free_outside_diameter_softens_the_bearing():
 
 @pytest.mark.heavy
 def test_the_quick_level_passes():
-    findings = bearing_sector.run(Level.QUICK, lambda stage, part: None)
+    findings = bearing_sector.run(MeshLevel.QUICK, lambda stage, part: None)
     assert findings.verdict == "pass"
     assert all(row.uncertainty_percent is not None for row in findings.rows if row.tolerance_percent is None)
     # Physical rows are judged at speed: ellipses and pressures, loads and angles, of both raceways.

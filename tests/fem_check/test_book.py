@@ -19,7 +19,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from fem_check.book import UnknownCaseError, picture, records, run_book
-from fem_check.book.case import Case, Result, plain
+from fem_check.book.case import Case, CaseResult, plain
 from fem_check.book.cases import ALL
 from fem_check.book.not_yet import NOT_YET
 from fem_check.cli import cli
@@ -404,4 +404,4 @@ def test_numbers_that_are_none_stay_none() -> None:
 
 def test_a_case_without_texts_is_an_error() -> None:
     with pytest.raises(FileNotFoundError):
-        Case("nothing", lambda: Result("", [], [])).texts  # noqa: B018
+        Case("nothing", lambda: CaseResult("", [], [])).texts  # noqa: B018

@@ -21,7 +21,7 @@ from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.meshing import MeshError
 from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from fem_check.solids import true_contact
 from fem_check.solids.true_contact import NoRoomError, loaded_angle
 
@@ -218,8 +218,10 @@ def test_numbers_of_a_map_are_over_hertz():
     assert p[np.hypot(x, y) > 1.2].max() == 0.0
 
 
-def row(deviation: float, uncertainty: float) -> Row:
-    return Row("case", "max_pressure over Hertz", "1", 1.0, "", 1.0 + 0.01 * deviation, uncertainty, 0.05, "why")
+def row(deviation: float, uncertainty: float) -> AgreementRow:
+    return AgreementRow(
+        "case", "max_pressure over Hertz", "1", 1.0, "", 1.0 + 0.01 * deviation, uncertainty, 0.05, "why"
+    )
 
 
 @pytest.mark.parametrize(

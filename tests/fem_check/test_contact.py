@@ -15,7 +15,7 @@ from fem_check.product.scenes import groove_contact
 from fem_check.rows import agreement
 
 STEEL = ElasticConstants(208e9, 0.3)
-LEVEL = agreement.Level.QUICK
+LEVEL = agreement.MeshLevel.QUICK
 STRETCHES = half_space_contact.STRETCHES
 CHECK = "half_space_contacts"
 
@@ -83,9 +83,9 @@ def verdict_of(name: str) -> str:
 def one_load(monkeypatch):
     """One contact stands for all of the check."""
     from fem_check.checks import half_space_contacts
-    from fem_check.checks.half_space_contacts import Contact
+    from fem_check.checks.half_space_contacts import HalfSpaceContact
 
-    of = Contact("B218 inner", groove_contact("b218", "inner").problem(1000.0))
+    of = HalfSpaceContact("B218 inner", groove_contact("b218", "inner").problem(1000.0))
     monkeypatch.setattr(half_space_contacts, "contacts", lambda level, scene: [of])
 
 
@@ -160,7 +160,7 @@ def test_planted_missing_far_field(monkeypatch):
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("level", list(agreement.Level))
+@pytest.mark.parametrize("level", list(agreement.MeshLevel))
 @pytest.mark.parametrize("name", list(ALL))
 def test_every_check_at_every_level(name, level, monkeypatch):
     monkeypatch.setattr(half_space_contact, "STRETCHES", STRETCHES)
@@ -174,6 +174,6 @@ def test_release_level_other_shapes(k):
     from fem_check.checks.half_space_contacts import ellipse_of
 
     problem: ContactProblem = ellipse_of(k)
-    study = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.Level.RELEASE])
-    rows = half_space_contact.rows("case", study, agreement.Level.RELEASE, "Hertz")
+    study = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.MeshLevel.RELEASE])
+    rows = half_space_contact.rows("case", study, agreement.MeshLevel.RELEASE, "Hertz")
     assert [row for row in rows if row.verdict != "pass"] == []

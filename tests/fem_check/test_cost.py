@@ -16,7 +16,7 @@ from fem_check.elements.elastic_body import DisplacementSpace, stiffness
 from fem_check.elements.element_family import FAMILIES, SERENDIPITY
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.running import memory, records_store
 
 
@@ -86,7 +86,7 @@ def test_families_agree_on_the_contact():
 @pytest.fixture
 def few(monkeypatch):
     """`fem-check cost` measures four configurations, once, in this process."""
-    monkeypatch.setitem(measurement.MESHES, Level.QUICK, {SERENDIPITY.name: (4, 5, 6), "tet4": (4,)})
+    monkeypatch.setitem(measurement.MESHES, MeshLevel.QUICK, {SERENDIPITY.name: (4, 5, 6), "tet4": (4,)})
     monkeypatch.setattr(measurement, "REPEATS", 1)
     monkeypatch.setattr(measurement, "in_fresh_process", lambda function, argument: function(argument))
 
@@ -236,7 +236,7 @@ def test_the_accuracy_of_a_choice_includes_its_uncertainty():
 
 def test_what_is_reached_is_deviation_and_uncertainty_together():
     def row(quantity, value, uncertainty, tolerance):
-        return Row("case", quantity, "m", 1.0, "", value, uncertainty, tolerance, "")
+        return AgreementRow("case", quantity, "m", 1.0, "", value, uncertainty, tolerance, "")
 
     good, worst = row("approach", 1.001, 0.02, 1.0), row("semi_major_axis", 0.998, 0.3, 1.0)
     not_judged = row("max_shear_depth", 1.5, 9.0, None)

@@ -12,7 +12,7 @@ from fem_check.elements import boussinesq, elastic_body, linear_solver
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.mechanics import contact
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Row, collapsed, covered
+from fem_check.rows.agreement import AgreementRow, collapsed, covered
 
 
 def test_point_load_on_the_surface_and_below():
@@ -93,8 +93,8 @@ def test_a_pattern_is_analysed_once(monkeypatch):
     np.testing.assert_array_equal(one.indptr, other.indptr)
 
 
-def row(value: float, tolerance: float | None) -> Row:
-    return Row("case", "approach", "m", 2.0, "source", value, None, tolerance, "why")
+def row(value: float, tolerance: float | None) -> AgreementRow:
+    return AgreementRow("case", "approach", "m", 2.0, "source", value, None, tolerance, "why")
 
 
 def test_a_deviation_passes_only_with_its_uncertainty():

@@ -23,7 +23,7 @@ from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import as_read, quantity, table, worst
 from fem_check.report.sections import tolerances
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
@@ -138,7 +138,7 @@ def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> Non
 
 
 def row(name: str, value: float, tolerance: float | None, case: str = "case", **others: Any) -> dict[str, Any]:
-    return Row(case, name, "1", 1.0, "a reference", value, 0.01, tolerance, "a reason", **others).as_dict()
+    return AgreementRow(case, name, "1", 1.0, "a reference", value, 0.01, tolerance, "a reason", **others).as_dict()
 
 
 def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from qsbearing.studies.design.optimum import search
 from qsbearing.studies.design.wanted import Condition, Variable, Wanted
 
@@ -64,7 +64,7 @@ def best_with(count: int) -> tuple[float, bool]:
     return float(best.results[-1]), best.is_feasible
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """The printed design by its own formula, and the search for the best."""
     printed = capacity(np.array([[PRINTED[each.key] for each in PROBLEM.variables]]))[0, -1]
     best = search(PROBLEM, capacity, 1 << 14)
@@ -89,19 +89,19 @@ def run() -> Result:
     ]  # fmt: skip
     counts = [count for count, (_, is_feasible) in by_count.items() if is_feasible]
     curve = [by_count[count][0] / 1e3 for count in counts]
-    panel = Panel(
+    panel = Diagram(
         "number of balls", "largest dynamic capacity, kN",
         [
-            Series("found", "line", counts, curve),
-            Series("printed design", "circles", [PRINTED["Z"]], [PRINTED_CAPACITY / 1e3]),
+            Curve("found", "line", counts, curve),
+            Curve("printed design", "circles", [PRINTED["Z"]], [PRINTED_CAPACITY / 1e3]),
         ],
     )  # fmt: skip
-    return Result(
+    return CaseResult(
         f"The search finds {largest:.1f} N with {values['Z']:.0f} balls of {values['Db']:.4f} mm; printed are "
         f"{PRINTED_CAPACITY} N with {PRINTED['Z']:.0f} balls of {PRINTED['Db']} mm.",
         rows,
         [panel],
-        Points(
+        ValueTable(
             "The largest capacity with each number of balls.", ["balls", "Cd, N"],
             [[count, by_count[count][0]] for count in counts],
         ),

@@ -7,7 +7,7 @@ from math import sqrt
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.film_reference import (
     BALL_ROUGHNESS,
     CLEARANCE,
@@ -51,7 +51,7 @@ def solved() -> qs.Solution:
     return qs.solve(qs.Scene(bearing, operation, hertz_angle=qs.HertzAngle.ZERO))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Largest ball load and films of both raceways."""
     solution = solved()
     oil = OilState(VISCOSITY, PRESSURE_VISCOSITY)
@@ -117,26 +117,26 @@ def run() -> Result:
     shown = np.where(azimuth > 180.0, azimuth - 360.0, azimuth)
     order = np.argsort(shown)
     pressed = order[solution.inner.load[order] > 0.0]
-    return Result(
+    return CaseResult(
         f"Heaviest ball {Q:.1f} N; minimum film {1e6 * films.inner.minimum_thickness[0]:.4f} µm inside and "
         f"{1e6 * films.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
         rows,
         [
-            Panel(
+            Diagram(
                 "azimuth from the load line, degrees",
                 "ball load, N",
                 [
-                    Series("solved", "dots", shown[order], solution.inner.load[order]),
-                    Series("second evaluation, heaviest ball", "circles", [0.0], [load]),
+                    Curve("solved", "dots", shown[order], solution.inner.load[order]),
+                    Curve("second evaluation, heaviest ball", "circles", [0.0], [load]),
                 ],
                 title="load distribution",
             ),
-            Panel(
+            Diagram(
                 "azimuth from the load line, degrees",
                 "minimum film, µm",
                 [
-                    Series("inner raceway", "dots", shown[pressed], 1e6 * films.inner.minimum_thickness[pressed]),
-                    Series("outer raceway", "squares", shown[pressed], 1e6 * films.outer.minimum_thickness[pressed]),
+                    Curve("inner raceway", "dots", shown[pressed], 1e6 * films.inner.minimum_thickness[pressed]),
+                    Curve("outer raceway", "squares", shown[pressed], 1e6 * films.outer.minimum_thickness[pressed]),
                 ],
                 title="films of loaded balls",
             ),

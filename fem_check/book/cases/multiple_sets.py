@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import ground_set, pair_rigidities
 from fem_check.book.published import bearing
 
@@ -24,7 +24,7 @@ TWICE = 1.2707
 """IBC's rigidity at twice the preload over that at the preload."""
 
 
-class Printed(NamedTuple):
+class PrintedRange(NamedTuple):
     """A printed range of a factor, and the set that it is of: rows that carry in one direction and in the other."""
 
     case: str
@@ -42,16 +42,16 @@ class Printed(NamedTuple):
 
 PRELOAD, RIGIDITY = "preload over that of the pair", "axial rigidity over that of the pair"
 FACTORS = (
-    Printed("DBT, 15°", PRELOAD, TPI, 1.35, 1.36, 0.01, ROW_15, PRELOADS_15, (2, 1)),
-    Printed("DTTB, three against one, 15°", PRELOAD, TPI, 1.60, 1.60, 0.01, ROW_15, PRELOADS_15, (3, 1)),
-    Printed("DBB, two against two, 15°", PRELOAD, TPI, 2.0, 2.0, 0.01, ROW_15, PRELOADS_15, (2, 2)),
-    Printed("three rows, 60°", PRELOAD, NSK, 1.360, 1.370, 0.001, ROW_60, PRELOADS_60, (2, 1)),
-    Printed("three rows, 60°", RIGIDITY, NSK, 1.430, 1.443, 0.001, ROW_60, PRELOADS_60, (2, 1), True),
-    Printed("four rows, 60°", PRELOAD, NSK, 2.0, 2.0, 0.01, ROW_60, PRELOADS_60, (2, 2)),
+    PrintedRange("DBT, 15°", PRELOAD, TPI, 1.35, 1.36, 0.01, ROW_15, PRELOADS_15, (2, 1)),
+    PrintedRange("DTTB, three against one, 15°", PRELOAD, TPI, 1.60, 1.60, 0.01, ROW_15, PRELOADS_15, (3, 1)),
+    PrintedRange("DBB, two against two, 15°", PRELOAD, TPI, 2.0, 2.0, 0.01, ROW_15, PRELOADS_15, (2, 2)),
+    PrintedRange("three rows, 60°", PRELOAD, NSK, 1.360, 1.370, 0.001, ROW_60, PRELOADS_60, (2, 1)),
+    PrintedRange("three rows, 60°", RIGIDITY, NSK, 1.430, 1.443, 0.001, ROW_60, PRELOADS_60, (2, 1), True),
+    PrintedRange("four rows, 60°", PRELOAD, NSK, 2.0, 2.0, 0.01, ROW_60, PRELOADS_60, (2, 2)),
 )
 
 
-def factors(of: Printed) -> NDArray:
+def factors(of: PrintedRange) -> NDArray:
     """The factor at each preload."""
     ratios = []
     for preload in of.preloads:
@@ -61,7 +61,7 @@ def factors(of: Printed) -> NDArray:
     return np.array(ratios)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Every printed factor, and how the preload moves it."""
     rows, summary = [], []
     for each in FACTORS:
@@ -87,13 +87,13 @@ def run() -> Result:
         "60°": (ROW_60, np.geomspace(50.0, 4000.0, 8), "dashed"),
     }
     curves = [
-        Series(f"three rows, {name}", style, P, [ground_set(2, 1, row, float(each))[0] / each for each in P])
+        Curve(f"three rows, {name}", style, P, [ground_set(2, 1, row, float(each))[0] / each for each in P])
         for name, (row, P, style) in shown.items()
     ]
     ends = np.array([50.0, 4000.0])
-    bands = [Series("printed, NSK 60°", "band", ends, low=[1.36, 1.36], high=[1.37, 1.37])]
-    return Result(
+    bands = [Curve("printed, NSK 60°", "band", ends, low=[1.36, 1.36], high=[1.37, 1.37])]
+    return CaseResult(
         f"{'; '.join(summary)}.",
         rows,
-        [Panel("preload of the pair, N", "preload of the set over it", [*bands, *curves], x_scale="log")],
+        [Diagram("preload of the pair, N", "preload of the set over it", [*bands, *curves], x_scale="log")],
     )

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import ISO_STEEL
 
 LIVES = "NSK, General Catalogue, section 5.7"
@@ -55,7 +55,7 @@ def clearance_lost() -> float:
     return 20.0 - 1e6 * float(np.asarray(scene.operating_bearing.diametral_clearance))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Lives as printed, the reference life beside them, and the clearance."""
     rows, curves, by_load = [], [], {}
     for thrust, printed in PRINTED.items():
@@ -73,7 +73,7 @@ def run() -> Result:
             for clearance, hours in zip(CLEARANCES[[0, -1]], reference[[0, -1]], strict=True)
         ]  # fmt: skip
         curves.append(
-            Series(f"{thrust:.0f} N axial", "dots" if thrust else "squares", 1e6 * CLEARANCES, reference / basic[0])
+            Curve(f"{thrust:.0f} N axial", "dots" if thrust else "squares", 1e6 * CLEARANCES, reference / basic[0])
         )
     lost = clearance_lost()
     rows.append(
@@ -81,9 +81,9 @@ def run() -> Result:
                  "one decimal is printed")
     )  # fmt: skip
     both = [f"{hours:.0f} h, {reference.min():.0f} to {reference.max():.0f} h" for hours, reference in by_load.values()]
-    return Result(
+    return CaseResult(
         f"Life by ISO 281 and reference life over the clearances: {both[0]} under radial load; {both[1]} with thrust. "
         f"The warm inner ring takes {lost:.2f} µm.",
         rows,
-        [Panel("diametral clearance, µm", "reference life over ISO 281's", curves, levels=[1.0])],
+        [Diagram("diametral clearance, µm", "reference life over ISO 281's", curves, levels=[1.0])],
     )

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import pair_rigidities
 from fem_check.book.published import bearing
 
@@ -33,7 +33,7 @@ def constant_angle(angle: NDArray) -> NDArray:
     return np.asarray(0.5 / np.tan(np.radians(angle)) ** 2)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Each printed factor."""
     by_angle = {angle: ratios(angle) for angle in (15.0, *BY_ANGLE)}
     higher = "a finding: not met, printed higher than computed"
@@ -61,22 +61,22 @@ def run() -> Result:
     names = list(by_angle)
     markers = ("dots", "squares", "crosses")
     computed = [
-        Series(f"computed, {name}", marker, names, [by_angle[angle][i] for angle in names])
+        Curve(f"computed, {name}", marker, names, [by_angle[angle][i] for angle in names])
         for i, (name, marker) in enumerate(zip(PRELOADS, markers, strict=False))
     ]
     printed_at = [15.0] * len(BY_PRELOAD) + list(BY_ANGLE)
-    return Result(
+    return CaseResult(
         f"At 15 degrees {', '.join(f'{each:.2f}' for each in by_angle[15.0])} with growing preload, printed "
         f"{', '.join(f'{each:g}' for each in BY_PRELOAD.values())}; at 40 degrees "
         f"{by_angle[40.0].min():.2f} to {by_angle[40.0].max():.2f}, printed {BY_ANGLE[40.0]:g}.",
         rows,
         [
-            Panel(
+            Diagram(
                 "contact angle, degrees", "radial over axial rigidity",
                 [
-                    Series("constant angle", "line", angles, constant_angle(angles)),
+                    Curve("constant angle", "line", angles, constant_angle(angles)),
                     *computed,
-                    Series("printed", "circles", printed_at, [*BY_PRELOAD.values(), *BY_ANGLE.values()]),
+                    Curve("printed", "circles", printed_at, [*BY_PRELOAD.values(), *BY_ANGLE.values()]),
                 ],
                 y_scale="log",
             )

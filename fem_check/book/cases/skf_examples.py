@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import bearing
 from qsbearing.readings import film_thickness, friction_estimate, life_factors
 
@@ -27,7 +27,7 @@ def life(load: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return millions, millions * 1e6 / RPM / 60.0
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Printed against computed."""
     millions, hours = life(P)
     pitch = 0.5 * (BORE + OUTSIDE) * 1e-3
@@ -71,16 +71,16 @@ def run() -> Result:
         ),
     ]
     loads = np.linspace(3e3, 20e3, 40)
-    return Result(
+    return CaseResult(
         f"6309: {float(millions):.1f} million revolutions, {float(hours):.1f} h; printed 169 and 940.",
         rows,
         [
-            Panel(
+            Diagram(
                 "equivalent load, kN",
                 "L10, 10⁶ revolutions",
                 [
-                    Series("computed", "line", loads / 1e3, life(loads)[0]),
-                    Series("printed", "circles", [P / 1e3], [169.0]),
+                    Curve("computed", "line", loads / 1e3, life(loads)[0]),
+                    Curve("printed", "circles", [P / 1e3], [169.0]),
                 ],
                 x_scale="log",
                 y_scale="log",
