@@ -32,7 +32,7 @@ def selected(names: Iterable[str] = ()) -> list[Case]:
 
 def run_book(
     names: Iterable[str] = (), out: Path | None = None, progress: Callable[[str, float], None] | None = None
-) -> list[records.Record]:
+) -> list[records.BookRecord]:
     """Run cases of the book, all by default, one after another.
 
     Args:
@@ -54,7 +54,7 @@ def run_book(
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
         result = case.run()
-        run = {
+        run: records.Run = {
             "provenance": provenance.of_run(f"fem-check book {case.name}", packages=("matplotlib",)),
             "seconds": round(time.perf_counter() - start, 2),
             "cpu_seconds": round(time.process_time() - cpu, 2),

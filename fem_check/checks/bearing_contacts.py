@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -41,6 +40,7 @@ from fem_check.product.scenes import (
 )
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import NO_MESH, MeshRecord
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
 
 ELEMENTS = {MeshLevel.QUICK: (3, 4, 5), MeshLevel.RELEASE: (4, 6, 8)}
@@ -120,7 +120,7 @@ class TrueBodyRatios:
     """Quantities over Hertz's, by name, each with its uncertainty."""
 
     values: dict[str, tuple[float, float]]
-    mesh: dict[str, Any]
+    mesh: MeshRecord
     solver: str
 
 
@@ -149,7 +149,7 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
         # The bodies' size moves the approach alone; of the ellipse the ratio to a parabola keeps the mesh's error out.
         ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in pairs]
         values[name] = ratios[-1], convergence.largest_change(ratios) + (assumed if name == "approach" else 0.0)
-    mesh = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
+    mesh: MeshRecord = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
     return TrueBodyRatios(values, mesh, condensed.solver)
 
 
@@ -280,7 +280,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both contacts of each bearing."""
     rows: list[AgreementRow] = []
     notes: list[str] = []
-    mesh: dict[str, Any] = {}
+    mesh = NO_MESH
     solver = ""
     points = operated(scene)
     for point in points:

@@ -15,6 +15,7 @@ from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import beyond_thrust, solved
 from fem_check.rows import convergence, row_text
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import contact_block, sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad
 from fem_check.solids.sector_comparison import QUANTITIES, ComparedSector, ThrustPoint, Values, own_point
@@ -279,7 +280,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         bearing_note(scene),
         NOTE,
     ]
-    mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
+    mesh: MeshRecord = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
     pictures = {"bearing_sector": series, "sector": _drawn(drawn)}
     return Findings(rows, mesh, solver, pictures, [note for note in notes if note])
 

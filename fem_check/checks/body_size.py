@@ -16,6 +16,7 @@ from fem_check.mechanics import contact
 from fem_check.mechanics.half_space_contact import stretched
 from fem_check.product.scenes import groove_contact, operating_loads
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 
 SIZES = (8.0, 16.0, 32.0)
 """Half-length of the boxes in semi-major axes; half-width and depth are SHAPE times as many semi-minor axes."""
@@ -84,7 +85,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
     )
     largest = meshing.clamped_box(elements, SIZES[-1], SHAPE)
-    entry = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
+    entry: MeshRecord = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
     series = {
         "body_size": {
             "size": list(SIZES),

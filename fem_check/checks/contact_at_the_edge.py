@@ -15,6 +15,7 @@ from fem_check.mechanics import edge_contact, edge_elements
 from fem_check.mechanics.edge_contact import Cut
 from fem_check.product.scenes import groove_contact
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from qsbearing.readings import cut_contact
 
 ELEMENTS = {MeshLevel.QUICK: 4, MeshLevel.RELEASE: 6}
@@ -127,7 +128,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows.append(
         AgreementRow(case, name, "1", cut.largest, edge_contact.SOURCE, said, None, EDGE_PRESSURE, WHY_PRESSURE)
     )
-    mesh = {"elements_per_semi_axis": ELEMENTS[level], "dofs": block.dofs, "file": "made in place"}
+    mesh: MeshRecord = {"elements_per_semi_axis": ELEMENTS[level], "dofs": block.dofs, "file": "made in place"}
     return Findings(rows, mesh, block.solver, notes=NOTES)
 
 

@@ -29,6 +29,7 @@ from fem_check.rows.agreement import (
     collapsed,
     covered,
 )
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import sector_comparison
 from fem_check.solids.ring_pitch import RingPitch
 from fem_check.solids.sector_geometry import SectorBearing
@@ -382,7 +383,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows += pitch_rows(level)
     finest = rings(GRIDS[level][-1])
     largest = max((ring for ring, *_ in finest.values()), key=lambda ring: ring.dofs)
-    mesh = {"elements_per_semi_axis": None, "dofs": largest.dofs, "file": None}
+    mesh: MeshRecord = {"elements_per_semi_axis": None, "dofs": largest.dofs, "file": None}
     notes = [
         "Ring and model are plane stress, their section a rectangle, but for one pitch in three dimensions: there the "
         "section has its groove and shoulders, one face is held axially, and the load is where the ball touches. The "

@@ -32,6 +32,7 @@ from fem_check.rows.agreement import (
     collapsed,
     covered,
 )
+from fem_check.rows.record import MeshRecord
 from fem_check.rows.row_text import span
 
 DECADES = {MeshLevel.QUICK: 1, MeshLevel.RELEASE: 2}
@@ -158,7 +159,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "on one mesh all loads have nearly the same error: four times what is left, 0.005 % (approach 0.0005)",
             )
         )
-    entry = {
+    entry: MeshRecord = {
         "elements_per_semi_axis": fine.recipe.elements_per_semi_axis,
         "dofs": fine.dofs,
         "file": fine.recipe.file_name,

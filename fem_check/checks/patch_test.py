@@ -15,6 +15,7 @@ from fem_check.elements.elastic_body import DisplacementSpace, lame, stiffness
 from fem_check.elements.linear_solver import factorise
 from fem_check.independent.contact_problem import Array, ElasticConstants
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
@@ -123,7 +124,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "rounding",
             )
         )
-    mesh_entry = {"elements_per_semi_axis": 4, "dofs": len(free), "file": recipe.file_name}
+    mesh_entry: MeshRecord = {"elements_per_semi_axis": 4, "dofs": len(free), "file": recipe.file_name}
     return Findings(rows, mesh_entry, factor.solver)
 
 

@@ -22,6 +22,7 @@ from fem_check.meshing import MeshError
 from fem_check.product.scenes import drawing_at_rest, groove_contact, load_scene, operating_loads, ring_sections
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, covered
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import true_statics
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, loaded_angle, room, with_room
 from qsbearing.documents.numbers import plain
@@ -358,7 +359,7 @@ def sequence(finest: int) -> tuple[int, ...]:
     return (finest // 2, 3 * finest // 4, finest)
 
 
-def mesh_entry(solved: TrueContactStudy, elements: int) -> dict[str, Any]:
+def mesh_entry(solved: TrueContactStudy, elements: int) -> MeshRecord:
     """The finest mesh, as the record keeps it."""
     return {"elements_per_semi_axis": elements, "dofs": solved.dofs, "file": f"true_ball_{elements:02d}, true_ring"}
 

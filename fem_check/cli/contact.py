@@ -68,7 +68,7 @@ def contact(
     """
     require(*FEM, *([] if out is None else ["jinja2"]))
     from fem_check import meshing
-    from fem_check.contacts import chosen, files, half_spaces, run, shown, true_bodies
+    from fem_check.contacts import chosen, files, half_spaces, record, run, shown, true_bodies
     from fem_check.cost import mesh_choice
     from fem_check.cost import record as cost_record
     from fem_check.mechanics.contact import ContactError
@@ -113,10 +113,12 @@ def contact(
                 break
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
         level = half_spaces.level_of(sequence[-1])
-        entry = records_store.record(
-            None, "contact", level, outcome.findings, seconds, cpu_seconds, memory.peak_MB(), scene
-        )
-        entry |= outcome.known
+        entry: record.ContactsRecord = {
+            **records_store.record(
+                None, "contact", level, outcome.findings, seconds, cpu_seconds, memory.peak_MB(), scene
+            ),
+            **outcome.known,
+        }
         if accuracy is not None:
             entry["accuracy"] = {"asked": accuracy, "reached": reached, "reached_by": quantity, "sequence": sequence}
         written = [] if out is None else files.write(entry, outcome.maps(), outcome.fields(), out)

@@ -21,6 +21,7 @@ from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import MeshStudy
 from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel, Progress, collapsed, covered
+from fem_check.rows.record import MeshRecord
 
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5
@@ -159,7 +160,7 @@ def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | No
     return rows
 
 
-def mesh_entry(shapes: Iterable[Shape], elements: int) -> dict[str, Any]:
+def mesh_entry(shapes: Iterable[Shape], elements: int) -> MeshRecord:
     """The finest mesh, as the record keeps it: the same block for all, stretched to each shape."""
     recipe = meshing.half_space(elements)
     return {

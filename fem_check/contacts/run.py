@@ -18,7 +18,7 @@ class SolvedContacts:
     """Contacts, solved."""
 
     findings: Findings
-    known: dict[str, Any]
+    known: record.Known
     """Entries of the record beside the findings: bearing, elements, contacts."""
     maps: Callable[[], list[dict[str, Any]]]
     """Makes the numbers of the pressure maps."""

@@ -49,7 +49,8 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
         )
         rows += own
     last = bodies[-1].solved
-    mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}
+    mesh = true_geometry.mesh_entry(last, elements)
+    mesh |= {"geometry": "true", "origin": "made by gmsh"}
     return bodies, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from fem_check.cost.measurement import JUDGED
+from fem_check.cost.record import CostRecord
 from fem_check.elements.element_family import SERENDIPITY
 from fem_check.mechanics.half_space_contact import ORDERS
 from fem_check.rows import convergence
@@ -47,7 +47,7 @@ class MeshChoice:
         )
 
 
-def choices(record: dict[str, Any]) -> list[MeshChoice]:
+def choices(record: CostRecord) -> list[MeshChoice]:
     """All that a cost record has measured, the cheapest first, but those less accurate than a cheaper one."""
     entries = {e["elements_per_semi_axis"]: e for e in record["meshes"] if e["family"] == SERENDIPITY.label}
     candidates: list[MeshChoice] = []
@@ -72,7 +72,7 @@ def choices(record: dict[str, Any]) -> list[MeshChoice]:
     ]
 
 
-def proposals(accuracy: float, record: dict[str, Any] | None) -> list[MeshChoice]:
+def proposals(accuracy: float, record: CostRecord | None) -> list[MeshChoice]:
     """The choices that reach an accuracy on the record's contact, the cheapest first.
 
     Raises:

@@ -26,6 +26,7 @@ from fem_check.mechanics.contact import ContactSolution
 from fem_check.mechanics.measuring import Measured
 from fem_check.rows import convergence
 from fem_check.rows.agreement import AgreementRow, MeshLevel, covered
+from fem_check.rows.record import MeshRecord
 
 if TYPE_CHECKING:
     from skfem import MeshHex
@@ -195,7 +196,7 @@ def mesh_study(
     return MeshStudy(problem, solution, sequence, stretched_out, sizes, bodies)
 
 
-def mesh_entry(study: MeshStudy) -> dict[str, object]:
+def mesh_entry(study: MeshStudy) -> MeshRecord:
     """The finest mesh, as the record keeps it."""
     return {
         "elements_per_semi_axis": study.bodies.recipe.elements_per_semi_axis,

@@ -5,11 +5,8 @@ A value may be within its tolerance and have moved all the same; the limits of t
 
 from __future__ import annotations
 
-from typing import Any
-
+from fem_check.release.previous import Record
 from qsbearing.documents.numbers import plain
-
-Record = dict[str, Any]
 
 REFERENCE = 1e-6
 """Per cent of the value: a reference is a closed form, a quadrature or a boundary-element solution converged to 1e-10;

@@ -10,7 +10,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
@@ -19,9 +19,16 @@ from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
 
-Entry = dict[str, Any]
-"""Of a step that was run: its seconds, and the error with which it ended, or None."""
-Journal = dict[str, Entry]
+
+class StepRun(TypedDict):
+    """A step that was run."""
+
+    seconds: float
+    error: str | None
+    """With which it ended; None where it ended well."""
+
+
+Journal = dict[str, StepRun]
 
 
 @dataclass(frozen=True)
@@ -78,13 +85,13 @@ def run(
             _end(step, _run(step, place), place, journal, ended)
 
 
-def _end(step: Step, entry: Entry, place: GateFolders, journal: Journal, ended: Callable[[str], None]) -> None:
+def _end(step: Step, entry: StepRun, place: GateFolders, journal: Journal, ended: Callable[[str], None]) -> None:
     journal[step.name] = entry
     _enter(place, journal)
     ended(f"{step.name}: {entry['error'] or 'done'}")
 
 
-def _run(step: Step, place: GateFolders) -> Entry:
+def _run(step: Step, place: GateFolders) -> StepRun:
     began, error = time.perf_counter(), None
     try:
         step.run(place)
@@ -97,11 +104,11 @@ _shared: list[Step] = []
 """Of `_side_by_side`: processes that are forked find it, since a step cannot be sent to them."""
 
 
-def _run_shared(number: int, place: GateFolders) -> Entry:
+def _run_shared(number: int, place: GateFolders) -> StepRun:
     return _run(_shared[number], place)
 
 
-def _side_by_side(steps: list[Step], place: GateFolders, workers: int) -> Iterator[tuple[Step, Entry]]:
+def _side_by_side(steps: list[Step], place: GateFolders, workers: int) -> Iterator[tuple[Step, StepRun]]:
     """Run steps in processes, the longest first, and hand out each as it ends."""
     _shared[:] = sorted(steps, key=lambda step: step.name not in LONGEST)
     pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork"))

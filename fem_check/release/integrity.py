@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import Any
 
+from fem_check.release.previous import Record
 from fem_check.rows.agreement import AgreementRow
 from qsbearing.documents.numbers import plain
 
 NAMES = [field.name for field in fields(AgreementRow)]
 
 
-def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
+def of_provenance(record: Record, commit: str) -> list[str]:
     """What speaks against a record being this commit's."""
     made = record.get("provenance")
     if not made:
@@ -21,7 +21,7 @@ def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
     return [f"it was made from commit {commit[:12]} with changes that are not committed"] if made["dirty"] else []
 
 
-def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
+def of_rows(record: Record, digits: int | None = None) -> list[str]:
     """Rows out of tolerance, and rows that contradict themselves: deviation and verdict follow from the rest.
 
     Args:

@@ -9,15 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from fem_check.checks import ALL
 from fem_check.release import drift, integrity
+from fem_check.release.previous import Record
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import known, runner
 from fem_check.running.kept_files import OF_REPOSITORY
-
-Record = dict[str, Any]
 
 SCENES = {
     MeshLevel.QUICK: {"wild": 1_500, "realistic": 4_000, "mounted": 800},

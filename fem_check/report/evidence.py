@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -179,9 +179,9 @@ def _load(path: Path) -> dict[str, Any]:
     return record
 
 
-def _kept(name: str, path: Path, command: str, data: dict[str, Any] | None = None) -> Kept:
+def _kept(name: str, path: Path, command: str, data: Mapping[str, Any] | None = None) -> Kept:
     """A file with its sha256."""
-    return Kept(name, data or _load(path), command, hashlib.sha256(path.read_bytes()).hexdigest())
+    return Kept(name, dict(data or _load(path)), command, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
 def _in_repository(records: Path, name: str, command: str) -> Kept | None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.rows import Row, as_read, difference, largest, quantity, used
+from fem_check.report.rows import as_read, difference, largest, quantity, used
 from fem_check.rows import row_text
+from fem_check.rows.record import RowRecord, deviation_percent
 from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.model import Badge
 
@@ -96,7 +97,7 @@ def _hertz(evidence: Evidence) -> Question:
     solved = [row for row in _rows(evidence.checks, "half_space_contacts", "solution_contacts") if _is_of_elements(row)]
     if not solved:
         return asked._replace(verdict=_judged(False), missed=_failing(records)) if _failing(records) else asked
-    worst = max(solved, key=lambda row: abs(row["deviation_percent"]))
+    worst = max(solved, key=lambda row: abs(deviation_percent(row)))
     missed = _failing(records)
     return asked._replace(
         answer=f"{len(solved)} comparisons with finite elements; worst: {row_text.in_words(worst['quantity'])}",
@@ -105,11 +106,11 @@ def _hertz(evidence: Evidence) -> Question:
     )  # fmt: skip
 
 
-def _is_of_elements(row: Row) -> bool:
+def _is_of_elements(row: RowRecord) -> bool:
     return bool(row["uncertainty_percent"] and row["tolerance_percent"] and row["reference"] and row["unit"] != "1")
 
 
-def _rows(checks: dict[str, Kept], *names: str) -> list[Row]:
+def _rows(checks: dict[str, Kept], *names: str) -> list[RowRecord]:
     return [row for name in names if name in checks for row in checks[name].data["rows"]]
 
 
@@ -180,7 +181,7 @@ def _elastic_rings(evidence: Evidence) -> Question:
     ]
     if not findings:
         return asked
-    worst, missed = max(findings, key=lambda row: abs(row["deviation_percent"])), _failing(records)
+    worst, missed = max(findings, key=lambda row: abs(deviation_percent(row))), _failing(records)
     off = f"{largest(findings)} of the {as_read(worst['quantity'])}"
     return asked._replace(
         answer=f"one pitch in three dimensions; worst: {as_read(worst['case'])}",
@@ -214,7 +215,7 @@ def _measured(evidence: Evidence) -> Question:
         return asked
     expected = [kept for kept in records if not is_counter_example(kept.data)]
     rows = [row for kept in expected for row in kept.data["rows"] if row["reference"] and row["verdict"] == "finding"]
-    worst = max(rows, key=lambda row: abs(row["deviation_percent"]), default=None)
+    worst = max(rows, key=lambda row: abs(deviation_percent(row)), default=None)
     missed, more = _failing(records), _and_more(records, expected)
     return asked._replace(
         answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
@@ -230,7 +231,7 @@ def _and_more(records: Sequence[Kept], expected: Sequence[Kept]) -> str:
     return f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree" if more else ""
 
 
-def is_counter_example(entry: dict[str, Any]) -> bool:
+def is_counter_example(entry: Mapping[str, Any]) -> bool:
     """Whether a published case is one that the model is not expected to meet."""
     return bool(entry.get("counter_example"))
 

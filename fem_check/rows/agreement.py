@@ -6,7 +6,9 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field, replace
 from enum import StrEnum
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
+
+from fem_check.rows.record import NO_MESH, MeshRecord, RowRecord
 
 EXAMPLE = "b218"
 """The scene that the checks run on unless another is named."""
@@ -72,17 +74,14 @@ class AgreementRow:
             return "finding" if math.isfinite(self.found) else "fail"
         return "pass" if self.reach_percent <= self.tolerance_percent else "fail"  # NaN fails too
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> RowRecord:
         """As the record keeps it; what is no number is None."""
         ordered = asdict(self) | {"deviation_percent": self.deviation_percent, "verdict": self.verdict}
-        names = (
-            "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",
-            "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict", "worst_at",
-        )  # fmt: skip
-        values = {name: ordered[name] for name in names}
-        return {
+        values = {name: ordered[name] for name in RowRecord.__annotations__}
+        kept = {
             name: None if isinstance(each, float) and not math.isfinite(each) else each for name, each in values.items()
         }
+        return cast(RowRecord, kept)
 
 
 @dataclass
@@ -90,8 +89,7 @@ class Findings:
     """Result of a check."""
 
     rows: list[AgreementRow]
-    mesh: dict[str, Any] = field(default_factory=lambda: dict.fromkeys(("elements_per_semi_axis", "dofs", "file")))
-    """elements_per_semi_axis, dofs, file of the finest mesh; None without one."""
+    mesh: MeshRecord = field(default_factory=NO_MESH.copy)
     solver: str = ""
     pictures: dict[str, Any] = field(default_factory=dict)
     """Series of numbers from which the report draws."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
 from fem_check.checks import ALL, OF_BEARING, OPTIONAL
 from fem_check.mechanics import half_space_contact
@@ -14,6 +13,7 @@ from fem_check.meshing import MeshError
 from fem_check.product import scenes
 from fem_check.product.scenes import SceneProblemError
 from fem_check.rows.agreement import EXAMPLE, Check, MeshLevel, Progress
+from fem_check.rows.record import CheckRecord
 from fem_check.running import memory, records_store
 
 
@@ -47,7 +47,7 @@ def run(
     folder: Path,
     progress: Callable[[Check], Progress],
     scene: str = EXAMPLE,
-) -> Iterator[dict[str, Any]]:
+) -> Iterator[CheckRecord]:
     """Run checks on a scene and keep their records; each record is handed out as it is written.
 
     Raises:

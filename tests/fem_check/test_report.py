@@ -22,7 +22,7 @@ from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import as_read, quantity, table, worst
-from fem_check.report.sections import tolerances
+from fem_check.report.sections import previous, tolerances
 from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from qsbearing.documents.html import html
@@ -151,6 +151,14 @@ def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
     assert {each["case"] for _, each in counted[2:]} == {"case 2"}
     shown = table(counted).rows[0]
     assert shown[:4] == ["g", "1", "+1.000 ± 0.010 %", "0.5 %"]
+
+
+def test_a_refused_row_is_compared_with_the_earlier_release() -> None:
+    """It has no number: nothing moved where it was refused before too, else everything."""
+    refused = row("a", 1.0, None) | {"found": None, "deviation_percent": None, "verdict": "refused"}
+    assert previous._change(refused, refused) == 0.0
+    assert previous._change(row("a", 1.0, None), refused) == float("inf")
+    assert previous._change(refused, row("a", 1.0, None)) == float("inf")
 
 
 def test_an_angle_is_no_per_cent() -> None:

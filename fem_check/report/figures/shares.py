@@ -10,12 +10,13 @@ from matplotlib.figure import Figure
 
 from fem_check.report.figures.style import FOUND, HERTZ, Entry
 from fem_check.report.rows import as_read, quantity, used
+from fem_check.rows.record import RowRecord
 
 MOST = 8
 """Quantities shown, those nearest to their limits."""
 
 
-def drawable(rows: Sequence[Entry]) -> dict[str, list[float]]:
+def drawable(rows: Sequence[RowRecord]) -> dict[str, list[float]]:
     """Shares by quantity; of a row that takes none there is no point."""
     by_quantity: dict[str, list[float]] = {}
     for row in rows:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, cast
 
 from fem_check.book import picture
 from fem_check.book.not_yet import NOT_YET
+from fem_check.book.records import BookRecord
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
 from fem_check.report.questions import is_counter_example
@@ -74,16 +75,16 @@ def _overview(records: Sequence[Kept]) -> list[Block]:
 
 
 def _card(kept: Kept) -> Section:
-    entry = kept.data
+    entry = cast(BookRecord, kept.data)
     shown = [_answer(entry), *_picture(entry, 0.5), table(worst(entry["rows"]))]
     return Section(entry["title"], [*shown, *_lists(entry), kept.trace], _anchor(entry))
 
 
-def _anchor(entry: dict[str, Any]) -> str:
+def _anchor(entry: BookRecord) -> str:
     return f"book-{entry['case'].replace('_', '-')}"
 
 
-def _answer(entry: dict[str, Any]) -> Remark:
+def _answer(entry: BookRecord) -> Remark:
     """The result; of a counter-example that it is one: to meet it would be no success."""
     summary = entry["summary"]
     if is_counter_example(entry):
@@ -92,7 +93,7 @@ def _answer(entry: dict[str, Any]) -> Remark:
 
 
 def _page(kept: Kept) -> Section:
-    entry = kept.data
+    entry = cast(BookRecord, kept.data)
     blocks: list[Block] = [
         _answer(entry),
         Paragraph(entry["question"]),
@@ -121,12 +122,12 @@ def _not_yet() -> Section:
     )
 
 
-def _lists(entry: dict[str, Any]) -> list[Block]:
+def _lists(entry: Mapping[str, Any]) -> list[Block]:
     items = [f"{heading}: {'; '.join(entry[key])}" for key, heading in LISTS.items() if entry.get(key)]
     return [Bullets(items)] if items else []
 
 
-def _picture(entry: dict[str, Any], most: float) -> list[Block]:
+def _picture(entry: BookRecord, most: float) -> list[Block]:
     told = entry.get("picture")
     if not told:
         return []

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import table as cost_table
+from fem_check.cost.record import CostRecord
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.rows import row_text
 from qsbearing.documents.drawing import picture
@@ -44,7 +47,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
 def _elements(kept: Kept | None) -> list[Block]:
     if kept is None:
         return [missing("The cost of the elements", "fem-check cost --level release")]
-    record = kept.data
+    record = cast(CostRecord, kept.data)
     figure = cost_picture.draw(record)
     drawn = picture(
         figure, "Worst error against time in double logarithms, a line for every family of elements.",
