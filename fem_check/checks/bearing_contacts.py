@@ -329,8 +329,8 @@ def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, TrueBodyRatio
             return f"needs the {race} contact's approach, which was refused"
         contact = contacts[race]
         at_own = references.ellipse(contact.drawing.groove(race, contact.reported("angle")).problem(1.0)).approach
-        taken = references.ellipse(contact.problem, str(contact.solution.scene.hertz_form)).approach
-        scale = at_own * contact.reported("load") ** (2.0 / 3.0) / taken
+        at_hertz_angle = references.ellipse(contact.problem, str(contact.solution.scene.hertz_form)).approach
+        scale = at_own * contact.reported("load") ** (2.0 / 3.0) / at_hertz_angle
         value, uncertainty = each.values["approach"]
         ratios[race] = scale * value, scale * uncertainty
     return ratios

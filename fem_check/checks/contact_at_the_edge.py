@@ -24,7 +24,7 @@ SHARES = {MeshLevel.QUICK: (0.1, 0.3), MeshLevel.RELEASE: (0.05, 0.1, 0.2, 0.3)}
 ROUNDED = (0.3, 0.1)
 """Part of the major axis beyond the edge, and the edge's radius over b E*/p0: such that the elements resolve it."""
 REAL_RADIUS = 0.01
-"""Likewise of an edge of 0.2 mm at 2 kN: what `qsbearing` is asked for."""
+"""Radius over b E*/p0 of an edge of 0.2 mm at 2 kN: what `qsbearing` is asked for."""
 TOLERANCES = {
     MeshLevel.QUICK: {"load": 0.25, "centre": 0.1, "intensity": 8.0},
     MeshLevel.RELEASE: {"load": 0.1, "centre": 0.1, "intensity": 5.0},

@@ -1,4 +1,4 @@
-"""Do the elastic rings of the model give way as a ring of finite elements does, and do balls share their load likewise?
+"""Do the elastic rings of the model give way as a ring of finite elements does, and do balls share their load as there?
 
 The ring is plane stress, a rectangle in section, as the model's is. What a section with groove and shoulders does is
 told by one pitch of a ring under its ball, in three dimensions.
@@ -172,7 +172,7 @@ def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.
     }  # fmt: skip
 
 
-def wave_give(ring: Ring, at_bore: bool, n: int) -> float:
+def wave_compliance(ring: Ring, at_bore: bool, n: int) -> float:
     """u_n/p_n of the rim that is pressed, away from the pressure [m/Pa]."""
     radius = ring.ring.bore_radius if at_bore else ring.ring.outside_radius
     moved = ring.moved(radius, ring.ring.pressed(radius, lambda angle: np.cos(n * angle)))
@@ -184,7 +184,7 @@ def compliance_rows(level: MeshLevel) -> list[AgreementRow]:
     rows: list[AgreementRow] = []
     on_grids = [rings(grid) for grid in GRIDS[level]]
     for name, (_, _, compliance, tolerance) in on_grids[-1].items():
-        values = [[wave_give(*grid[name][:2], n) for n in WAVES] for grid in on_grids]
+        values = [[wave_compliance(*grid[name][:2], n) for n in WAVES] for grid in on_grids]
         some = []
         for n, study in zip(WAVES, studied(GRIDS[level], values), strict=True):
             reference = float(compliance.groove[n])

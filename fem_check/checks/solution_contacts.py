@@ -260,9 +260,9 @@ def ball_rows(
         rolled = np.where(placed, state.moment, 0.0)
         yield row("gyroscopic moment", "N m", -np.asarray(solution.gyroscopic_moment), rolled)
         both = (state.q_i > 0.0) & (state.q_o > 0.0)
-        asked = [state.asked["inner"][both] / state.q_i[both], state.asked["outer"][both] / state.q_o[both]]
+        required = [state.required["inner"][both] / state.q_i[both], state.required["outer"][both] / state.q_o[both]]
         reported = [np.asarray(each.required_friction)[both] for each in (inner, outer)]
-        yield row("required friction", "1", reported, asked)
+        yield row("required friction", "1", reported, required)
 
 
 def of_arrays(

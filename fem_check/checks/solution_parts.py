@@ -19,7 +19,7 @@ from fem_check.checks.elastic_ring import equilibrium
 from fem_check.checks.heat_parts import heat_rows
 from fem_check.checks.product_scenes import B218, BOTH
 from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
-from fem_check.independent.ring_growth import give_on_shaft
+from fem_check.independent.ring_growth import compliance_on_shaft
 from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
@@ -80,11 +80,11 @@ def motion_rows() -> Iterator[AgreementRow]:
         told = np.append(getattr(motion, race).spin_speed, scale)
         yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
     bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
-    asked = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
+    required = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
     slipping = np.asarray(bound.slips, bool)
     yield compared(
-        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(asked)],
-        [np.sum(asked > friction * (1.0 + 1e-9)), len(asked)], "friction asked for above the coefficient",
+        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(required)],
+        [np.sum(required > friction * (1.0 + 1e-9)), len(required)], "friction asked for above the coefficient",
     )  # fmt: skip
 
 
@@ -146,22 +146,22 @@ def shaft_rows() -> Iterator[AgreementRow]:
             )
         )
         begin += length
-    asked = np.array([START, LOADED, 0.0, 0.12, 0.2, 0.3])
-    moved = solution.deflection(asked)
+    stations = np.array([START, LOADED, 0.0, 0.12, 0.2, 0.3])
+    moved = solution.deflection(stations)
     for plane, channel, tilt, sense in (("xy", 1, 4, 1.0), ("xz", 2, 3, -1.0)):
-        w, slope = shaft_beam.shape(sections, at, loads[:, channel], sense * loads[:, tilt], asked)
+        w, slope = shaft_beam.shape(sections, at, loads[:, channel], sense * loads[:, tilt], stations)
         # Where the beam is placed is the solution's; how it bends is not.
         turn = sense * moved[0, tilt] - slope[0]
-        w += moved[0, channel] - w[0] + turn * (asked - asked[0])
+        w += moved[0, channel] - w[0] + turn * (stations - stations[0])
         expected = np.concatenate([w, (slope + turn) * 0.1])
         yield compared(
             case, f"deflection, slopes over 0.1 m, plane {plane}", "m",
             np.concatenate([moved[:, channel], 0.1 * sense * moved[:, tilt]]), expected,
             "a Timoshenko beam under the solution's forces, by integration",
         )  # fmt: skip
-    give = np.array([1.0 / HOUSING[name] for name in ("axial", "radial", "radial", "tilt", "tilt")])
+    compliance = np.array([1.0 / HOUSING[name] for name in ("axial", "radial", "radial", "tilt", "tilt")])
     at_row = solution.deflection([places[0]])[0]
-    expected = to_groove @ (at_row + give * on_shaft[0])
+    expected = to_groove @ (at_row + compliance * on_shaft[0])
     source = "the shaft's there, less load over the springs"
     told = solution.rows[0].displacement
     yield compared(case, "displacement of the row in the elastic housing", "m, rad", told, expected, source)
@@ -182,8 +182,10 @@ def ring_rows() -> Iterator[AgreementRow]:
     bottom = drawing.inner_groove_centre_radius - drawing.inner_groove_radius
     steel = drawing.ring.elastic_modulus, drawing.ring.poisson_ratio
     count = len(solution.azimuth)
-    give = give_on_shaft((0.5 * HOLLOW, 0.5 * BORE, bottom), steel, ALUMINIUM) / (2.0 * np.pi * bottom * WIDTH)
-    load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), give))
+    compliance = compliance_on_shaft((0.5 * HOLLOW, 0.5 * BORE, bottom), steel, ALUMINIUM) / (
+        2.0 * np.pi * bottom * WIDTH
+    )
+    load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), compliance))
     case, source = "elastic inner ring on a hollow shaft, 20 kN axial", "Lame's cylinders, an equilibrium of its own"
     why = "twice what bending from ball to ball adds, which the model has and the cylinders have not"
     for quantity, unit, computed, expected, tolerance in (

@@ -197,14 +197,14 @@ class BallRow:
                     ("inner", q_i, inner, state.inner_share, -self.ball_radius),
                     ("outer", q_o, outer, 1.0 - state.inner_share, self.ball_radius),
                 ):
-                    asked = share * state.moment / arm
-                    state.asked[race] = np.abs(asked)
+                    required = share * state.moment / arm
+                    state.required[race] = np.abs(required)
                     if self.model.friction_coefficient is not None:
                         most = self.model.friction_coefficient * load
-                        asked = np.clip(asked, -most, most)
+                        required = np.clip(required, -most, most)
                     # At arm * (sin, cos), a force f (-cos, sin) has the moment arm * f about e_t.
                     along = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
-                    state.friction[race] = asked[:, None] * along * ((q_i > 0.0) | (q_o > 0.0))[:, None]
+                    state.friction[race] = required[:, None] * along * ((q_i > 0.0) | (q_o > 0.0))[:, None]
         return state
 
     def _spin_weights(self, control: Array, q_i: Array, q_o: Array) -> tuple[Array, Array]:
@@ -269,7 +269,7 @@ class BallStates:
         self.orbit, self.rotation = none, plane
         self.centrifugal, self.moment, self.inner_share = none, none, none
         """Outward [N]; about e_t [N m]; of it, by the inner raceway."""
-        self.asked = {"inner": none, "outer": none}
+        self.required = {"inner": none, "outer": none}
         """Friction that the shares ask for, whatever the contact can carry [N]."""
         self.friction = {"inner": plane, "outer": plane}
         """On the ball, in (e_x, e_r) [N]."""

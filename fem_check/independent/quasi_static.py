@@ -298,11 +298,13 @@ def settles(equilibrium: Equilibrium) -> bool:
     """Whether Jones's criterion, asked again and again from this equilibrium, comes to controls that it confirms."""
     for _ in range(8):
         rows = zip(equilibrium.problem.rows, equilibrium.states, strict=True)
-        asked = [placed.row.jones_control(state) for placed, state in rows]
-        if all(own is not None and (each == own).all() for each, own in zip(asked, equilibrium.controls, strict=True)):
+        controls = [placed.row.jones_control(state) for placed, state in rows]
+        if all(
+            own is not None and (each == own).all() for each, own in zip(controls, equilibrium.controls, strict=True)
+        ):
             return True
         try:
-            equilibrium = solve(equilibrium.problem, (equilibrium.shaft, equilibrium.positions), asked)
+            equilibrium = solve(equilibrium.problem, (equilibrium.shaft, equilibrium.positions), controls)
         except NoReferenceError:
             return False
     return False

@@ -45,7 +45,8 @@ class LameRing:
         return np.array([radius, 1.0 / radius]), self._rotation(radius)[0] + with_heat * self.strain * radius
 
     def radial_stress(self, radius: float) -> tuple[Array, float]:
-        """Likewise of sigma_r; of a solid body at its centre the condition that u vanishes there."""
+        """Row of the coefficients of (c1, c2) in sigma_r, and its known part; of a solid body at its centre the
+        condition that u vanishes there."""
         if radius == 0.0:
             return np.array([0.0, 1.0]), 0.0
         e, nu = self.elastic_modulus, self.poisson_ratio
@@ -85,7 +86,9 @@ def _joined(inside: LameRing, outside: LameRing, interference: float) -> Array |
     return np.asarray(constants) if stress_in @ constants[:2] + known_in < 0.0 else None
 
 
-def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]) -> float:
+def compliance_on_shaft(
+    radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]
+) -> float:
     """Inward displacement of a ring's outer rim by a unit pressure round it, the ring on a hollow shaft [m/Pa].
 
     Plane stress; Lame's cylinders under pressure inside and outside, which share one displacement at the seat.
@@ -93,7 +96,7 @@ def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], 
     Args:
         radii: the shaft's bore, the seat, the ring's outer rim [m].
         ring: Young's modulus [Pa] and Poisson's ratio.
-        shaft: likewise.
+        shaft: Young's modulus [Pa] and Poisson's ratio.
     """
     c, a, b = radii
 

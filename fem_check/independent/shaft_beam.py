@@ -45,8 +45,8 @@ class BeamSection:
         return k * self.elastic_modulus / (2.0 * (1.0 + nu)) * area
 
 
-def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array, asked: Array) -> Array:
-    """Deflection and slope at `asked`, from the first section's begin, where both are taken as zero; (2, asked).
+def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array, stations: Array) -> Array:
+    """Deflection and slope at `stations`, from the first section's begin, where both are taken as zero; (2, station).
 
     Args:
         sections: end to end.
@@ -55,7 +55,7 @@ def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array,
         moments: that turn it in the sense of a positive slope [N m].
         asked: positions [m].
     """
-    stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, asked]))
+    stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, stations]))
     w, slope = 0.0, 0.0
     deflections = {stops[0]: (w, slope)}
     for x, beyond in itertools.pairwise(stops):
@@ -67,4 +67,4 @@ def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array,
         w += slope * h + (0.5 * moment * h**2 - shear * h**3 / 6.0) / bending + shear * h / section.shear
         slope += (moment * h - 0.5 * shear * h**2) / bending
         deflections[beyond] = (w, slope)
-    return np.array([deflections[each] for each in asked]).T
+    return np.array([deflections[each] for each in stations]).T

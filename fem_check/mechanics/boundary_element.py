@@ -11,7 +11,7 @@ largest pressure is that of the central rectangle, so it too comes from the pres
 For any contact that stays within the half-spaces' linear theory: gap and pressure along the contact's normal. Where the
 pressure follows the surface that the bodies share, of slope s across the groove, the half-space between two rectangles
 lies along their chord, of slope (s + s')/2; their forces and displacements, along the normals at its two ends, are
-inclined to it by half their difference either way. With the influence A of a pressure, B = x^2/r^3 summed likewise, and
+inclined to it by half their difference either way. With the influence A of a pressure, B = x^2/r^3 summed as A is, and
 e = nu/(1 - nu), the tangential influence along x is A + e B (Cerruti; Johnson 1985, eq. 3.75), and to the second order
 
     A -> A - (s^2 + s'^2)(1/2 + e)/4 B + s s' (A + (e - 1/2)/2 B).

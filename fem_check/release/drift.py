@@ -126,7 +126,7 @@ def of_campaign(new: Record, old: Record) -> list[str]:
 
 
 def of_recomputed(new: Record, old: Record) -> list[str]:
-    """Of a campaign that computes its cases a second time: its classes, likewise."""
+    """Of a campaign that computes its cases a second time: how its cases ended, as `of_campaign` compares classes."""
     both = [
         {"envelope": each["campaign"], "seed": each["seed"], "count": each["count"], "classes": each["ended"]}
         for each in (new, old)

@@ -113,13 +113,13 @@ def _side_by_side(steps: list[Step], place: GateFolders, workers: int) -> Iterat
     _shared[:] = sorted(steps, key=lambda step: step.name not in LONGEST)
     pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork"))
     try:
-        asked = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}
-        for each in as_completed(asked):
+        submitted = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}
+        for each in as_completed(submitted):
             try:
                 entry = each.result()
             except BrokenProcessPool as problem:  # a process was killed, for want of memory as a rule
                 entry = {"seconds": 0.0, "error": f"{type(problem).__name__}: {problem}"}
-            yield asked[each], entry
+            yield submitted[each], entry
     finally:
         pool.shutdown(cancel_futures=True)
 

@@ -169,12 +169,12 @@ def _wrong_hard_cases(record: Record) -> list[str]:
 
 
 def _campaign(level: MeshLevel, envelope: str, count: int) -> Step:
-    asked = ["--envelope", envelope, "--count", str(count), "--seed", str(SEED)]
+    options = ["--envelope", envelope, "--count", str(count), "--seed", str(SEED)]
 
     def run(place: GateFolders) -> None:
         folder = place.gate / "campaign" / envelope
         call = partial(
-            _python, place, f"campaign_{envelope}", "tests.verification.campaign", *asked, "--out", str(folder)
+            _python, place, f"campaign_{envelope}", "tests.verification.campaign", *options, "--out", str(folder)
         )
         try:  # what an interrupted gate has solved is kept by the campaign itself
             call("--resume", accept=1)
@@ -189,7 +189,7 @@ def _campaign(level: MeshLevel, envelope: str, count: int) -> Step:
         return faults
 
     made = (f"gate/{level}/campaign/{envelope}/summary.json",)
-    command = f"python -m tests.verification.campaign {' '.join(asked)}"
+    command = f"python -m tests.verification.campaign {' '.join(options)}"
     return Step(f"campaign {envelope}", command, run, made, wrong, drift.of_campaign)
 
 

@@ -52,6 +52,6 @@ def refuse_inside(folder: Path, out: Path) -> None:
     Raises:
         TreeError: it is one.
     """
-    asked = ["git", "-C", str(folder), "check-ignore", "-q", str(out / "records")]
-    if out.is_relative_to(folder) and subprocess.run(asked, check=False).returncode:
+    command = ["git", "-C", str(folder), "check-ignore", "-q", str(out / "records")]
+    if out.is_relative_to(folder) and subprocess.run(command, check=False).returncode:
         raise TreeError(f"--out {out}: what the gate makes there would be changes of the tree; name another")

@@ -123,8 +123,8 @@ def _coverage(evidence: Evidence) -> str:
     said = "an expanded uncertainty of the finite elements: meshes and positions of the contact's edge"
     if share is None:
         return f"{said}."
-    covered, asked = (100.0 * (1.0 - value) for value in (share["found"], share["tolerance_percent"] / 100.0))
-    held = f"It held the true error in {covered:.1f} % of cases (at least {asked:g} % needed)"
+    covered, least = (100.0 * (1.0 - value) for value in (share["found"], share["tolerance_percent"] / 100.0))
+    held = f"It held the true error in {covered:.1f} % of cases (at least {least:g} % needed)"
     return f"{said}. {held}: {as_read(share['case'])}."
 
 

@@ -24,7 +24,7 @@ class RowText(NamedTuple):
     """Per cent; empty where the reference is zero; of a displacement that is a finding in its own unit, which it names.
     """
     uncertainty: str
-    """Likewise."""
+    """Of the deviation, in its unit."""
     tolerance: str
     """With its sign or unit: per cent, or the limit of a difference from zero in the row's own unit."""
 

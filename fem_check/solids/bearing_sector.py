@@ -81,7 +81,7 @@ class SectorResults:
     pressures: tuple[Array, Array]
     """Coefficients of each contact's basis functions [Pa]."""
     friction: Array
-    """Likewise at the outer contact; zero without a gyroscopic moment."""
+    """Coefficients of the friction at the outer contact [Pa]; zero without a gyroscopic moment."""
     gaps: tuple[Array, Array]
     """Mean gap over each basis function, of the deformed bodies [m]."""
 

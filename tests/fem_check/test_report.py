@@ -37,7 +37,7 @@ ROOT = Path(__file__).parents[2]
 PAGES = 22
 """At most, on paper."""
 SCREENS = 60
-"""Likewise, of 1280 x 900."""
+"""At most, of 1280 x 900."""
 SMALL = ("patch_test", "manufactured_solution", "body_size")
 
 

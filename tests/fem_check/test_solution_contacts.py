@@ -100,7 +100,7 @@ def test_every_effect_and_choice_is_judged_and_right(label):
         assert passing(rows) >= MOTION | INERTIA
 
 
-@pytest.mark.heavy  # likewise
+@pytest.mark.heavy
 @pytest.mark.parametrize("label", product_scenes.sets())
 def test_sets_are_judged_and_right(label):
     rows = list(set_rows(label, scenes.solve_set(label, product_scenes.sets()[label]), label))
