@@ -12,7 +12,7 @@ from fem_check.rows.record import RowRecord
 from fem_check.running import records_store
 
 
-class Run(TypedDict):
+class RunRecord(TypedDict):
     """What every run changes."""
 
     provenance: dict[str, Any]
@@ -21,7 +21,7 @@ class Run(TypedDict):
     peak_memory_MB: int
 
 
-class BookRecord(Run):
+class BookRecord(RunRecord):
     """A published case, as kept and printed."""
 
     case: str
@@ -53,7 +53,7 @@ FIELDS = (
 )  # fmt: skip
 
 
-def record(case: Case, result: CaseResult, run: Run) -> BookRecord:
+def record(case: Case, result: CaseResult, run: RunRecord) -> BookRecord:
     """A case and what its run found, as kept; `run` has the entries RUN."""
     texts = case.texts.model_dump(mode="json")
     picture = {

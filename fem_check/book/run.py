@@ -54,7 +54,7 @@ def run_book(
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
         result = case.run()
-        run: records.Run = {
+        run: records.RunRecord = {
             "provenance": provenance.of_run(f"fem-check book {case.name}", packages=("matplotlib",)),
             "seconds": round(time.perf_counter() - start, 2),
             "cpu_seconds": round(time.process_time() - cpu, 2),
