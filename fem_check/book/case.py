@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import BaseModel
 
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 
 
-class Evidence(StrEnum):
+class EvidenceKind(StrEnum):
     """What a published number is; kinds are never mixed in one case."""
 
     MEASUREMENT = "M"
@@ -25,14 +25,14 @@ class Evidence(StrEnum):
 
 
 EVIDENCE = {
-    Evidence.MEASUREMENT: "physical measurement",
-    Evidence.CATALOGUE: "calculation in a catalogue, standard or textbook",
-    Evidence.OTHER_CODE: "result of another program",
+    EvidenceKind.MEASUREMENT: "physical measurement",
+    EvidenceKind.CATALOGUE: "calculation in a catalogue, standard or textbook",
+    EvidenceKind.OTHER_CODE: "result of another program",
 }
 
 
 @dataclass(frozen=True)
-class Points:
+class ValueTable:
     """Every single value of a case."""
 
     caption: str
@@ -41,7 +41,7 @@ class Points:
 
 
 @dataclass(frozen=True)
-class Series:
+class Curve:
     """One curve or cloud of a panel; style: line, dashed, dots, circles, crosses, squares, band (low to high), bars."""
 
     label: str
@@ -53,12 +53,12 @@ class Series:
 
 
 @dataclass(frozen=True)
-class Panel:
+class Diagram:
     """One diagram: its axes and its series; `levels` are thin horizontal lines."""
 
     x_label: str
     y_label: str
-    series: Sequence[Series]
+    series: Sequence[Curve]
     title: str = ""
     x_scale: str = "linear"
     y_scale: str = "linear"
@@ -68,15 +68,15 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Result:
+class CaseResult:
     """What a run of a case found."""
 
     summary: str
     """One sentence; every number in it is computed."""
-    rows: list[Row]
-    panels: list[Panel]
+    rows: list[AgreementRow]
+    panels: list[Diagram]
     """The picture as numbers, from which alone it is drawn."""
-    points: Points | None = None
+    points: ValueTable | None = None
 
     @property
     def verdict(self) -> str:
@@ -88,7 +88,7 @@ class Texts(BaseModel, extra="forbid", frozen=True):
     """What the page of a case says, from its TOML file."""
 
     title: str
-    evidence: Evidence
+    evidence: EvidenceKind
     question: str
     """What the case asks of the model."""
     sources: list[str]
@@ -113,7 +113,7 @@ class Case:
     """One page of the book: NAME.toml, its texts, and NAME.py, which computes its numbers."""
 
     name: str
-    run: Callable[[], Result]
+    run: Callable[[], CaseResult]
     needs: tuple[str, ...] = ()
     """Packages of the extra `fem` that it solves with."""
 
@@ -134,10 +134,12 @@ def compared(
     within: float | None,
     why: str,
     worst_at: str | None = None,
-) -> Row:
+) -> AgreementRow:
     """A row whose tolerance is absolute, in the unit of the quantity; None: a finding without a tolerance."""
     tolerance = None if within is None else 100.0 * within / (abs(printed) or 1.0)
-    return Row(case, quantity, unit, printed, source, float(np.asarray(computed)), None, tolerance, why, worst_at)
+    return AgreementRow(
+        case, quantity, unit, printed, source, float(np.asarray(computed)), None, tolerance, why, worst_at
+    )
 
 
 def plain(value: Any) -> Any:

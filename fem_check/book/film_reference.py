@@ -22,7 +22,7 @@ VISCOSITY, PRESSURE_VISCOSITY = 0.04, 2.3e-8
 BALL_ROUGHNESS, RACEWAY_ROUGHNESS = 0.0625e-6, 0.0175e-6
 
 
-class Contact(NamedTuple):
+class EllipticalContact(NamedTuple):
     """One raceway by the second evaluation: its shape, not its load."""
 
     Rx: float
@@ -31,7 +31,7 @@ class Contact(NamedTuple):
     """Q/approach^1.5 [N/m^1.5]."""
 
 
-def contact(side: float, is_exact: bool) -> Contact:
+def contact(side: float, is_exact: bool) -> EllipticalContact:
     """Rx, k and stiffness: exact in Carlson's integrals, or by the textbook's simple forms (Hamrock & Brewe 1983)."""
     effective = MODULUS / (1.0 - POISSON**2)
     Rx, Ry = 0.5 * D * (1.0 + side * D / DM), R * D / (2.0 * R - D)
@@ -43,7 +43,7 @@ def contact(side: float, is_exact: bool) -> Contact:
         k = (Ry / Rx) ** (2.0 / pi)
         first, second = 0.5 * pi + (0.5 * pi - 1.0) * log(Ry / Rx), 1.0 + (0.5 * pi - 1.0) * Rx / Ry
     radius = 1.0 / (1.0 / Rx + 1.0 / Ry)
-    return Contact(Rx, k, pi * k * effective * sqrt(radius * second / (4.5 * first**3)))
+    return EllipticalContact(Rx, k, pi * k * effective * sqrt(radius * second / (4.5 * first**3)))
 
 
 def second_kind(ratio: float) -> float:
@@ -52,7 +52,7 @@ def second_kind(ratio: float) -> float:
     return float(0.5 * pi * np.sqrt(np.cos(angle) ** 2 + ratio**2 * np.sin(angle) ** 2).mean())
 
 
-def largest_load(inner: Contact, outer: Contact) -> float:
+def largest_load(inner: EllipticalContact, outer: EllipticalContact) -> float:
     """Load of the ball under the load line: equilibrium of the ring, balls at multiples of 40 degrees [N]."""
     series = (inner.stiffness ** (-2.0 / 3.0) + outer.stiffness ** (-2.0 / 3.0)) ** -1.5
     angles = [2.0 * pi * j / Z for j in range(Z)]
@@ -65,7 +65,7 @@ def largest_load(inner: Contact, outer: Contact) -> float:
     return float(series * (displacement - 0.5 * CLEARANCE) ** 1.5)
 
 
-def film(place: Contact, load: float) -> tuple[float, float]:
+def film(place: EllipticalContact, load: float) -> tuple[float, float]:
     """Hamrock and Dowson's minimum and central film [m], at the entrainment speed of pure rolling."""
     effective = MODULUS / (1.0 - POISSON**2)
     U, G = VISCOSITY * entrainment_speed() / (effective * place.Rx), PRESSURE_VISCOSITY * effective

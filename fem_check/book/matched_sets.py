@@ -58,7 +58,7 @@ def unloading_load(plus: Sequence[qs.BallBearing], minus: Sequence[qs.BallBearin
 def ground_set(plus: int, minus: int, row: qs.BallBearing, preload: float) -> tuple[float, float, float]:
     """(preload of the set [N], axial rigidity, radial one [N/µm]) of equal rows, ground for this preload of a pair."""
     offset = float(np.asarray(under_thrust(row, preload).displacement)[0])
-    found = matched_set([row] * plus, [row] * minus, qs.Operation(**UPRIGHT), offset=offset)
-    carried = sum(float(each.load[0]) for each in found.rows[:plus])
-    stiffness = 1e-6 * np.asarray(found.stiffness)
+    solution = matched_set([row] * plus, [row] * minus, qs.Operation(**UPRIGHT), offset=offset)
+    carried = sum(float(each.load[0]) for each in solution.rows[:plus])
+    stiffness = 1e-6 * np.asarray(solution.stiffness)
     return carried, float(stiffness[0, 0]), float(stiffness[1, 1])

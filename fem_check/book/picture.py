@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from fem_check.book.records import BookRecord
 from qsbearing.pictures.style import GREY, figure_of_size, legend, plain
 
 # Told apart without colour: by marker, by line, and by lightness.
@@ -21,7 +22,7 @@ STYLES: dict[str, dict[str, Any]] = {
 WIDTH, HEIGHT = 4.6, 3.1
 
 
-def svg(record: dict[str, Any]) -> bytes:
+def svg(record: BookRecord) -> bytes:
     """The picture as SVG; the same record gives the same bytes."""
     import matplotlib as mpl
 
@@ -32,7 +33,7 @@ def svg(record: dict[str, Any]) -> bytes:
     return out.getvalue()
 
 
-def drawn(record: dict[str, Any]) -> Any:
+def drawn(record: BookRecord) -> Any:
     """The picture as a matplotlib figure, panels side by side."""
     panels = record["picture"]["panels"]
     width = WIDTH if len(panels) > 1 else 1.3 * WIDTH

@@ -3,13 +3,47 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NotRequired, TypedDict, cast
 
-from fem_check.book.case import EVIDENCE, Case, Result, plain
+from fem_check.book.case import EVIDENCE, Case, CaseResult, plain
+from fem_check.rows.record import RowRecord
 from fem_check.running import records_store
 
-Record = dict[str, Any]
+
+class RunRecord(TypedDict):
+    """What every run changes."""
+
+    provenance: dict[str, Any]
+    seconds: float
+    cpu_seconds: float
+    peak_memory_MB: int
+
+
+class BookRecord(RunRecord):
+    """A published case, as kept and printed."""
+
+    case: str
+    title: str
+    kind: str
+    """M, C or B: see `EvidenceKind`."""
+    kind_text: str
+    question: str
+    verdict: str
+    summary: str
+    inputs: list[list[Any]]
+    missing: list[str]
+    sources: list[str]
+    fitted: list[str]
+    predicted: list[str]
+    chosen_after_seeing: list[str]
+    does_not_show: list[str]
+    counter_example: NotRequired[bool]
+    rows: list[RowRecord]
+    points: dict[str, Any] | None
+    picture: dict[str, Any]
+
 
 RUN = ("provenance", "seconds", "cpu_seconds", "peak_memory_MB")
 """What every run changes."""
@@ -19,7 +53,7 @@ FIELDS = (
 )  # fmt: skip
 
 
-def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
+def record(case: Case, result: CaseResult, run: RunRecord) -> BookRecord:
     """A case and what its run found, as kept; `run` has the entries RUN."""
     texts = case.texts.model_dump(mode="json")
     picture = {
@@ -28,7 +62,7 @@ def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
         "alt": texts["alternative"],
         "panels": plain(result.panels),
     }
-    return {
+    entry = {
         "case": case.name,
         "title": texts["title"],
         "kind": str(case.texts.evidence),
@@ -43,6 +77,7 @@ def record(case: Case, result: Result, run: dict[str, Any]) -> Record:
         "picture": picture,
         **run,
     }
+    return cast(BookRecord, entry)
 
 
 def folder_of(records: Path) -> Path:
@@ -50,7 +85,7 @@ def folder_of(records: Path) -> Path:
     return records / "book"
 
 
-def text(entry: Record) -> bytes:
+def text(entry: Mapping[str, Any]) -> bytes:
     """A record as it stands in its file: rows to read; all points and the picture's numbers, on a line each."""
     long = ("points", "picture")
     read = json.dumps(
@@ -60,7 +95,7 @@ def text(entry: Record) -> bytes:
     return (f"{read[:-2]},\n" + ",\n".join(lines) + "\n}\n").encode()
 
 
-def write(entry: Record, records: Path) -> Path:
+def write(entry: BookRecord, records: Path) -> Path:
     """Keep a record, whole or not at all."""
     folder = folder_of(records)
     folder.mkdir(parents=True, exist_ok=True)
@@ -69,14 +104,16 @@ def write(entry: Record, records: Path) -> Path:
     return path
 
 
-def read_all(records: Path = records_store.FOLDER) -> dict[str, Record]:
+def read_all(records: Path = records_store.FOLDER) -> dict[str, BookRecord]:
     """The records of the book in a folder of records, by case.
 
     Raises:
         RecordError: a file that is no record.
     """
-    found = {}
+    by_case = {}
     for path in sorted(folder_of(records).glob("*.json")):
-        entry = records_store.read(path, FIELDS, "no record of the book", "run `fem-check book` again")
-        found[entry["case"]] = entry
-    return found
+        entry = cast(
+            BookRecord, records_store.read(path, FIELDS, "no record of the book", "run `fem-check book` again")
+        )
+        by_case[entry["case"]] = entry
+    return by_case

@@ -32,7 +32,7 @@ def selected(names: Iterable[str] = ()) -> list[Case]:
 
 def run_book(
     names: Iterable[str] = (), out: Path | None = None, progress: Callable[[str, float], None] | None = None
-) -> list[records.Record]:
+) -> list[records.BookRecord]:
     """Run cases of the book, all by default, one after another.
 
     Args:
@@ -47,20 +47,20 @@ def run_book(
         UnknownCaseError: a name that no case has; nothing was run.
         OSError: the folder cannot be written.
     """
-    chosen, found = selected(names), []
+    chosen, entries = selected(names), []
     for index, case in enumerate(chosen):
         if progress is not None:
             progress(case.name, index / len(chosen))
         memory.restart_peak()
         start, cpu = time.perf_counter(), time.process_time()
         result = case.run()
-        run = {
+        run: records.RunRecord = {
             "provenance": provenance.of_run(f"fem-check book {case.name}", packages=("matplotlib",)),
             "seconds": round(time.perf_counter() - start, 2),
             "cpu_seconds": round(time.process_time() - cpu, 2),
             "peak_memory_MB": round(memory.peak_MB()),
         }
-        found.append(records.record(case, result, run))
+        entries.append(records.record(case, result, run))
         if out is not None:
-            records.write(found[-1], out)
-    return found
+            records.write(entries[-1], out)
+    return entries

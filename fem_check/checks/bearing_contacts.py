@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -19,7 +18,7 @@ import qsbearing
 from fem_check.checks import solution_contacts, true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.equilibrium import own_angle
 from fem_check.independent.groove import RACES
 from fem_check.independent.quasi_static import NoReferenceError
@@ -30,7 +29,7 @@ from fem_check.mechanics.half_space_contact import TOLERANCES, WHY, MeshStudy
 from fem_check.meshing import MeshError
 from fem_check.product import problems
 from fem_check.product.scenes import (
-    Solved,
+    SolvedPoint,
     beyond_thrust,
     drawing_at_rest,
     load,
@@ -41,10 +40,11 @@ from fem_check.product.scenes import (
 )
 from fem_check.product.solution_equilibrium import reference_near
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import NO_MESH, MeshRecord
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
 
-ELEMENTS = {Level.QUICK: (3, 4, 5), Level.RELEASE: (4, 6, 8)}
+ELEMENTS = {MeshLevel.QUICK: (3, 4, 5), MeshLevel.RELEASE: (4, 6, 8)}
 """Of true bodies, per semi-axis."""
 HALF_SPACES, TRUE_BODIES = "half-spaces", "true bodies"
 HERTZ = "qsbearing.solve"
@@ -59,7 +59,7 @@ Refused = str
 class Heaviest:
     """The contact of a raceway that carries most."""
 
-    point: Solved
+    point: SolvedPoint
     source: str
     race: str
     ball: int
@@ -70,7 +70,7 @@ class Heaviest:
         return self.point.solution
 
     @cached_property
-    def drawing(self) -> Drawing:
+    def drawing(self) -> BearingDrawing:
         """With the ball's own diameter, as the rings have grown."""
         return problems.row_of(self.solution.scene, self.source).balls[self.ball]
 
@@ -100,15 +100,15 @@ class Heaviest:
         )
 
 
-def operated(source: str) -> tuple[Solved, ...]:
+def operated(source: str) -> tuple[SolvedPoint, ...]:
     """A scene as it is operated; a set row by row."""
     of = load(source)
     if isinstance(of, qsbearing.BearingSet) or source != EXAMPLE:
         return solved(source)
-    return (Solved("own operation", solve(source, "own operation", of)),)
+    return (SolvedPoint("own operation", solve(source, "own operation", of)),)
 
 
-def heaviest(points: Sequence[Solved], source: str, race: str) -> Heaviest | None:
+def heaviest(points: Sequence[SolvedPoint], source: str, race: str) -> Heaviest | None:
     """Of one bearing at its points; None where nothing presses the raceway."""
     loads = [np.asarray(getattr(point.solution, race).load) for point in points]
     most = int(np.argmax([each.max() for each in loads]))
@@ -117,15 +117,15 @@ def heaviest(points: Sequence[Solved], source: str, race: str) -> Heaviest | Non
 
 
 @dataclass(frozen=True)
-class OverHertz:
+class TrueBodyRatios:
     """Quantities over Hertz's, by name, each with its uncertainty."""
 
     values: dict[str, tuple[float, float]]
-    mesh: dict[str, Any]
+    mesh: MeshRecord
     solver: str
 
 
-def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) -> OverHertz | Refused:
+def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) -> TrueBodyRatios | Refused:
     """The contact of the true bodies over Hertz at its own angle, on a sequence of meshes; or why there is none."""
     angle, pressed = round(contact.reported("angle"), 6), float(f"{contact.reported('load'):.5g}")
     groove = contact.drawing.groove(contact.race, angle)
@@ -133,25 +133,25 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
 
     def solved(mesh_load: float) -> tuple[CondensedContact, list[list[dict[str, float]]]]:
         profile = profile_of(contact, mesh_load)
-        found = []
+        pairs = []
         for number, count in enumerate(elements):
             progress(f"{contact.race}, true bodies, {count} elements per semi-axis", number / len(elements))
             condensed = TrueContact(groove, balls, mesh_load, count, profile).condensed()
-            found.append([condensed.over_hertz(pressed, follows_surface=True, parabola=each) for each in (False, True)])
-        return condensed, found
+            pairs.append([condensed.over_hertz(pressed, follows_surface=True, parabola=each) for each in (False, True)])
+        return condensed, pairs
 
     try:
-        condensed, found = with_room(solved, pressed)
+        condensed, pairs = with_room(solved, pressed)
     except (MeshError, ContactError, np.linalg.LinAlgError) as problem:
         return str(problem)
     values = {}
     assumed = true_geometry.ring_doubt(contact.solution.scene, contact.source, groove, pressed)
     for name in READ:
         # The bodies' size moves the approach alone; of the ellipse the ratio to a parabola keeps the mesh's error out.
-        ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in found]
+        ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in pairs]
         values[name] = ratios[-1], convergence.largest_change(ratios) + (assumed if name == "approach" else 0.0)
-    mesh = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
-    return OverHertz(values, mesh, condensed.solver)
+    mesh: MeshRecord = {"elements_per_semi_axis": elements[-1], "dofs": condensed.dofs, "file": "true_ball, true_ring"}
+    return TrueBodyRatios(values, mesh, condensed.solver)
 
 
 def profile_of(contact: Heaviest, load: float | None = None) -> RingProfile:
@@ -162,11 +162,11 @@ def profile_of(contact: Heaviest, load: float | None = None) -> RingProfile:
     return ring_sections(scene, source).profile(drawing_at_rest(scene, source), contact.race, needs)
 
 
-def half_space_rows(contact: Heaviest, study: MeshStudy, level: Level) -> list[Row]:
+def half_space_rows(contact: Heaviest, study: MeshStudy, level: MeshLevel) -> list[AgreementRow]:
     """What the solution reports of a contact against the elements."""
     why = WHY[level] if contact.is_exact else "a finding: the scene asks for a published fit of Hertz's ellipse"
     return [
-        Row(
+        AgreementRow(
             f"{contact.case}; {HALF_SPACES}",
             name,
             QUANTITIES[name],
@@ -181,7 +181,7 @@ def half_space_rows(contact: Heaviest, study: MeshStudy, level: Level) -> list[R
     ]
 
 
-def true_rows(contact: Heaviest, found: OverHertz | Refused) -> list[Row]:
+def true_rows(contact: Heaviest, over_hertz: TrueBodyRatios | Refused) -> list[AgreementRow]:
     """What the solution reports against the true bodies."""
     exact = references.ellipse(
         contact.drawing.groove(contact.race, contact.reported("angle")).problem(contact.reported("load"))
@@ -189,13 +189,15 @@ def true_rows(contact: Heaviest, found: OverHertz | Refused) -> list[Row]:
     rows = []
     for name in READ:
         reference, case = contact.reported(name), f"{contact.case}; {TRUE_BODIES}"
-        if isinstance(found, Refused):
-            rows.append(Row(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, found))
+        if isinstance(over_hertz, Refused):
+            rows.append(AgreementRow(case, name, QUANTITIES[name], reference, HERTZ, None, None, None, over_hertz))
             continue
         scale = getattr(exact, name)
-        value, uncertainty = (scale * each for each in found.values[name])
+        value, uncertainty = (scale * each for each in over_hertz.values[name])
         rows.append(
-            Row(case, name, QUANTITIES[name], reference, HERTZ, value, 100.0 * uncertainty / reference, None, FINDING)
+            AgreementRow(
+                case, name, QUANTITIES[name], reference, HERTZ, value, 100.0 * uncertainty / reference, None, FINDING
+            )
         )
     return rows
 
@@ -205,15 +207,15 @@ Ratios = dict[str, tuple[float, float]]
 
 
 def equilibrium_rows(
-    contacts: dict[str, Heaviest], method: str, approaches: Ratios | Refused, level: Level
-) -> dict[str, list[Row]]:
+    contacts: dict[str, Heaviest], method: str, approaches: Ratios | Refused, level: MeshLevel
+) -> dict[str, list[AgreementRow]]:
     """Load and angle of each contact where all contacts have these approaches."""
-    rows: dict[str, list[Row]] = {race: [] for race in contacts}
-    found: dict[str, list[tuple[float, float]]] = {}
+    rows: dict[str, list[AgreementRow]] = {race: [] for race in contacts}
+    by_race: dict[str, list[tuple[float, float]]] = {}
     reason = approaches if isinstance(approaches, Refused) else ""
     if not isinstance(approaches, Refused):
         try:
-            found = _loads_and_angles(contacts, approaches)
+            by_race = _loads_and_angles(contacts, approaches)
         except (NoReferenceError, np.linalg.LinAlgError) as problem:
             reason = f"no equilibrium with these approaches: {problem}"
     judged = method == HALF_SPACES and all(each.is_exact for each in contacts.values())
@@ -224,14 +226,14 @@ def equilibrium_rows(
             reported = contact.reported(name)
             reference = round(degrees(reported), 9) if name == "angle" else reported
             if reason:
-                rows[race].append(Row(case, name, unit, reference, HERTZ, None, None, None, reason))
+                rows[race].append(AgreementRow(case, name, unit, reference, HERTZ, None, None, None, reason))
                 continue
-            values = [each[number] for each in found[race]]
+            values = [each[number] for each in by_race[race]]
             scale = abs(reference) or 1.0
             uncertainty = sum(abs(each - values[0]) for each in values[1:])
             tolerance = TOLERANCES[level]["approach"] if name == "load" else 100.0 * ANGLE_TOLERANCE / scale
             rows[race].append(
-                Row(
+                AgreementRow(
                     case, name, unit, reference, HERTZ, values[0], 100.0 * uncertainty / scale,
                     tolerance if judged else None, why,
                 )
@@ -242,7 +244,7 @@ def equilibrium_rows(
 def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict[str, list[tuple[float, float]]]:
     """Load and angle [degrees] of each contact: at the approaches found, then with each raceway's off by its
     uncertainty."""
-    found: dict[str, list[tuple[float, float]]] = {race: [] for race in contacts}
+    by_race: dict[str, list[tuple[float, float]]] = {race: [] for race in contacts}
     source = next(iter(contacts.values())).source
     values = {race: approaches.get(race, (1.0, 0.0)) for race in RACES}
     whole = load(source)
@@ -267,19 +269,19 @@ def _loads_and_angles(contacts: dict[str, Heaviest], approaches: Ratios) -> dict
             state = states[number]
             load_, normal = (state.q_i, state.inner) if race == "inner" else (state.q_o, state.outer)
             angle = float(np.degrees(np.arctan2(*normal[contact.ball])))
-            found[race].append((float(load_[contact.ball]), angle))
-    return found
+            by_race[race].append((float(load_[contact.ball]), angle))
+    return by_race
 
 
 def _row_number(contact: Heaviest) -> int:
     return int(contact.point.label.rpartition(" ")[2]) - 1
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both contacts of each bearing."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     notes: list[str] = []
-    mesh: dict[str, Any] = {}
+    mesh = NO_MESH
     solver = ""
     points = operated(scene)
     for point in points:
@@ -295,7 +297,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         if not contacts:
             continue
         ideal: dict[str, MeshStudy] = {}
-        true: dict[str, OverHertz | Refused] = {}
+        true: dict[str, TrueBodyRatios | Refused] = {}
         for race, contact in contacts.items():
             progress(f"{race}, half-spaces", 0.0)
             ideal[race] = half_space_contact.mesh_study(contact.problem, half_space_contact.SEQUENCES[level], progress)
@@ -320,19 +322,19 @@ def _of_half_spaces(contacts: dict[str, Heaviest], ideal: dict[str, MeshStudy]) 
     }
 
 
-def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, OverHertz | Refused]) -> Ratios | Refused:
+def _of_true_bodies(contacts: dict[str, Heaviest], true: dict[str, TrueBodyRatios | Refused]) -> Ratios | Refused:
     """Over what the equilibrium takes for Hertz's approach: at its angle, of its form."""
-    found: Ratios = {}
+    ratios: Ratios = {}
     for race, each in true.items():
         if isinstance(each, Refused):
             return f"needs the {race} contact's approach, which was refused"
         contact = contacts[race]
         at_own = references.ellipse(contact.drawing.groove(race, contact.reported("angle")).problem(1.0)).approach
-        taken = references.ellipse(contact.problem, str(contact.solution.scene.hertz_form)).approach
-        scale = at_own * contact.reported("load") ** (2.0 / 3.0) / taken
+        at_hertz_angle = references.ellipse(contact.problem, str(contact.solution.scene.hertz_form)).approach
+        scale = at_own * contact.reported("load") ** (2.0 / 3.0) / at_hertz_angle
         value, uncertainty = each.values["approach"]
-        found[race] = scale * value, scale * uncertainty
-    return found
+        ratios[race] = scale * value, scale * uncertainty
+    return ratios
 
 
 def _notes(contacts: dict[str, Heaviest]) -> list[str]:
@@ -367,11 +369,11 @@ def _notes(contacts: dict[str, Heaviest]) -> list[str]:
 CHECK = Check(
     name="bearing_contacts",
     question="Your bearing: is Hertz solved right for its heaviest contacts, and how far are the true bodies from it?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="finite elements of half-spaces; an equilibrium from the drawing alone; true bodies for comparison",
     tolerance="half-spaces: quick 0.3 %, release 0.02 to 0.05 %; angle 0.02 degrees; true bodies: findings",
     run=run,
     largest_dofs=lambda level: max(
-        half_space_contact.largest_dofs(level), {Level.QUICK: 45_000, Level.RELEASE: 110_000}[level]
+        half_space_contact.largest_dofs(level), {MeshLevel.QUICK: 45_000, MeshLevel.RELEASE: 110_000}[level]
     ),
 )

@@ -11,10 +11,11 @@ import qsbearing
 from fem_check import meshing
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import beyond_thrust, solved
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_statics
 from fem_check.solids.bearing_sector import OuterSupport, SectorLoad
-from fem_check.solids.sector_comparison import QUANTITIES, OperatingPoint, own_point
+from fem_check.solids.sector_comparison import QUANTITIES, ThrustPoint, own_point
 from fem_check.solids.sector_geometry import SectorGeometry
 from fem_check.solids.sector_series import (
     BOUNDS,
@@ -28,15 +29,15 @@ from fem_check.solids.sector_series import (
 from fem_check.solids.sector_study import ELEMENTS, MOMENT_STEP, WITH_RINGS, Studied, quantity_kind, study
 
 POINTS = {
-    Level.QUICK: (OperatingPoint(17800.0, 10000.0 * qsbearing.rpm),),
-    Level.RELEASE: tuple(
-        OperatingPoint(load, speed * qsbearing.rpm)
+    MeshLevel.QUICK: (ThrustPoint(17800.0, 10000.0 * qsbearing.rpm),),
+    MeshLevel.RELEASE: tuple(
+        ThrustPoint(load, speed * qsbearing.rpm)
         for load in (500.0, 2000.0, 17800.0, 44500.0)
         for speed in (0.0, 10000.0)
     ),
 }
 """Of the example; another scene is compared at its own thrust and speed."""
-SUPPORTS = {Level.QUICK: (OuterSupport.RIGID,), Level.RELEASE: (OuterSupport.RIGID, OuterSupport.FREE)}
+SUPPORTS = {MeshLevel.QUICK: (OuterSupport.RIGID,), MeshLevel.RELEASE: (OuterSupport.RIGID, OuterSupport.FREE)}
 GROWN = 0.8 + 2.0 * BOUNDS["axial_displacement"]
 """Of the rigid model's axial displacement, allowed between model and elements in what a free ring adds, difference and
 uncertainty together [%]."""
@@ -54,21 +55,21 @@ MODEL = "qsbearing.solve, Hertz at the free contact angle, the same effects"
 LIMIT_POWERS = {"axial_displacement": 1.0 / 3.0, "semi_major_axis": 2.0 / 3.0, "semi_minor_axis": 2.0 / 3.0}
 
 
-def judged_rows(studied: Studied, level: Level) -> list[Row]:
+def judged_rows(studied: Studied, level: MeshLevel) -> list[AgreementRow]:
     """The meshed bodies against the model, boundary elements and statics, each with a tolerance."""
     sector, point = studied.sector, studied.point
     load = SectorLoad(point.axial_load, point.speed, studied.moment)
     rigid = sector.support is OuterSupport.RIGID
-    found = sector_judgement.of_bodies(studied.case, studied.as_read, sector.geometry.bearing, level, rigid=rigid)
-    return [*found, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
+    rows = sector_judgement.of_bodies(studied.case, studied.as_read, sector.geometry.bearing, level, rigid=rigid)
+    return [*rows, *sector_statics.rows(f"{studied.case}: statics", sector, load, sector.solve(load))]
 
 
-def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row]:
+def half_space_rows(scene: str, point: ThrustPoint, level: MeshLevel) -> list[AgreementRow]:
     """Half-spaces in the bodies' place, at speed with the gyroscopic moment, at the release level without it too."""
     rows = []
     bearing = sector_comparison.sector_bearing(scene)
     turns = bool(point.speed)
-    for moment in (False, True) if turns and level is Level.RELEASE else (turns,):
+    for moment in (False, True) if turns and level is MeshLevel.RELEASE else (turns,):
         case = f"{point.label}{MOMENT_STEP if moment else ''}: half-spaces for bodies"
         try:
             values, sector = sector_comparison.half_spaces(scene, point, gyroscopic_moment=moment)
@@ -81,23 +82,23 @@ def half_space_rows(scene: str, point: OperatingPoint, level: Level) -> list[Row
     return rows
 
 
-def _misplaced(case: str, problem: ContactError) -> Row:
+def _misplaced(case: str, problem: ContactError) -> AgreementRow:
     """Bodies with no size to limit their contacts find none where the model has them: the model is wrong, or lost."""
     source, why = "qsbearing.solve says where", f"no contact is as far from it as that: {problem}"
-    return Row(case, "contacts that are not where the model has them", "1", 0.0, source, 1.0, None, 0.0, why)
+    return AgreementRow(case, "contacts that are not where the model has them", "1", 0.0, source, 1.0, None, 0.0, why)
 
 
-def rows_of(case: str, studied: Studied) -> list[Row]:
+def rows_of(case: str, studied: Studied) -> list[AgreementRow]:
     """The differences from the model: findings, without a tolerance."""
     compared = studied.compared
     return [
-        Row(
+        AgreementRow(
             case,
             name,
             unit,
             compared.model[name],
             MODEL,
-            compared.found[name],
+            compared.elements[name],
             100.0 * studied.uncertainty[name] / abs(compared.model[name]),
             None,
             "a finding: true surfaces, elastic bodies and the orbit's own radius against Hertz and "
@@ -107,25 +108,25 @@ def rows_of(case: str, studied: Studied) -> list[Row]:
     ]
 
 
-def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> Row:
+def grown_row(rigid: Studied, free: Studied, with_rings: Studied) -> AgreementRow:
     """What a free outside diameter adds to the axial displacement: elements against the model with elastic rings."""
     name = "axial_displacement"
     reference = with_rings.compared.model[name] - rigid.compared.model[name]
-    found = free.compared.found[name] - rigid.compared.found[name]
+    growth = free.compared.elements[name] - rigid.compared.elements[name]
     uncertainty = free.uncertainty[name] + rigid.uncertainty[name]
     tolerance = GROWN * abs(rigid.compared.model[name] / reference)
     seen = tolerance <= GROWN_SEEN
-    return Row(
+    return AgreementRow(
         f"{rigid.point.label}, outside diameter free instead of rigid", "change of axial displacement", "m",
-        reference, "qsbearing.solve with elastic_rings", found, 100.0 * uncertainty / abs(reference),
+        reference, "qsbearing.solve with elastic_rings", growth, 100.0 * uncertainty / abs(reference),
         tolerance if seen else None,
         WHY_GROWN if seen else "a finding: what the whole displacement allows is about as much as the ring adds",
     )  # fmt: skip
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All points, the supports side by side, then the gyroscopic moment."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     series: dict[str, Any] = {}
     points = POINTS[level] if scene == EXAMPLE else (own_point(scene),)
     dofs, solver = 0, ""
@@ -133,7 +134,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     for done, point in enumerate(points):
         progress(point.label, done / len(points))
         steps = [(support, "") for support in SUPPORTS[level]]
-        if level is Level.RELEASE and point.speed:
+        if level is MeshLevel.RELEASE and point.speed:
             steps.append((OuterSupport.RIGID, MOMENT_STEP))
         rows += half_space_rows(scene, point, level)
         for support, step in steps:
@@ -151,7 +152,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 with_rings = replace(studied, compared=compared, with_rings=True)
                 rows += [*rows_of(with_rings.case, with_rings), grown_row(drawn, studied, with_rings)]
                 keep(series, with_rings)
-    if level is Level.RELEASE:
+    if level is MeshLevel.RELEASE:
         rows += uncertainty_rows(series)
         if len(at_rest) > 1:
             rows += _light_load_limit(*at_rest[:2])
@@ -163,7 +164,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         bearing_note(scene),
         NOTE,
     ]
-    mesh = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
+    mesh: MeshRecord = {"elements_per_semi_axis": ELEMENTS[level][-1], "dofs": dofs, "file": "sector-*.npz"}
     pictures = {"bearing_sector": series, "sector": _drawn(drawn)}
     return Findings(rows, mesh, solver, pictures, [note for note in notes if note])
 
@@ -174,7 +175,7 @@ def _drawn(studied: Studied) -> dict[str, Any]:
     return sector_pictures.of_sector(sector, sector.solve(SectorLoad(point.axial_load, point.speed)), point.label)
 
 
-def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
+def _light_load_limit(light: Studied, heavier: Studied) -> list[AgreementRow]:
     """Deviations from the model at two light loads, continued to none by the power of each."""
     rows = []
     ratio = heavier.point.axial_load / light.point.axial_load
@@ -191,11 +192,13 @@ def _light_load_limit(light: Studied, heavier: Studied) -> list[Row]:
         why = f"twice the uncertainty; at most that of {BOUNDS[kind]:g} % or degrees, as the continuation enlarges it"
         tolerance = min(2.0 * uncertainty, 2.0 * gain * BOUNDS[kind])
         if QUANTITIES[name] == "deg":
-            title, exact, found, scale = f"{name} less the model's", 0.0, limit, 100.0
+            title, exact, extrapolated, scale = f"{name} less the model's", 0.0, limit, 100.0
         else:
-            title, exact, found, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
+            title, exact, extrapolated, scale = f"{name} over the model's", 1.0, 1.0 + limit / 100.0, 1.0
         unit = "deg" if exact == 0.0 else "1"
-        rows.append(Row(case, title, unit, exact, source, found, scale * uncertainty, scale * tolerance, why))
+        rows.append(
+            AgreementRow(case, title, unit, exact, source, extrapolated, scale * uncertainty, scale * tolerance, why)
+        )
     return rows
 
 
@@ -217,11 +220,11 @@ NOTE = (
 CHECK = Check(
     name="bearing_sector",
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
-    kind=Kind.MODEL_COMPARISON,
+    kind=CheckKind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
     tolerance="a 0.9, b 2, p0 2.5 % (release 0.6, 1.3, 1.5); half-spaces: load 0.12 %, angle 0.1°; statics 0.05 %",
     run=run,
-    largest_dofs=lambda level: {Level.QUICK: 60_000, Level.RELEASE: 110_000}[level],
+    largest_dofs=lambda level: {MeshLevel.QUICK: 60_000, MeshLevel.RELEASE: 110_000}[level],
 )
 
 
@@ -231,9 +234,9 @@ def keep_meshes() -> None:
     for path in folder.glob("sector-*.npz"):
         path.unlink()
     entries = {}
-    for point in POINTS[Level.QUICK]:
+    for point in POINTS[MeshLevel.QUICK]:
         where = sector_comparison.place(EXAMPLE, point, OuterSupport.RIGID)
-        for elements in ELEMENTS[Level.QUICK]:
+        for elements in ELEMENTS[MeshLevel.QUICK]:
             geometry = SectorGeometry(sector_comparison.sector_bearing(EXAMPLE), where, elements)
             for body in ("ball", "inner", "outer"):
                 path = folder / geometry.mesh_file(body)

@@ -15,18 +15,19 @@ from fem_check.independent.references import axis_ratio, hertz
 from fem_check.mechanics import contact
 from fem_check.mechanics.half_space_contact import stretched
 from fem_check.product.scenes import groove_contact, operating_loads
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 
 SIZES = (8.0, 16.0, 32.0)
 """Half-length of the boxes in semi-major axes; half-width and depth are SHAPE times as many semi-minor axes."""
 SHAPE = 8.2
 """a/b of B218's inner contact, for which the boxes are cubes; their growth, not their shape, is what counts."""
-ELEMENTS = {Level.QUICK: 3, Level.RELEASE: 6}
+ELEMENTS = {MeshLevel.QUICK: 3, MeshLevel.RELEASE: 6}
 TOLERANCE = 0.23
 """[%]"""
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Clamped boxes of 8, 16 and 32 semi-major axes and their limit, against the exact far field at 2.5 and Hertz."""
     groove = groove_contact(scene, "inner")
     groove = replace(groove, ball=groove.race)  # one body serves for both
@@ -57,7 +58,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     short = float(np.linalg.solve(table[1:, :2], np.asarray(clamped[1:]))[0])
     case = f"{groove.name} inner, Q = {problem.load:.0f} N"
     rows = [
-        Row(
+        AgreementRow(
             f"{case}: clamped at {size:g} semi-major axes",
             "approach",
             "m",
@@ -71,7 +72,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         for size, approach in zip(SIZES, clamped, strict=True)
     ]
     rows.append(
-        Row(
+        AgreementRow(
             f"{case}: clamped boxes extrapolated to infinity",
             "approach",
             "m",
@@ -84,7 +85,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
     )
     largest = meshing.clamped_box(elements, SIZES[-1], SHAPE)
-    entry = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
+    entry: MeshRecord = {"elements_per_semi_axis": elements, "dofs": body.dofs, "file": largest.file_name}
     series = {
         "body_size": {
             "size": list(SIZES),
@@ -100,7 +101,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 CHECK = Check(
     name="body_size",
     question="As clamped boxes grow, does the approach in them tend to that of the exact far field?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="the limit of clamped boxes, which do not use the far field",
     tolerance=f"{TOLERANCE:g} %",
     run=run,

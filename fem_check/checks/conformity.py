@@ -12,11 +12,12 @@ from fem_check.independent.references import hertz
 from fem_check.mechanics import boundary_element, contact, half_space_contact, measuring
 from fem_check.product.scenes import groove_contact
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, covered
+from fem_check.rows.record import MeshRecord
 
-COEFFICIENTS = {Level.QUICK: (0.56, 0.51), Level.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
+COEFFICIENTS = {MeshLevel.QUICK: (0.56, 0.51), MeshLevel.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
 """f = r/D, open to close. The closest is for finer meshes: its ellipse is 3 % off Hertz's."""
-ELEMENTS = {Level.QUICK: (4, 5, 6), Level.RELEASE: half_space_contact.SEQUENCES[Level.RELEASE]}
+ELEMENTS = {MeshLevel.QUICK: (4, 5, 6), MeshLevel.RELEASE: half_space_contact.SEQUENCES[MeshLevel.RELEASE]}
 """Per semi-axis, coarse to fine. Of a ratio on one mesh little error is left, so the quick level's may be coarser than
 those of the other contacts."""
 LOAD = 2000.0
@@ -27,8 +28,9 @@ CLOSEST = {"approach": 0.015, "semi_major_axis": 0.07, "semi_minor_axis": 0.022,
 OPEN = {"approach": 0.004, "semi_major_axis": 0.03, "semi_minor_axis": 0.0035, "max_pressure": 0.027}
 FINE = {"approach": 0.008, "semi_major_axis": 0.02, "semi_minor_axis": 0.02, "max_pressure": 0.008}
 TOLERANCES = {
-    Level.QUICK: {0.56: OPEN, 0.51: CLOSEST},
-    Level.RELEASE: dict.fromkeys(COEFFICIENTS[Level.RELEASE], FINE) | {0.505: FINE | {"semi_minor_axis": 0.045}},
+    MeshLevel.QUICK: {0.56: OPEN, 0.51: CLOSEST},
+    MeshLevel.RELEASE: dict.fromkeys(COEFFICIENTS[MeshLevel.RELEASE], FINE)
+    | {0.505: FINE | {"semi_minor_axis": 0.045}},
 }
 """[%] By the groove's coefficient; the meshes know the closest one's b less well."""
 WHY = "twice the uncertainty of both methods together"
@@ -52,21 +54,23 @@ def over_hertz(groove: BallInGroove, load: float, elements: int, progress: Progr
     return {name: true / parabola for name, true, parabola in zip(boundary_element.QUANTITIES, *read, strict=True)}
 
 
-def gap_rows(groove: BallInGroove, coefficient: float, case: str, level: Level, progress: Progress) -> list[Row]:
+def gap_rows(
+    groove: BallInGroove, coefficient: float, case: str, level: MeshLevel, progress: Progress
+) -> list[AgreementRow]:
     """What the gap's shape does to each quantity, finite elements against boundary elements."""
     reference = boundary_element.over_hertz(groove, LOAD)
-    found = [over_hertz(groove, LOAD, count, progress) for count in ELEMENTS[level]]
+    per_mesh = [over_hertz(groove, LOAD, count, progress) for count in ELEMENTS[level]]
     rows = []
     for name, tolerance in TOLERANCES[level][coefficient].items():
-        mesh = convergence.largest_change([each[name] for each in found])
+        mesh = convergence.largest_change([each[name] for each in per_mesh])
         rows.append(
-            Row(
+            AgreementRow(
                 case,
                 f"{name} over Hertz",
                 "1",
                 reference.ratio[name],
                 boundary_element.SOURCE,
-                found[-1][name],
+                per_mesh[-1][name],
                 100.0 * mesh / reference.ratio[name] + reference.uncertainty_percent[name],
                 tolerance,
                 WHY,
@@ -83,10 +87,10 @@ def load_at_error(error: list[float], limit: float) -> float | None:
     return float(np.exp(np.interp(np.log(limit), np.log(size), np.log(LOADS))))
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """B218's inner groove with its radius changed, everything else kept."""
     base = groove_contact(scene, "inner")
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     series: dict[str, object] = {"load_N": list(LOADS), "curves": {}}
     curves: dict[str, object] = {}
     reached = []
@@ -108,7 +112,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         reached.append(f"with f = {coefficient:g}, {' and '.join(limits)}")
     series["curves"] = curves
     bodies = half_space_contact.condensed_bodies(base.problem(LOAD), ELEMENTS[level][-2])
-    entry = {
+    entry: MeshRecord = {
         "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
         "dofs": bodies.race.dofs,
         "file": bodies.recipe.file_name,
@@ -124,7 +128,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 CHECK = Check(
     name="conformity",
     question="As the groove radius goes from 0.56 to 0.505 ball diameters: where is Hertz off by 1 %, where by 5 %?",
-    kind=Kind.MODEL_COMPARISON,
+    kind=CheckKind.MODEL_COMPARISON,
     reference="boundary elements on half-spaces, exact gap",
     tolerance="twice the uncertainty; quick: approach 0.004 to 0.015 %, a 0.03 to 0.07, b 0.0035 to 0.022, p0 0.027 to "
     "0.085; release: 0.008, 0.02, 0.02 (closest groove 0.045), 0.008",

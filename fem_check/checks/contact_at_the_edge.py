@@ -14,19 +14,20 @@ from fem_check.independent.references import axis_ratio
 from fem_check.mechanics import edge_contact, edge_elements
 from fem_check.mechanics.edge_contact import Cut
 from fem_check.product.scenes import groove_contact
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from qsbearing.readings import cut_contact
 
-ELEMENTS = {Level.QUICK: 4, Level.RELEASE: 6}
+ELEMENTS = {MeshLevel.QUICK: 4, MeshLevel.RELEASE: 6}
 """Per semi-minor axis."""
-SHARES = {Level.QUICK: (0.1, 0.3), Level.RELEASE: (0.05, 0.1, 0.2, 0.3)}
+SHARES = {MeshLevel.QUICK: (0.1, 0.3), MeshLevel.RELEASE: (0.05, 0.1, 0.2, 0.3)}
 ROUNDED = (0.3, 0.1)
 """Part of the major axis beyond the edge, and the edge's radius over b E*/p0: such that the elements resolve it."""
 REAL_RADIUS = 0.01
-"""Likewise of an edge of 0.2 mm at 2 kN: what `qsbearing` is asked for."""
+"""Radius over b E*/p0 of an edge of 0.2 mm at 2 kN: what `qsbearing` is asked for."""
 TOLERANCES = {
-    Level.QUICK: {"load": 0.25, "centre": 0.1, "intensity": 8.0},
-    Level.RELEASE: {"load": 0.1, "centre": 0.1, "intensity": 5.0},
+    MeshLevel.QUICK: {"load": 0.25, "centre": 0.1, "intensity": 8.0},
+    MeshLevel.RELEASE: {"load": 0.1, "centre": 0.1, "intensity": 5.0},
 }
 """Per cent; of the centre of the uncut semi-major axis, along which a cell is 0.08 long: as fine at either level.
 The centre's at release was 0.05 until the first run found 0.045 with an uncertainty of 0.010; half-space elements and
@@ -52,15 +53,15 @@ class _Compared:
     """By the elements: off 1 and 0 by their own error."""
     boundary: Cut
 
-    def rows(self, level: Level, names: tuple[str, ...]) -> list[Row]:
+    def rows(self, level: MeshLevel, names: tuple[str, ...]) -> list[AgreementRow]:
         """Elements against boundary elements."""
         doubts = {"load": abs(self.uncut.load - 1.0), "centre": abs(self.uncut.centre)}
-        found = []
+        rows = []
         for name in names:
             shift = 1.0 if name == "centre" else 0.0  # per cent of the semi-axis, not of its shift
             reference, value = (shift + getattr(each, name) for each in (self.boundary, self.elements))
-            found.append(
-                Row(
+            rows.append(
+                AgreementRow(
                     self.case,
                     WORDS[name],
                     "1",
@@ -72,7 +73,7 @@ class _Compared:
                     WHY,
                 )
             )
-        return found
+        return rows
 
 
 WORDS = {
@@ -82,7 +83,7 @@ WORDS = {
 }
 
 
-def product_rows(case: str, share: float, ellipticity: float, boundary: Cut, uncut: Cut) -> list[Row]:
+def product_rows(case: str, share: float, ellipticity: float, boundary: Cut, uncut: Cut) -> list[AgreementRow]:
     """What the reading has of a cut against boundary elements, whose uncut contact is off by the grid's own 1e-4."""
     t, k = np.array([share]), np.array([ellipticity])
     values = {
@@ -91,7 +92,7 @@ def product_rows(case: str, share: float, ellipticity: float, boundary: Cut, unc
         "intensity": boundary.intensity,
     }
     return [
-        Row(
+        AgreementRow(
             case, f"reading overrun: {name.replace('_', ' ')}", "1", value, edge_contact.SOURCE,
             float(cut_contact.of_share(name, t, k)[0]), None, FITS[name], WHY_FITS,
         )
@@ -99,14 +100,14 @@ def product_rows(case: str, share: float, ellipticity: float, boundary: Cut, unc
     ]  # fmt: skip
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Cuts of the inner contact's shape."""
     problem = groove_contact(scene, "inner").problem(1.0)
     ellipticity = round(1.0 / axis_ratio(problem.curvature_x / problem.curvature_y), 3)
     progress("finite elements", 0.0)
     block = edge_elements.block(ellipticity, ELEMENTS[level])
     uncut, without_edge = block.cut(0.0, ellipticity), edge_contact.cut(0.0, ellipticity)
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     for number, share in enumerate(SHARES[level]):
         progress("boundary elements", number / len(SHARES[level]))
         case = f"{100.0 * share:g} % of the major axis beyond a sharp edge, k = {ellipticity:g}"
@@ -118,14 +119,16 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     case = f"{100.0 * share:g} % beyond an edge of the radius {radius:g} b E*/p0, k = {ellipticity:g}"
     rounded = edge_contact.cut(share, ellipticity, radius)
     rows += _Compared(case, block.cut(share, ellipticity, radius), uncut, rounded).rows(level, ("load", "centre"))
-    found = edge_contact.cut(share, ellipticity, REAL_RADIUS)
+    cut = edge_contact.cut(share, ellipticity, REAL_RADIUS)
     intensity = cut_contact.of_share("intensity", np.array([share]), np.array([ellipticity]))
     one = np.ones(1)
     said = float(cut_contact.edge_pressure(intensity, one, one, 1.0, REAL_RADIUS)[0])
     case = f"{100.0 * share:g} % beyond an edge of the radius {REAL_RADIUS:g} b E*/p0, k = {ellipticity:g}"
     name = "reading overrun: largest pressure over p0"
-    rows.append(Row(case, name, "1", found.largest, edge_contact.SOURCE, said, None, EDGE_PRESSURE, WHY_PRESSURE))
-    mesh = {"elements_per_semi_axis": ELEMENTS[level], "dofs": block.dofs, "file": "made in place"}
+    rows.append(
+        AgreementRow(case, name, "1", cut.largest, edge_contact.SOURCE, said, None, EDGE_PRESSURE, WHY_PRESSURE)
+    )
+    mesh: MeshRecord = {"elements_per_semi_axis": ELEMENTS[level], "dofs": block.dofs, "file": "made in place"}
     return Findings(rows, mesh, block.solver, notes=NOTES)
 
 
@@ -139,9 +142,9 @@ NOTES = [
 CHECK = Check(
     name="contact_at_the_edge",
     question="How bad is a contact that the groove's edge cuts off: its load, its line of load, its pressure there?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="boundary elements of a half-space whose pressure ends at the edge",
     tolerance="finite elements: load quick 0.25 %, release 0.1 %; fits of the reading 1.5 to 3 %, edge pressure 6 %",
     run=run,
-    largest_dofs=lambda level: {Level.QUICK: 32_000, Level.RELEASE: 90_000}[level],
+    largest_dofs=lambda level: {MeshLevel.QUICK: 32_000, MeshLevel.RELEASE: 90_000}[level],
 )

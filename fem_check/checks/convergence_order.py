@@ -13,10 +13,11 @@ from fem_check.mechanics.half_space_contact import ORDERS, STRETCHES
 from fem_check.mechanics.measuring import Measured
 from fem_check.product.scenes import groove_contact, operating_loads
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 
 PARTS = 4
-COUNTS = {Level.QUICK: (3, 4, 6), Level.RELEASE: (4, 6, 8, 12)}
+COUNTS = {MeshLevel.QUICK: (3, 4, 6), MeshLevel.RELEASE: (4, 6, 8, 12)}
 
 
 MESHES = 3
@@ -25,7 +26,7 @@ ALLOWED = 0.05
 """Share of cases that an expanded uncertainty need not cover (ASME V&V 20-2009)."""
 
 
-def _coverage(name: str, cases: dict[object, list[tuple[float, Measured, ContactQuantities]]]) -> Row:
+def _coverage(name: str, cases: dict[object, list[tuple[float, Measured, ContactQuantities]]]) -> AgreementRow:
     """How often the uncertainty of three meshes covers the error, which is known here.
 
     Each run of three successive meshes, each proportion of the mesh and each quantity is a case, and each quarter of
@@ -45,7 +46,7 @@ def _coverage(name: str, cases: dict[object, list[tuple[float, Measured, Contact
                     uncertainty += float(abs(values[-1] - each[-1].mean()))
                     covers[f"{quantity}, {stretch}, from mesh {first}, part {part}"] = abs(values[-1]) <= uncertainty
     missed = [case for case, covered in covers.items() if not covered]
-    return Row(
+    return AgreementRow(
         f"{name} inner on half-spaces, {len(covers)} exact cases of three meshes each",
         "share whose error exceeds its uncertainty",
         "1",
@@ -59,7 +60,7 @@ def _coverage(name: str, cases: dict[object, list[tuple[float, Measured, Contact
     )
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Each mesh aligned and twice misaligned; the error is the root mean square over the three."""
     groove = groove_contact(scene, "inner")
     problem = groove.problem(operating_loads(scene, "inner")[-1])
@@ -85,7 +86,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     for name in ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure"):
         order = convergence.fitted_order(sizes, errors[name])
         rows.append(
-            Row(
+            AgreementRow(
                 f"{groove.name} inner, {COUNTS[level][0]} to {COUNTS[level][-1]} elements per semi-axis",
                 f"shortfall of the order of {name}",
                 "1",
@@ -98,7 +99,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
             )
         )
     rows.append(
-        Row(
+        AgreementRow(
             "finest mesh",
             "largest error of any single position",
             "1",
@@ -111,14 +112,18 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
     )
     series = {"convergence": {"size": sizes, "rms_error": errors, "worst_single_position": single}}
-    entry = {"elements_per_semi_axis": COUNTS[level][-1], "dofs": bodies.race.dofs, "file": bodies.recipe.file_name}
+    entry: MeshRecord = {
+        "elements_per_semi_axis": COUNTS[level][-1],
+        "dofs": bodies.race.dofs,
+        "file": bodies.recipe.file_name,
+    }
     return Findings(rows, entry, bodies.race.solver, series)
 
 
 CHECK = Check(
     name="convergence_order",
     question="Do the errors fall with the element size at the order that the uncertainties assume?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="the orders that the uncertainties assume: 1.5 in the approach, 2.5 in ellipse and pressure",
     tolerance="no shortfall of the order",
     run=run,

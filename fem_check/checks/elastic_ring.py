@@ -1,4 +1,4 @@
-"""Do the elastic rings of the model give way as a ring of finite elements does, and do balls share their load likewise?
+"""Do the elastic rings of the model give way as a ring of finite elements does, and do balls share their load as there?
 
 The ring is plane stress, a rectangle in section, as the model's is. What a section with groove and shoulders does is
 told by one pitch of a ring under its ball, in three dimensions.
@@ -12,20 +12,31 @@ from math import radians
 import numpy as np
 
 import qsbearing
-from fem_check.elements.plane_ring import Body, Ring, harmonics
+from fem_check.elements.plane_ring import Ring, RingGrid, harmonics
 from fem_check.independent.contact_problem import Array, ElasticConstants
-from fem_check.independent.quasi_static import Problem, at_rest
+from fem_check.independent.quasi_static import BalanceProblem, at_rest
 from fem_check.independent.ring_sections import RingSections
 from fem_check.product import problems, scenes
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
+from fem_check.rows.agreement import (
+    EXAMPLE,
+    AgreementRow,
+    Check,
+    CheckKind,
+    Findings,
+    MeshLevel,
+    Progress,
+    collapsed,
+    covered,
+)
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import sector_comparison
 from fem_check.solids.ring_pitch import RingPitch
 from fem_check.solids.sector_geometry import SectorBearing
 from qsbearing.model.effects import ring_compliance
 from qsbearing.model.effects.elastic_rings import grooves_of
 
-GRIDS = {Level.QUICK: ((64, 2), (96, 3), (128, 4)), Level.RELEASE: ((128, 4), (192, 6), (256, 8))}
+GRIDS = {MeshLevel.QUICK: ((64, 2), (96, 3), (128, 4)), MeshLevel.RELEASE: ((128, 4), (192, 6), (256, 8))}
 """Elements round half a ring, and through it."""
 ORDER = 4.0
 """Of compliances, which are energies: twice the elements' order."""
@@ -36,9 +47,9 @@ HOUSING, SHAFT = 0.100, 0.035
 """Outside radius of a housing round B218's outer ring, and bore radius of a shaft in `INNER`, of aluminium [m]."""
 INNER = (0.045, 0.051)
 WAVES = (0, 2, 3, 4, 5, 6, 7, 8)
-LOAD_GRIDS = GRIDS | {Level.QUICK: ((96, 3), (128, 4), (192, 6))}
+LOAD_GRIDS = GRIDS | {MeshLevel.QUICK: ((96, 3), (128, 4), (192, 6))}
 """Finer at the quick level: the ball that carries least, 1 % of the largest load, hangs on the ring's shape most."""
-FINER = {Level.QUICK: 1.0, Level.RELEASE: 0.1}
+FINER = {MeshLevel.QUICK: 1.0, MeshLevel.RELEASE: 0.1}
 """Of the tolerances; the grids' uncertainty falls to a fifteenth."""
 TOLERANCES = {"outer": 0.025, "thin": 0.1, "housing": 0.015, "inner": 0.045, "shaft": 0.025}
 """Of each ring's compliances [%]."""
@@ -62,8 +73,8 @@ OUTSIDE, WIDTH = 0.160, 0.030
 """Of B218's outer ring [m]."""
 LOADS = {"axial_load": 17800.0, "radial_load_y": 10000.0, "tilt_y": 0.0, "tilt_z": 0.0}
 LOAD_TOLERANCES = {
-    Level.QUICK: {"contact load": 0.2, "largest contact load": 3e-4, "axial": 0.05, "radial": 0.1},
-    Level.RELEASE: {"contact load": 0.1, "largest contact load": 2e-4, "axial": 0.03, "radial": 0.05},
+    MeshLevel.QUICK: {"contact load": 0.2, "largest contact load": 3e-4, "axial": 0.05, "radial": 0.1},
+    MeshLevel.RELEASE: {"contact load": 0.1, "largest contact load": 2e-4, "axial": 0.03, "radial": 0.05},
 }
 """[%] Of the loads, by the ball that carries least; of the displacements."""
 WHY_LOADS = (
@@ -76,21 +87,21 @@ BENDING = 3
 """Balls round a ring, few enough that bending is nearly all."""
 SECTIONS = {
     "B218's outer ring, shoulders 70° and 20°, contact at 40°": (
-        40.0, (70.0, 20.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
+        40.0, (70.0, 20.0), {MeshLevel.QUICK: (3,), MeshLevel.RELEASE: (3, 8, 12, 16, 24)},
     ),
-    "the same, contact at 3°": (3.0, (70.0, 20.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)}),
+    "the same, contact at 3°": (3.0, (70.0, 20.0), {MeshLevel.QUICK: (), MeshLevel.RELEASE: (3, 8, 12, 16, 24)}),
     "shoulders 50°, contact at 0°": (
-        0.0, (50.0, 50.0), {Level.QUICK: (3,), Level.RELEASE: (3, 8, 12, 16, 24)},
+        0.0, (50.0, 50.0), {MeshLevel.QUICK: (3,), MeshLevel.RELEASE: (3, 8, 12, 16, 24)},
     ),
     "shoulders 17°, contact at 0°": (
-        0.0, (17.0, 17.0), {Level.QUICK: (), Level.RELEASE: (3, 8, 12, 16, 24)},
+        0.0, (17.0, 17.0), {MeshLevel.QUICK: (), MeshLevel.RELEASE: (3, 8, 12, 16, 24)},
     ),
 }  # fmt: skip
 """Of each section its contact angle, its shoulders as angles round the groove, and numbers of balls: at the quick level
 only those that have a tolerance."""
 PITCH_LOAD = 1660.0
 """Of the ellipse that presses [N]; what is found hardly depends on it."""
-PITCH_ELEMENTS = {Level.QUICK: (1, 2), Level.RELEASE: (2, 3)}
+PITCH_ELEMENTS = {MeshLevel.QUICK: (1, 2), MeshLevel.RELEASE: (2, 3)}
 PITCH_TOLERANCE = 10.0
 """[%]"""
 MODEL_PITCH = "qsbearing.model.effects.elastic_rings: uniform growth and n = Z, 2 Z, ..."
@@ -101,7 +112,7 @@ WHY_PITCH = (
 
 
 @dataclass(frozen=True)
-class Study:
+class GridStudy:
     """One quantity on several grids."""
 
     sizes: list[float]
@@ -114,15 +125,15 @@ class Study:
         return convergence.uncertainty_at_order(self.sizes, self.values, self.order)
 
 
-def studied(grids: tuple[tuple[int, int], ...], values: list[list[float]], order: float = ORDER) -> list[Study]:
+def studied(grids: tuple[tuple[int, int], ...], values: list[list[float]], order: float = ORDER) -> list[GridStudy]:
     """Every number of a list that is read of each grid."""
     sizes = [1.0 / around for around, _ in grids]
-    return [Study(sizes, [float(one) for one in each], order) for each in zip(*values, strict=True)]
+    return [GridStudy(sizes, [float(one) for one in each], order) for each in zip(*values, strict=True)]
 
 
-def body(radii: tuple[float, float], grid: tuple[int, int], material: ElasticConstants = STEEL) -> Body:
+def body(radii: tuple[float, float], grid: tuple[int, int], material: ElasticConstants = STEEL) -> RingGrid:
     """On a grid."""
-    return Body(*radii, material, *grid)
+    return RingGrid(*radii, material, *grid)
 
 
 def _constants(material: ElasticConstants) -> tuple[float, float]:
@@ -134,7 +145,7 @@ def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.
     around, through = grid
     thick = around, 2 * through
 
-    def annulus(one: Body) -> ring_compliance.Annulus:
+    def annulus(one: RingGrid) -> ring_compliance.Annulus:
         return ring_compliance.Annulus(one.bore_radius, one.outside_radius, *_constants(one.material))
 
     outer, thin, inner = (body(radii, grid) for radii in (B218, THIN, INNER))
@@ -161,24 +172,24 @@ def rings(grid: tuple[int, int]) -> dict[str, tuple[Ring, bool, ring_compliance.
     }  # fmt: skip
 
 
-def wave_give(ring: Ring, at_bore: bool, n: int) -> float:
+def wave_compliance(ring: Ring, at_bore: bool, n: int) -> float:
     """u_n/p_n of the rim that is pressed, away from the pressure [m/Pa]."""
     radius = ring.ring.bore_radius if at_bore else ring.ring.outside_radius
     moved = ring.moved(radius, ring.ring.pressed(radius, lambda angle: np.cos(n * angle)))
     return float(harmonics(moved)[n]) * (1.0 if at_bore else -1.0)
 
 
-def compliance_rows(level: Level) -> list[Row]:
+def compliance_rows(level: MeshLevel) -> list[AgreementRow]:
     """Every wave of every ring."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     on_grids = [rings(grid) for grid in GRIDS[level]]
     for name, (_, _, compliance, tolerance) in on_grids[-1].items():
-        values = [[wave_give(*grid[name][:2], n) for n in WAVES] for grid in on_grids]
+        values = [[wave_compliance(*grid[name][:2], n) for n in WAVES] for grid in on_grids]
         some = []
         for n, study in zip(WAVES, studied(GRIDS[level], values), strict=True):
             reference = float(compliance.groove[n])
             some.append(
-                Row(
+                AgreementRow(
                     f"{name}, n = {n}", "compliance of the groove", "m/Pa", reference, MODEL, study.values[-1],
                     100.0 * study.uncertainty / reference, FINER[level] * tolerance, WHY,
                 )
@@ -207,7 +218,7 @@ def opposed_by_series(thickness: float) -> float:
     return 4.0 * float(np.sum(waves[::2])) * STEEL.elastic_modulus * thickness**3 / 12.0
 
 
-def opposed_rows(level: Level) -> list[Row]:
+def opposed_rows(level: MeshLevel) -> list[AgreementRow]:
     """Of rings of several thicknesses, and of a ring as thin as can be."""
     by_grid = []
     for grid in GRIDS[level]:
@@ -219,9 +230,9 @@ def opposed_rows(level: Level) -> list[Row]:
     source = f"{MODEL}, waves to n = {ring_compliance.MOST_HARMONICS}"
     left_out = "shear and normal force, which a thin ring leaves out"
 
-    def row(case: str, reference: float, by: str, study: Study, tolerance: float | None, why: str) -> Row:
+    def row(case: str, reference: float, by: str, study: GridStudy, tolerance: float | None, why: str) -> AgreementRow:
         name, uncertainty = "change of diameter over P R³/(E I)", 100.0 * study.uncertainty / reference
-        return Row(
+        return AgreementRow(
             f"two opposed loads, {case}", name, "1", reference, by, study.values[-1], uncertainty, tolerance, why
         )
 
@@ -236,7 +247,7 @@ def opposed_rows(level: Level) -> list[Row]:
     return rows
 
 
-def influence(grid: tuple[int, int], count: int, one: Body) -> Array:
+def influence(grid: tuple[int, int], count: int, one: RingGrid) -> Array:
     """Radial movement of the groove at each ball by the radial loads of all [m/N]; (ball, ball).
 
     The load is spread over an element to either side; what moves the ring as a body is taken from it, and a
@@ -259,7 +270,7 @@ def influence(grid: tuple[int, int], count: int, one: Body) -> Array:
     return np.asarray(by_distance[np.subtract.outer(np.arange(count), np.arange(count)) % count])
 
 
-def equilibrium(problem: Problem, by_load: Array) -> tuple[Array, Array]:
+def equilibrium(problem: BalanceProblem, by_load: Array) -> tuple[Array, Array]:
     """Ball loads [N], and displacement of the inner ring, at rest between it and an outer ring that gives way.
 
     Each ball a spring of Hertz's contacts along the line of its groove centres; the outer one is moved outward.
@@ -298,7 +309,7 @@ def equilibrium(problem: Problem, by_load: Array) -> tuple[Array, Array]:
     return load, shaft
 
 
-def load_rows(level: Level) -> list[Row]:
+def load_rows(level: MeshLevel) -> list[AgreementRow]:
     """B218 under combined load, its outer ring free: each ball's load, and the inner ring's displacement."""
     rigid = replace(scenes.load_scene(EXAMPLE), operation=qsbearing.Operation(**LOADS))
     given = qsbearing.ElasticRings(outside_diameter=OUTSIDE, outer_width=WIDTH, housing="free")
@@ -320,7 +331,7 @@ def load_rows(level: Level) -> list[Row]:
         ball, allowed = i < len(balls), LOAD_TOLERANCES[level]
         name = "contact load" if ball else names[i - len(balls)]
         some.append(
-            Row(
+            AgreementRow(
                 f"ball {i + 1}" if ball else case, name,
                 "N" if ball else "m", reference[i], "qsbearing.solve", study.values[-1],
                 100.0 * study.uncertainty / abs(reference[i]), allowed[name if ball else name.split("_")[0]], WHY_LOADS,
@@ -333,7 +344,7 @@ def load_rows(level: Level) -> list[Row]:
     return [heaviest, *collapsed(some[: len(balls)], case), *some[len(balls) :]]
 
 
-def pitch_rows(level: Level) -> list[Row]:
+def pitch_rows(level: MeshLevel) -> list[AgreementRow]:
     """One pitch of B218's outer ring in three dimensions, with several shoulders and numbers of balls."""
     known = sector_comparison.sector_bearing(EXAMPLE)
     drawing, rows = known.drawing, []
@@ -347,21 +358,21 @@ def pitch_rows(level: Level) -> list[Row]:
         assert compliance is not None
         for count in counts[level]:
             reference = count * float(np.sum(compliance.by_load[::count]))
-            found = [
+            compliances = [
                 RingPitch(SectorBearing(drawing, count, sections), at_angle, PITCH_LOAD, elements).radial_compliance
                 for elements in PITCH_ELEMENTS[level]
             ]
             rows.append(
-                Row(
+                AgreementRow(
                     f"{name}, Z = {count}", "radial deflection by a ball's radial load", "m/N", reference, MODEL_PITCH,
-                    found[-1], 100.0 * abs(found[-1] - found[0]) / reference,
+                    compliances[-1], 100.0 * abs(compliances[-1] - compliances[0]) / reference,
                     PITCH_TOLERANCE if count == BENDING else None, WHY_PITCH,
                 )
             )  # fmt: skip
     return rows
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Rings by themselves, then with balls; always B218, whatever the scene."""
     rows = compliance_rows(level)
     progress("compliances", 0.4)
@@ -372,7 +383,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     rows += pitch_rows(level)
     finest = rings(GRIDS[level][-1])
     largest = max((ring for ring, *_ in finest.values()), key=lambda ring: ring.dofs)
-    mesh = {"elements_per_semi_axis": None, "dofs": largest.dofs, "file": None}
+    mesh: MeshRecord = {"elements_per_semi_axis": None, "dofs": largest.dofs, "file": None}
     notes = [
         "Ring and model are plane stress, their section a rectangle, but for one pitch in three dimensions: there the "
         "section has its groove and shoulders, one face is held axially, and the load is where the ball touches. The "
@@ -381,7 +392,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     return Findings(rows, mesh, largest.solver, {}, notes)
 
 
-def largest_dofs(level: Level) -> int:
+def largest_dofs(level: MeshLevel) -> int:
     """Of ring and seat."""
     around, through = GRIDS[level][-1]
     return 2 * (2 * around + 1) * (6 * through + 2)
@@ -391,7 +402,7 @@ CHECK = Check(
     name="elastic_ring",
     question="Do elastic rings deflect as a ring of finite elements does, "
     "and do the balls share the load in the same way?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="closed forms of the model; bending of a thin ring; qsbearing.solve",
     tolerance="compliances 0.015 to 0.1 % (release a tenth); ball loads 0.2 % (0.1 %), displacements 0.05 and 0.1 % "
     "(0.03, 0.05); one pitch 10 %",

@@ -16,7 +16,7 @@ from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import SEQUENCES, MeshStudy
 from fem_check.mechanics.pictures import contact_pictures
 from fem_check.product.scenes import SceneProblemError, groove_contact, operating_loads
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.row_text import span
 
 STEEL = ElasticConstants(elastic_modulus=208e9, poisson_ratio=0.3)
@@ -29,7 +29,7 @@ JOHNSON = "Johnson 1985, eqs 4.22 to 4.24: a = (3QR/4E*)^(1/3), delta = a²/R, p
 
 
 @dataclass(frozen=True)
-class Contact:
+class HalfSpaceContact:
     """One contact to be solved."""
 
     case: str
@@ -44,37 +44,39 @@ def ellipse_of(ellipticity: float, load: float = 1000.0) -> ContactProblem:
     return ContactProblem(f"k = {ellipticity:g}", ratio / RADIUS, 1.0 / RADIUS, STEEL, STEEL, load)
 
 
-def circle(load: float = 100.0) -> Contact:
+def circle(load: float = 100.0) -> HalfSpaceContact:
     """A ceramic ball on a steel plane."""
     name = f"silicon nitride ball, R = 10 mm, on a steel plane, Q = {load:.0f} N"
-    return Contact(name, ContactProblem("circle", 1.0 / RADIUS, 1.0 / RADIUS, CERAMIC, STEEL, load), is_circle=True)
+    return HalfSpaceContact(
+        name, ContactProblem("circle", 1.0 / RADIUS, 1.0 / RADIUS, CERAMIC, STEEL, load), is_circle=True
+    )
 
 
-def of_scene(level: Level, scene: str) -> list[Contact]:
+def of_scene(level: MeshLevel, scene: str) -> list[HalfSpaceContact]:
     """The inner contact as it is; at the release level also the outer one, with a ceramic ball.
 
     Raises:
         SceneProblemError: no contact carries load.
     """
-    found = []
-    for race in RACES if level is Level.RELEASE else RACES[:1]:
+    contacts = []
+    for race in RACES if level is MeshLevel.RELEASE else RACES[:1]:
         loads, groove = operating_loads(scene, race), groove_contact(scene, race)
         if not loads:
             raise SceneProblemError(f"scene {scene}: no contact of the {race} raceway carries load")
         ball = ""
         if race == "outer":
             groove, ball = replace(groove, ball=CERAMIC), ", silicon nitride ball"
-        found.append(Contact(f"{groove.name} {race}{ball}: {span(loads)}", groove.problem(loads[-1])))
-    return found
+        contacts.append(HalfSpaceContact(f"{groove.name} {race}{ball}: {span(loads)}", groove.problem(loads[-1])))
+    return contacts
 
 
-def contacts(level: Level, scene: str) -> list[Contact]:
+def contacts(level: MeshLevel, scene: str) -> list[HalfSpaceContact]:
     """All of a level; the scene's inner contact, which is drawn, is the last."""
-    slender = Contact(f"a/b = {SLENDER:g}, steel, Q = 1000 N", ellipse_of(SLENDER))
+    slender = HalfSpaceContact(f"a/b = {SLENDER:g}, steel, Q = 1000 N", ellipse_of(SLENDER))
     return [circle(), slender, *reversed(of_scene(level, scene))]
 
 
-def circle_rows(of: Contact, found: MeshStudy, rows: list[Row]) -> list[Row]:
+def circle_rows(of: HalfSpaceContact, study: MeshStudy, rows: list[AgreementRow]) -> list[AgreementRow]:
     """A circle's rows, against the textbook's formulas where it has one."""
     problem = of.problem
     modulus = 1.0 / (problem.ball.compliance + problem.race.compliance)
@@ -88,33 +90,33 @@ def circle_rows(of: Contact, found: MeshStudy, rows: list[Row]) -> list[Row]:
     # Textbooks print the largest shear as 0.31 p0 at 0.48 a for nu = 0.3, to two digits: half a unit of the last.
     for name, ratio, scale in (("max_shear_stress", 0.31, p0), ("max_shear_depth", 0.48, a)):
         rows.append(
-            Row(
+            AgreementRow(
                 f"{of.case}, over p0 and a", name, "1", ratio, TEXTBOOK_SHEAR,
-                found.value(name) / scale, 100.0 * found.uncertainty(name) / (scale * ratio), 100.0 * 0.005 / ratio,
+                study.value(name) / scale, 100.0 * study.uncertainty(name) / (scale * ratio), 100.0 * 0.005 / ratio,
                 "half a unit of the printed last digit",
             )
         )  # fmt: skip
     return rows
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Every shape."""
-    rows: list[Row] = []
-    sound: list[Row] = []
+    rows: list[AgreementRow] = []
+    sound: list[AgreementRow] = []
     for of in contacts(level, scene):
-        found = half_space_contact.mesh_study(of.problem, SEQUENCES[level], progress)
-        more = half_space_contact.rows(of.case, found, level, references.HERTZ_SOURCE)
-        rows += circle_rows(of, found, more) if of.is_circle else more
-        sound += half_space_contact.soundness_rows(of.case, [*found.sequence, *found.stretched])
+        study = half_space_contact.mesh_study(of.problem, SEQUENCES[level], progress)
+        more = half_space_contact.rows(of.case, study, level, references.HERTZ_SOURCE)
+        rows += circle_rows(of, study, more) if of.is_circle else more
+        sound += half_space_contact.soundness_rows(of.case, [*study.sequence, *study.stretched])
     rows += collapsed(sound, f"{len(sound) // 2} contacts, all meshes")
-    pictures = contact_pictures(found.solution, found.bodies, "the heaviest load")
-    return Findings(rows, half_space_contact.mesh_entry(found), found.bodies.race.solver, pictures)
+    pictures = contact_pictures(study.solution, study.bodies, "the heaviest load")
+    return Findings(rows, half_space_contact.mesh_entry(study), study.bodies.race.solver, pictures)
 
 
 CHECK = Check(
     name="half_space_contacts",
     question="Do finite elements of half-spaces give Hertz's contact for every shape, of like and unlike bodies?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="Hertz in closed form, exact for this idealised problem; Johnson 1985 for the circle",
     tolerance="quick 0.13 % approach, 0.3 % semi-axes, pressure and shear; release 0.02 % and 0.05 %",
     run=run,

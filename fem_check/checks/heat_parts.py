@@ -17,7 +17,7 @@ import qsbearing as qs
 from fem_check.checks.product_scenes import ALUMINIUM, B218, BOTH, CELSIUS, MINUS
 from fem_check.independent.sliding import mean_speed
 from fem_check.product.scenes import drawing_of
-from fem_check.rows.agreement import EXAMPLE, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow
 from fem_check.rows.compared import compared
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
 
@@ -58,7 +58,7 @@ def left(temperatures: dict[str, float], own: dict[str, float], rows: int = 1) -
         temperatures, own: of each node, with the row's number where there are several [K, W].
         rows: each with its own rings and balls.
     """
-    found = dict.fromkeys(temperatures, 0.0) | own
+    by_node = dict.fromkeys(temperatures, 0.0) | own
 
     def name(node: str, row: int) -> str:
         return f"{node} {row}" if rows > 1 and node in ("inner_ring", "balls", "outer_ring") else node
@@ -68,15 +68,15 @@ def left(temperatures: dict[str, float], own: dict[str, float], rows: int = 1) -
         for row in range(1, 2 if shared else rows + 1):
             here, there = name(one, row), name(other, row)
             flow = conductance * (temperatures[here] - temperatures[there])
-            found[here] -= flow
-            found[there] += flow
-    found["oil"] -= OIL.flow * OIL.density * OIL.specific_heat * (temperatures["oil"] - OIL.inlet_temperature)
-    return np.array([heat for node, heat in found.items() if node != "ambient"])
+            by_node[here] -= flow
+            by_node[there] += flow
+    by_node["oil"] -= OIL.flow * OIL.density * OIL.specific_heat * (temperatures["oil"] - OIL.inlet_temperature)
+    return np.array([heat for node, heat in by_node.items() if node != "ambient"])
 
 
 def contact_heat(solution: qs.Solution, outer_speed: float = 0.0) -> dict[str, float]:
     """Of all contacts of each raceway, summed over their areas [W]."""
-    drawing, found = drawing_of(solution.scene, EXAMPLE), {}
+    drawing, by_race = drawing_of(solution.scene, EXAMPLE), {}
     turning = np.stack([np.asarray(solution.axial_rotation), -np.asarray(solution.radial_rotation)])
     orbit = np.asarray(solution.orbital_speed)
     for race, ring in (("inner", SPEED), ("outer", outer_speed)):
@@ -85,16 +85,16 @@ def contact_heat(solution: qs.Solution, outer_speed: float = 0.0) -> dict[str, f
         sine, cosine = np.sin(contacts.angle), np.cos(contacts.angle)
         roll, spin = relative[0] * cosine - relative[1] * sine, relative[0] * sine + relative[1] * cosine
         radius = 2.0 / (2.0 / drawing.ball_diameter + 1.0 / groove)
-        found[race] = sum(
+        by_race[race] = sum(
             MU * load * mean_speed(abs(each_roll), abs(each_spin), (a, b), radius)
             for load, each_roll, each_spin, a, b in zip(
                 contacts.load, roll, spin, contacts.semi_major_axis, contacts.semi_minor_axis, strict=True
             )
         )
-    return found
+    return by_race
 
 
-def bearing_rows() -> Iterator[Row]:
+def bearing_rows() -> Iterator[AgreementRow]:
     """One bearing at its steady temperatures."""
     solution = qs.solve(SCENE)
     state = solution.thermal
@@ -131,7 +131,7 @@ def bearing_rows() -> Iterator[Row]:
         yield compared(case, quantity, unit, of(solution), of(given), source)
 
 
-def set_rows() -> Iterator[Row]:
+def set_rows() -> Iterator[AgreementRow]:
     """Two rows on one warm shaft: each its own rings and balls, one shaft, housing and oil."""
     rows = (qs.Row(B218, 0.0), qs.Row(B218, 60e-3, MINUS))
     of = qs.BearingSet(
@@ -147,9 +147,11 @@ def set_rows() -> Iterator[Row]:
     T = {str(name): float(value) for name, value in state.temperatures.items()}
     own, total = {"shaft": MOTOR, "oil": 0.0}, MOTOR
     for number, row in enumerate(solution.rows, 1):
-        found = qs.readings.friction(row, **FRICTION)
-        assert found.drag_power is not None
-        inner, outer, drag = (float(np.sum(each)) for each in (found.inner.power, found.outer.power, found.drag_power))
+        friction = qs.readings.friction(row, **FRICTION)
+        assert friction.drag_power is not None
+        inner, outer, drag = (
+            float(np.sum(each)) for each in (friction.inner.power, friction.outer.power, friction.drag_power)
+        )
         own |= {
             f"inner_ring {number}": TO_RINGS * inner,
             f"outer_ring {number}": TO_RINGS * outer,
@@ -164,7 +166,7 @@ def set_rows() -> Iterator[Row]:
     )  # fmt: skip
 
 
-def heat_rows() -> Iterator[Row]:
+def heat_rows() -> Iterator[AgreementRow]:
     """All of heat."""
     yield from bearing_rows()
     yield from set_rows()

@@ -21,18 +21,29 @@ from fem_check.mechanics.half_space_contact import ORDERS, soundness_rows, stret
 from fem_check.mechanics.measuring import Measured
 from fem_check.product.scenes import groove_contact, operating_loads
 from fem_check.rows import convergence
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed, covered
+from fem_check.rows.agreement import (
+    EXAMPLE,
+    AgreementRow,
+    Check,
+    CheckKind,
+    Findings,
+    MeshLevel,
+    Progress,
+    collapsed,
+    covered,
+)
+from fem_check.rows.record import MeshRecord
 from fem_check.rows.row_text import span
 
-DECADES = {Level.QUICK: 1, Level.RELEASE: 2}
+DECADES = {MeshLevel.QUICK: 1, MeshLevel.RELEASE: 2}
 """Of load. Two take 2.2 GB on six elements per semi-axis, and fewer elements are too coarse for an uncertainty that
 covers: on 3, 4 and 5 the peak pressure is 1.1 times its own off."""
-STEPS = {Level.QUICK: 3, Level.RELEASE: 7}
+STEPS = {MeshLevel.QUICK: 3, MeshLevel.RELEASE: 7}
 """Loads in even steps, the heaviest being the bearing's own."""
 SMALLEST = 1.3
 """Semi-axis of the smallest contact in the mesh, of which the evenly divided part is 1: there its elements are those of
 all others, and the same share of it."""
-ELEMENTS = {Level.QUICK: (3, 4, 6), Level.RELEASE: (4, 5, 7)}
+ELEMENTS = {MeshLevel.QUICK: (3, 4, 6), MeshLevel.RELEASE: (4, 5, 7)}
 """The last mesh gives the result, all of them its uncertainty."""
 TOLERANCE = 0.2
 EXPONENT_TOLERANCES = {
@@ -54,7 +65,7 @@ EXPONENTS = {
 }
 
 
-def recipes(level: Level) -> list[meshing.Recipe]:
+def recipes(level: MeshLevel) -> list[meshing.Recipe]:
     """The meshes, coarse to fine."""
     span = 10.0 ** (DECADES[level] / 3.0)  # largest over smallest contact
     return [meshing.load_series(elements, round(SMALLEST * span, 2)) for elements in ELEMENTS[level]]
@@ -98,7 +109,7 @@ def _solved(recipe: meshing.Recipe, problems: list[ContactProblem], progress: Pr
     return _Series(recipe, body.dofs, body.solver, [measuring.measure(solution, body, body) for solution in solutions])
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """The inner groove: one factorisation for all loads, each contact at its own size in the mesh."""
     groove = groove_contact(scene, "inner")
     groove = replace(groove, ball=groove.race)  # one body serves for both
@@ -111,14 +122,14 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     fine = meshes[-1]
     each_load, sound = [], []
     scatter = {name: position_scatter(fine.measured, name) for name in EXPONENTS}
-    found = [measured.mean for measured in fine.measured]
+    means = [measured.mean for measured in fine.measured]
     for load, problem, *measured in zip(loads, problems, *(each.measured for each in meshes), strict=True):
         exact = hertz(problem)
         for name in EXPONENTS:
             values = [getattr(each.mean, name) for each in measured]
             uncertainty = convergence.uncertainty_at_order(sizes, values, ORDERS[name])
             uncertainty += scatter[name] * values[-1]
-            row = Row(
+            row = AgreementRow(
                 f"Q = {load:g} N",
                 name,
                 QUANTITIES[name],
@@ -133,10 +144,10 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
         sound += soundness_rows(f"Q = {load:g} N", measured)
     rows = [*collapsed(each_load, case), covered(case, each_load), *collapsed(sound, case)]
     for name, expected in EXPONENTS.items():
-        values = [getattr(each, name) for each in found]
+        values = [getattr(each, name) for each in means]
         slope = float(np.polyfit(np.log(loads), np.log(values), 1)[0])
         rows.append(
-            Row(
+            AgreementRow(
                 case,
                 f"exponent of {name}",
                 "1",
@@ -148,7 +159,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "on one mesh all loads have nearly the same error: four times what is left, 0.005 % (approach 0.0005)",
             )
         )
-    entry = {
+    entry: MeshRecord = {
         "elements_per_semi_axis": fine.recipe.elements_per_semi_axis,
         "dofs": fine.dofs,
         "file": fine.recipe.file_name,
@@ -156,7 +167,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     series = {
         "load_series": {
             "load_N": loads,
-            **{name: [getattr(each, name) for each in found] for name in EXPONENTS},
+            **{name: [getattr(each, name) for each in means] for name in EXPONENTS},
             **{f"hertz_{name}": [getattr(hertz(problem), name) for problem in problems] for name in EXPONENTS},
         }
     }
@@ -167,7 +178,7 @@ CHECK = Check(
     name="load_power_law",
     question="Over one decade of load on one mesh (two at the release level): do approach and semi-axes follow Hertz's "
     "powers of the load?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="Hertz: delta ~ Q^(2/3); a, b, p0, tau ~ Q^(1/3)",
     tolerance=f"{TOLERANCE:g} % at every load, 0.02 % on each exponent, 0.002 of the approach",
     run=run,

@@ -14,12 +14,13 @@ from fem_check.elements import elastic_body
 from fem_check.elements.elastic_body import DisplacementSpace, lame
 from fem_check.elements.linear_solver import Factor, factorise
 from fem_check.independent.contact_problem import Array, ElasticConstants
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import NO_MESH
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
 POISSON = 0.3
-COUNTS = {Level.QUICK: (4, 8), Level.RELEASE: (6, 12)}
+COUNTS = {MeshLevel.QUICK: (4, 8), MeshLevel.RELEASE: (6, 12)}
 """Elements along each edge, coarse and fine."""
 ORDERS = {"displacement": 3.0, "displacement gradient": 2.0}
 TOLERANCE = 2.5
@@ -104,11 +105,11 @@ def errors(space: DisplacementSpace, loads: Array, pulled: Array) -> tuple[dict[
     held[pulled] = False
     held = np.repeat(held, 3)
     matrix = elastic_body.stiffness(space, POISSON)
-    found = displacement(space.nodes).T.ravel()
-    right = np.stack(force, axis=1).ravel() + loads - matrix[:, held] @ found[held]
+    solution = displacement(space.nodes).T.ravel()
+    right = np.stack(force, axis=1).ravel() + loads - matrix[:, held] @ solution[held]
     factor = factorise(sp.csc_matrix(matrix[~held][:, ~held]))
-    found[~held] = factor.solve(right[~held])
-    fields = [basis.interpolate(found[axis::3]) for axis in range(3)]
+    solution[~held] = factor.solve(right[~held])
+    fields = [basis.interpolate(solution[axis::3]) for axis in range(3)]
     values, slopes = np.stack([np.asarray(each) for each in fields]), np.stack([each.grad for each in fields])
     differences = values - displacement(points), slopes - gradient(points)
     sums = [float(np.sqrt((each**2 * basis.dx).sum() / basis.dx.sum())) for each in differences]
@@ -147,24 +148,26 @@ BODIES = {
 }
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both kinds of element, each on two meshes."""
     rows = []
     for name, solved in BODIES.items():
         (coarse, _), (fine, factor) = (solved(count) for count in COUNTS[level])
         for quantity, order in ORDERS.items():
-            found = float(np.log2(coarse[quantity] / fine[quantity]))
+            observed = float(np.log2(coarse[quantity] / fine[quantity]))
             case = f"{name}, {' to '.join(map(str, COUNTS[level]))} along an edge"
             source = "Ciarlet 1978: quadratic elements, also isoparametric"
-            rows.append(Row(case, f"order of the {quantity}", "1", order, source, found, None, TOLERANCE, WHY))
-    mesh = {"elements_per_semi_axis": None, "dofs": None, "file": None}
+            rows.append(
+                AgreementRow(case, f"order of the {quantity}", "1", order, source, observed, None, TOLERANCE, WHY)
+            )
+    mesh = NO_MESH
     return Findings(rows, mesh, factor.solver)
 
 
 CHECK = Check(
     name="manufactured_solution",
     question="Do hexahedra and curved tetrahedra solve elasticity at the order that theory gives them?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="a manufactured solution; orders 3 in the displacement and 2 in its gradient",
     tolerance="2.5 % of the order",
     run=run,

@@ -14,7 +14,8 @@ from fem_check.checks import true_geometry
 from fem_check.elements.elastic_body import DisplacementSpace, lame, stiffness
 from fem_check.elements.linear_solver import factorise
 from fem_check.independent.contact_problem import Array, ElasticConstants
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
+from fem_check.rows.record import MeshRecord
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
@@ -47,7 +48,7 @@ def unbalanced(mesh: BodyMesh) -> float:
     return float(np.abs(left).max() / np.abs(loads).max())
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Prescribe an affine displacement on the boundary, solve for the inside; then move the body rigidly."""
     from skfem import MeshHex
 
@@ -63,29 +64,29 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     free = np.flatnonzero(~np.repeat(boundary, 3))
     fixed = np.flatnonzero(np.repeat(boundary, 3))
     factor = factorise(matrix[free][:, free].tocsc())
-    found = exact.copy()
-    found[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
+    solution = exact.copy()
+    solution[free] = factor.solve(-(matrix[free][:, fixed] @ exact[fixed]))
     volume = float(np.prod(high)) * np.linalg.det(_sheared(np.eye(3)))
     energy = volume * float(np.sum(_stress() * STRAIN))
     rows = [
-        Row(
+        AgreementRow(
             "constant strain",
             "displacement error",
             "1",
             0.0,
             "exact: the displacement is affine",
-            float(np.abs(found - exact).max() / np.abs(exact).max()),
+            float(np.abs(solution - exact).max() / np.abs(exact).max()),
             None,
             100.0 * TOLERANCE,
             "rounding",
         ),
-        Row(
+        AgreementRow(
             "constant strain",
             "strain energy",
             "1",
             energy,
             "exact: stress times strain times volume",
-            float(found @ (matrix @ found)),
+            float(solution @ (matrix @ solution)),
             None,
             100.0 * TOLERANCE,
             "rounding",
@@ -96,7 +97,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     scale = float(abs(matrix).max())
     for name, motion in (("translation", np.tile([1.0, 2.0, 3.0], space.count)), ("small rotation", turned)):
         rows.append(
-            Row(
+            AgreementRow(
                 f"rigid {name}",
                 "nodal force",
                 "1",
@@ -108,10 +109,10 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "rounding",
             )
         )
-    contact = true_geometry.contacts(EXAMPLE, *true_geometry.LOADS[Level.QUICK][0][:2], (3,))[0]
+    contact = true_geometry.contacts(EXAMPLE, *true_geometry.LOADS[MeshLevel.QUICK][0][:2], (3,))[0]
     for name in ("ball", "ring"):
         rows.append(
-            Row(
+            AgreementRow(
                 f"constant strain, {name} of curved tetrahedra",
                 "nodal force",
                 "1",
@@ -123,14 +124,14 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "rounding",
             )
         )
-    mesh_entry = {"elements_per_semi_axis": 4, "dofs": len(free), "file": recipe.file_name}
+    mesh_entry: MeshRecord = {"elements_per_semi_axis": 4, "dofs": len(free), "file": recipe.file_name}
     return Findings(rows, mesh_entry, factor.solver)
 
 
 CHECK = Check(
     name="patch_test",
     question="Do hexahedra and curved tetrahedra represent constant strain and rigid motion exactly?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="exact solutions of elasticity: affine displacement, rigid motion",
     tolerance="1e-11 relative: rounding",
     run=run,

@@ -21,7 +21,7 @@ import qsbearing
 from fem_check.checks import product_scenes
 from fem_check.independent import catalogue_sources, references
 from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.equilibrium import own_angle
 from fem_check.independent.groove import RACES
 from fem_check.mechanics import half_space_contact
@@ -29,7 +29,7 @@ from fem_check.mechanics.half_space_contact import TOLERANCES, WHY, MeshStudy
 from fem_check.product import problems
 from fem_check.product.scenes import (
     ROW,
-    Solved,
+    SolvedPoint,
     drawing_at_rest,
     drawing_of,
     load,
@@ -40,7 +40,7 @@ from fem_check.product.scenes import (
     solved,
 )
 from fem_check.product.solution_equilibrium import equilibrium_rows, of_arrays
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.row_text import span
 
 CLOSED_FORM_TOLERANCE = 1e-12
@@ -64,9 +64,9 @@ class Loaded:
     reported: dict[str, float]
 
 
-def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Loaded]:
+def loaded_contacts(race: str, points: Sequence[SolvedPoint], name: str) -> list[Loaded]:
     """Every loaded contact of a race, at all operating points."""
-    found = []
+    loaded = []
     for point in points:
         scene, contacts = point.solution.scene, getattr(point.solution, race)
         balls = problems.row_of(scene, name).balls
@@ -76,8 +76,8 @@ def loaded_contacts(race: str, points: Sequence[Solved], name: str) -> list[Load
             reported = {name: float(getattr(contacts, name)[ball]) for name in OF_SOLUTION}
             problem = balls[ball].groove(race, angle).problem(load)
             form = str(scene.hertz_form)
-            found.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
-    return found
+            loaded.append(Loaded(f"{point.label}, {race}, ball {ball}, Q = {load:.4g} N", problem, form, reported))
+    return loaded
 
 
 @lru_cache(maxsize=64)
@@ -95,21 +95,21 @@ def with_shear(contact: Loaded) -> dict[str, float]:
     }
 
 
-def closed_form_rows(contacts: list[Loaded], extremes: list[Loaded]) -> Iterator[Row]:
+def closed_form_rows(contacts: list[Loaded], extremes: list[Loaded]) -> Iterator[AgreementRow]:
     """Every contact against Hertz from the drawing; its shear for the contacts of the extreme shapes."""
     for contact in contacts:
         exact = references.ellipse(contact.problem, contact.form)
         shear = contact.form == "exact" and any(contact is extreme for extreme in extremes)
         if shear:
             exact = references.hertz(contact.problem)
-        for name, found in (with_shear(contact) if shear else contact.reported).items():
-            yield Row(
+        for name, value in (with_shear(contact) if shear else contact.reported).items():
+            yield AgreementRow(
                 contact.label,
                 name,
                 QUANTITIES[name],
                 getattr(exact, name),
                 f"from the drawing: {references.SHEAR_SOURCE if name in SHEAR_TOLERANCES else references.HERTZ_SOURCE}",
-                found,
+                value,
                 None,
                 100.0 * SHEAR_TOLERANCES.get(name, CLOSED_FORM_TOLERANCE),
                 "two derivations at full precision, some digits lost in root finding; the shear is integrated, and its "
@@ -117,21 +117,21 @@ def closed_form_rows(contacts: list[Loaded], extremes: list[Loaded]) -> Iterator
             )
 
 
-def element_rows(contacts: list[Loaded], study: MeshStudy, level: Level) -> Iterator[Row]:
+def element_rows(contacts: list[Loaded], study: MeshStudy, level: MeshLevel) -> Iterator[AgreementRow]:
     """Every contact of the study's shape against the finite elements, each value at its load's power."""
     for contact in contacts:
         if not np.isclose(_slenderness(contact), _ratio(study.problem), rtol=1e-12, atol=0.0):
             continue
         size = contact.problem.load / study.problem.load
-        for name, found in with_shear(contact).items():
+        for name, value in with_shear(contact).items():
             reference = study.value(name) * size ** POWERS[name]
-            yield Row(
+            yield AgreementRow(
                 contact.label,
                 name,
                 QUANTITIES[name],
                 reference,
                 "finite elements, finest mesh",
-                found,
+                value,
                 100.0 * study.uncertainty(name) / study.value(name),
                 TOLERANCES[level][name],
                 WHY[level],
@@ -146,7 +146,7 @@ def _slenderness(contact: Loaded) -> float:
     return _ratio(contact.problem)
 
 
-def mechanics_rows(points: tuple[Solved, ...], name: str) -> Iterator[Row]:
+def mechanics_rows(points: tuple[SolvedPoint, ...], name: str) -> Iterator[AgreementRow]:
     """Every number of the solutions against the reference's own equilibria."""
     for point in points:
         solution = point.solution
@@ -154,7 +154,7 @@ def mechanics_rows(points: tuple[Solved, ...], name: str) -> Iterator[Row]:
         yield from equilibrium_rows(point.label, make, [solution], solution, solution.displacement)
 
 
-def set_rows(label: str, solution: qsbearing.SetSolution, name: str) -> Iterator[Row]:
+def set_rows(label: str, solution: qsbearing.SetSolution, name: str) -> Iterator[AgreementRow]:
     """Every number of a set's solution against the reference's own equilibrium."""
     slide = [] if solution.slide is None else [solution.slide]
     moved = np.concatenate([solution.displacement, slide])
@@ -162,14 +162,19 @@ def set_rows(label: str, solution: qsbearing.SetSolution, name: str) -> Iterator
 
 
 def contact_rows(
-    case: str, points: Sequence[Solved], name: str, level: Level, progress: Progress, by_elements: Sequence[str] = RACES
-) -> tuple[list[Row], MeshStudy | None]:
+    case: str,
+    points: Sequence[SolvedPoint],
+    name: str,
+    level: MeshLevel,
+    progress: Progress,
+    by_elements: Sequence[str] = RACES,
+) -> tuple[list[AgreementRow], MeshStudy | None]:
     """Every contact of one bearing's solutions by closed form, those of the extreme shapes by finite elements too.
 
     Args:
         by_elements: raceways that finite elements judge.
     """
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     study = None
     for race in RACES:
         contacts = loaded_contacts(race, points, name)
@@ -183,7 +188,7 @@ def contact_rows(
         rows += collapsed(closed_form_rows(contacts, extremes), f"{of_race}; closed form")
         if contacts[0].form != "exact" or race not in by_elements:
             continue
-        of_shape: list[Row] = []
+        of_shape: list[AgreementRow] = []
         for extreme in extremes:
             study = half_space_contact.mesh_study(extreme.problem, half_space_contact.SEQUENCES[level], progress)
             of_shape += element_rows(contacts, study, level)
@@ -191,49 +196,49 @@ def contact_rows(
     return rows, study
 
 
-def stands_for(points: Sequence[Solved]) -> str:
+def stands_for(points: Sequence[SolvedPoint]) -> str:
     """What rows of several operating points are called."""
     if len(points) == 1:
         return str(points[0].label)
     return f"{len(points)} {'rows' if points[0].label.startswith(ROW) else 'operating points'}"
 
 
-def clearance_rows(drawing: Drawing) -> Iterator[Row]:
+def clearance_rows(drawing: BearingDrawing) -> Iterator[AgreementRow]:
     """The free contact angle that qsbearing makes of the drawing's clearance, and the clearance that it tells."""
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
     clearance = drawing.diametral_clearance
     bearing = qsbearing.BallBearing.from_diametral_clearance(
         ball_count=8, diametral_clearance=clearance, **{name: getattr(drawing, name) for name in lengths}
     )
-    for quantity, unit, found, expected in (
+    for quantity, unit, computed, expected in (
         ("free contact angle of a clearance", "rad", bearing.free_contact_angle, drawing.free_contact_angle),
         ("diametral clearance of a free contact angle", "m", bearing.diametral_clearance, clearance),
     ):
-        yield of_arrays(drawing.name, quantity, unit, np.asarray(found), np.asarray(expected))
+        yield of_arrays(drawing.name, quantity, unit, np.asarray(computed), np.asarray(expected))
 
 
-def catalogue_rows() -> Iterator[Row]:
+def catalogue_rows() -> Iterator[AgreementRow]:
     """The catalogue's dimensions and materials against their sources, typed again."""
     why = "half a unit of the last digit printed; the same number typed twice: rounding"
     for name, printed in catalogue_sources.BEARINGS.items():
         bearing = qsbearing.load_scene(name).bearing
         for field, expected in printed.items():
-            found = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
+            value = float(attrgetter(field)(bearing)) / (qsbearing.deg if field == "free_contact_angle" else 1.0)
             kind = field.rpartition(".")[2]
-            yield Row(
+            yield AgreementRow(
                 name,
                 field.replace("_material.", "'s "),
                 catalogue_sources.UNITS[kind],
                 expected,
                 catalogue_sources.__doc__.splitlines()[0],
-                found,
+                value,
                 None,
                 100.0 * catalogue_sources.PRINTED[kind],
                 why,
             )
     for material in (qsbearing.STEEL, qsbearing.SILICON_NITRIDE):
         expected = catalogue_sources.EXPANSION[material.name]
-        yield Row(
+        yield AgreementRow(
             material.name,
             "thermal_expansion",
             "1/K",
@@ -246,14 +251,14 @@ def catalogue_rows() -> Iterator[Row]:
         )
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """The scene's bearing or set. The example's also with ceramic balls, which tells the two materials apart, and under
     everything else that `solve` offers."""
     of, points = load(scene), solved(scene)
     name = drawing_of(points[0].solution.scene, scene).name
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     study = None
-    usual = scene == EXAMPLE and level is Level.QUICK
+    usual = scene == EXAMPLE and level is MeshLevel.QUICK
     for alike in of_one_bearing(points):
         bearing = drawing_of(alike[0].solution.scene, scene).name
         more, study = contact_rows(bearing, alike, scene, level, progress, RACES[:1] if usual else RACES)
@@ -267,7 +272,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     if scene == EXAMPLE:
         hybrid = dataclasses.replace(load_scene(scene).bearing, ball_material=qsbearing.SILICON_NITRIDE)
         points = tuple(
-            Solved(label, solve(scene, label, dataclasses.replace(each, bearing=hybrid)))
+            SolvedPoint(label, solve(scene, label, dataclasses.replace(each, bearing=hybrid)))
             for label, each in operating_points(scene).items()
         )
         more, _ = contact_rows(f"{name}, ceramic balls", points, scene, level, progress, () if usual else RACES)
@@ -278,9 +283,9 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     return Findings(rows, half_space_contact.mesh_entry(study), study.bodies.race.solver)
 
 
-def of_one_bearing(points: Sequence[Solved]) -> list[list[Solved]]:
+def of_one_bearing(points: Sequence[SolvedPoint]) -> list[list[SolvedPoint]]:
     """The points, those of one bearing together: contacts of one shape are similar where their materials are alike."""
-    groups: list[list[Solved]] = []
+    groups: list[list[SolvedPoint]] = []
     for point in points:
         for group in groups:
             if group[0].solution.scene.bearing == point.solution.scene.bearing:
@@ -291,11 +296,11 @@ def of_one_bearing(points: Sequence[Solved]) -> list[list[Solved]]:
     return groups
 
 
-def product_rows(progress: Progress) -> Iterator[Row]:
+def product_rows(progress: Progress) -> Iterator[AgreementRow]:
     """Everything that `solve` offers, each by the scene or set that has it; contacts by their closed form."""
     for label, each in product_scenes.scenes().items():
         progress(label, 0.0)
-        points = (Solved(label, solve("of the check", label, each)),)
+        points = (SolvedPoint(label, solve("of the check", label, each)),)
         for race in RACES:
             yield from closed_form_rows(loaded_contacts(race, points, label), [])
         yield from mechanics_rows(points, label)
@@ -309,7 +314,7 @@ CHECK = Check(
     name="solution_contacts",
     question="Are the contacts, motion, equilibrium and stiffness found by qsbearing right, with every effect "
     "and in sets?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="closed forms and a separate equilibrium from the drawing, with no code of qsbearing; finite elements",
     tolerance="closed forms 1e-12 (shear 1e-10, its depth 1e-6), equilibrium 1e-9 (stiffness 1e-6); catalogue 0.02 %; "
     "finite elements: quick 0.13 to 0.3 %, release 0.01 to 0.05 %",

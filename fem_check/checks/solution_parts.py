@@ -19,10 +19,10 @@ from fem_check.checks.elastic_ring import equilibrium
 from fem_check.checks.heat_parts import heat_rows
 from fem_check.checks.product_scenes import B218, BOTH
 from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
-from fem_check.independent.ring_growth import give_on_shaft
+from fem_check.independent.ring_growth import compliance_on_shaft
 from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, collapsed
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.compared import compared
 from qsbearing.files import catalogue
 from qsbearing.readings import kinematics, stress
@@ -32,14 +32,14 @@ LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_l
 FEW, MANY = 64, 1000
 
 
-def batch_rows() -> Iterator[Row]:
+def batch_rows() -> Iterator[AgreementRow]:
     """Cases in one call against calls of their own: as many as are solved one by one, and side by side where there is
     machine code."""
     for count in (FEW, MANY):
         yield from batch_of(count)
 
 
-def batch_of(count: int) -> Iterator[Row]:
+def batch_of(count: int) -> Iterator[AgreementRow]:
     """A batch, of which ten cases are solved again."""
     share = np.linspace(0.5, 1.0, count)
     speed = SPEED * share[::-1]
@@ -60,12 +60,12 @@ def batch_of(count: int) -> Iterator[Row]:
         yield compared(case, name, unit, of(many)[list(at)], [of(one) for one in each], source)
 
 
-def motion_rows() -> Iterator[Row]:
+def motion_rows() -> Iterator[AgreementRow]:
     """The balls' axis and spin, by vectors from the reported rotation; slip from what is asked and what is allowed."""
     friction = 0.03
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
     free = qs.solve(qs.Scene(B218, LOADS, **BOTH))
-    found, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
+    motion, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
     along, outward, size, orbit = (
         np.asarray(getattr(free, name), float)
         for name in ("axial_rotation", "radial_rotation", "rotation_speed", "orbital_speed")
@@ -77,18 +77,18 @@ def motion_rows() -> Iterator[Row]:
         normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle)])
         spin = (rotation * normal).sum(axis=0) - (ring - orbit) * normal[0]
         scale = np.abs(rotation).max()  # the controlling raceway has none
-        told = np.append(getattr(found, race).spin_speed, scale)
+        told = np.append(getattr(motion, race).spin_speed, scale)
         yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
     bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
-    asked = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
+    required = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
     slipping = np.asarray(bound.slips, bool)
     yield compared(
-        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(asked)],
-        [np.sum(asked > friction * (1.0 + 1e-9)), len(asked)], "friction asked for above the coefficient",
+        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(required)],
+        [np.sum(required > friction * (1.0 + 1e-9)), len(required)], "friction asked for above the coefficient",
     )  # fmt: skip
 
 
-def stress_rows() -> Iterator[Row]:
+def stress_rows() -> Iterator[AgreementRow]:
     """The orthogonal shear below the contacts."""
     solution = qs.solve(qs.Scene(B218, LOADS, **BOTH))
     told = stress(solution)
@@ -111,7 +111,7 @@ HOUSING = {"axial": 4e8, "radial": 6e8, "tilt": 2e6}
 MOMENT = 40.0
 
 
-def shaft_rows() -> Iterator[Row]:
+def shaft_rows() -> Iterator[AgreementRow]:
     """A stepped, hollow shaft on two rows, one of them in an elastic housing: its shape, and what the housing gives."""
     places = (0.0, 0.2)
     shaft = qs.Shaft(
@@ -141,27 +141,27 @@ def shaft_rows() -> Iterator[Row]:
     steel, begin, sections = drawing.ring, START, []
     for length, outer, inner in SECTIONS:
         sections.append(
-            shaft_beam.Section(
+            shaft_beam.BeamSection(
                 begin, begin + length, outer, inner, float(np.asarray(qs.STEEL.elastic_modulus)), steel.poisson_ratio
             )
         )
         begin += length
-    asked = np.array([START, LOADED, 0.0, 0.12, 0.2, 0.3])
-    moved = solution.deflection(asked)
+    stations = np.array([START, LOADED, 0.0, 0.12, 0.2, 0.3])
+    moved = solution.deflection(stations)
     for plane, channel, tilt, sense in (("xy", 1, 4, 1.0), ("xz", 2, 3, -1.0)):
-        w, slope = shaft_beam.shape(sections, at, loads[:, channel], sense * loads[:, tilt], asked)
+        w, slope = shaft_beam.shape(sections, at, loads[:, channel], sense * loads[:, tilt], stations)
         # Where the beam is placed is the solution's; how it bends is not.
         turn = sense * moved[0, tilt] - slope[0]
-        w += moved[0, channel] - w[0] + turn * (asked - asked[0])
+        w += moved[0, channel] - w[0] + turn * (stations - stations[0])
         expected = np.concatenate([w, (slope + turn) * 0.1])
         yield compared(
             case, f"deflection, slopes over 0.1 m, plane {plane}", "m",
             np.concatenate([moved[:, channel], 0.1 * sense * moved[:, tilt]]), expected,
             "a Timoshenko beam under the solution's forces, by integration",
         )  # fmt: skip
-    give = np.array([1.0 / HOUSING[name] for name in ("axial", "radial", "radial", "tilt", "tilt")])
+    compliance = np.array([1.0 / HOUSING[name] for name in ("axial", "radial", "radial", "tilt", "tilt")])
     at_row = solution.deflection([places[0]])[0]
-    expected = to_groove @ (at_row + give * on_shaft[0])
+    expected = to_groove @ (at_row + compliance * on_shaft[0])
     source = "the shaft's there, less load over the springs"
     told = solution.rows[0].displacement
     yield compared(case, "displacement of the row in the elastic housing", "m, rad", told, expected, source)
@@ -170,7 +170,7 @@ def shaft_rows() -> Iterator[Row]:
 BORE, WIDTH, HOLLOW, ALUMINIUM = 90e-3, 30e-3, 60e-3, (70e9, 0.33)
 
 
-def ring_rows() -> Iterator[Row]:
+def ring_rows() -> Iterator[AgreementRow]:
     """An elastic inner ring on a hollow shaft of aluminium under thrust, where it gives way alike all round."""
     rigid = qs.Scene(B218, qs.Operation(axial_load=20e3))
     rings = qs.ElasticRings(
@@ -182,15 +182,17 @@ def ring_rows() -> Iterator[Row]:
     bottom = drawing.inner_groove_centre_radius - drawing.inner_groove_radius
     steel = drawing.ring.elastic_modulus, drawing.ring.poisson_ratio
     count = len(solution.azimuth)
-    give = give_on_shaft((0.5 * HOLLOW, 0.5 * BORE, bottom), steel, ALUMINIUM) / (2.0 * np.pi * bottom * WIDTH)
-    load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), give))
+    compliance = compliance_on_shaft((0.5 * HOLLOW, 0.5 * BORE, bottom), steel, ALUMINIUM) / (
+        2.0 * np.pi * bottom * WIDTH
+    )
+    load, shaft = equilibrium(problems.of_scene(rigid, EXAMPLE), np.full((count, count), compliance))
     case, source = "elastic inner ring on a hollow shaft, 20 kN axial", "Lame's cylinders, an equilibrium of its own"
     why = "twice what bending from ball to ball adds, which the model has and the cylinders have not"
-    for quantity, unit, found, expected, tolerance in (
+    for quantity, unit, computed, expected, tolerance in (
         ("contact load", "N", solution.inner.load, load, 1.4e-4),
         ("axial displacement", "m", solution.displacement[0], shaft[0], 2.4e-3),
     ):
-        yield replace(compared(case, quantity, unit, found, expected, source, tolerance), why_tolerance=why)
+        yield replace(compared(case, quantity, unit, computed, expected, source, tolerance), why_tolerance=why)
 
 
 KEYS = {
@@ -210,7 +212,7 @@ KEYS = {
 """Key of a scene file: field of the operation, number written, in SI units."""
 
 
-def key_rows() -> Iterator[Row]:
+def key_rows() -> Iterator[AgreementRow]:
     """Keys of a scene file, in two files: a channel has its load or its displacement."""
     channels = list(KEYS)
     speeds = channels[5:7]
@@ -225,12 +227,12 @@ def key_rows() -> Iterator[Row]:
                 yield compared(name, "keys of [operation] in SI units", "SI", getattr(operation, field), expected, "SI")
 
 
-def catalogue_rows() -> Iterator[Row]:
+def catalogue_rows() -> Iterator[AgreementRow]:
     """Every bearing of the printed table, with balls of steel and of ceramic."""
     rows = catalogue_table.rows()
     case, source = f"{len(rows)} bearings of the table, steel and ceramic balls", "the printed table, read again"
     expected: dict[str, list[float]] = {}
-    found: dict[str, list[float]] = {}
+    by_name: dict[str, list[float]] = {}
     for row in rows:
         for hybrid in ("", "_hybrid"):
             bearing = qs.load_scene(row.name + hybrid).bearing
@@ -242,29 +244,29 @@ def catalogue_rows() -> Iterator[Row]:
             printed = row.lengths | {keys[0]: value for keys, value in row.others(bool(hybrid)).items()}
             for name, value in printed.items():
                 expected.setdefault(name, []).append(value)
-                found.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
+                by_name.setdefault(name, []).append(np.nan if told[name] is None else float(np.asarray(told[name])))
     for name, values in expected.items():
-        off = np.asarray(found[name]) / np.asarray(values)
+        off = np.asarray(by_name[name]) / np.asarray(values)
         short = name.removeprefix("outline.").removesuffix("_mm").removesuffix("_N")
         yield compared(case, f"{short} over the printed", "1", off, np.ones_like(off), source)
     odd = [row.name for row in rows if not row.has_standard_balls]
-    yield Row(
+    yield AgreementRow(
         case, "balls of a standard size", "1", float(len(rows)), "ISO 3290-1: inches by 1/64, or millimetres by 1/2",
         float(len(rows) - len(odd)), None, 0.0, "a count", ", ".join(odd[:3]) or None,
     )  # fmt: skip
     over = np.array([row.pitch_over_mean for row in rows])
-    yield Row(
+    yield AgreementRow(
         case, "pitch diameter over the mean of bore and outside diameter, farthest from 1", "1", 1.0, "drawing",
         float(over[np.argmax(np.abs(over - 1.0))]), None, 5.1, "rings of unequal height, as the lowest has",
         rows[int(np.argmax(np.abs(over - 1.0)))].name,
     )  # fmt: skip
     boundaries = catalogue_table.unlike_boundaries(rows)
-    yield Row(
+    yield AgreementRow(
         case, "boundary dimensions unlike their designation's", "1", 0.0, "ISO 15: one designation, one d, D and B",
         float(len(boundaries)), None, 0.0, "a count", ", ".join(boundaries[:3]) or None,
     )  # fmt: skip
     twins = catalogue_table.unlike_twins(rows)
-    yield Row(
+    yield AgreementRow(
         case, "sizes whose balls differ with the angle", "1", 0.0, "the table: one ring, two angles", float(len(twins)),
         None, 0.0, "a count", ", ".join(twins[:3]) or None,
     )  # fmt: skip
@@ -274,7 +276,7 @@ def catalogue_rows() -> Iterator[Row]:
         for name, values, allowed in zip(("C over ISO 281's", "C0 over Z Dw2 cos alpha"), ratios, spreads, strict=True):
             off = np.asarray(values) / np.median(values)
             worst = int(np.argmax(np.abs(off - 1.0)))
-            yield Row(
+            yield AgreementRow(
                 f"{len(some)} bearings of series {series}", f"{name}, over the median", "1", 1.0, "ISO 281 and ISO 76",
                 float(off[worst]), None, None if allowed is None else 100.0 * allowed, catalogue_table.WHY_SPREAD,
                 some[worst].name,
@@ -293,9 +295,9 @@ PARTS = {
 }
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """All parts; always B218, whatever the scene."""
-    rows: list[Row] = []
+    rows: list[AgreementRow] = []
     for done, (name, part) in enumerate(PARTS.items()):
         progress(name, done / len(PARTS))
         more = list(part())
@@ -306,7 +308,7 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
 CHECK = Check(
     name="solution_parts",
     question="Are batches, motion, stresses, elastic shafts, heat, scene files and the catalogue right?",
-    kind=Kind.VERIFICATION,
+    kind=CheckKind.VERIFICATION,
     reference="single calls, vectors, integrals, a beam, balances of heat, the printed table; no code of qsbearing",
     tolerance="1e-9; friction 1e-4; standard sizes exactly; ratings against ISO's as far as makers differ",
     run=run,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import replace
-from typing import Any
 
 import qsbearing
 from fem_check import meshing
@@ -16,19 +15,20 @@ from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.meshing import MeshError
 from fem_check.product.scenes import groove_contact, load_scene, operating_loads
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Kind, Level, Progress, Row, covered
+from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, covered
+from fem_check.rows.record import MeshRecord
 from fem_check.solids import true_statics
 from fem_check.solids.true_contact import READ, with_room
-from fem_check.solids.true_study import Solved, contacts, meshed, ring_doubt, solve
+from fem_check.solids.true_study import TrueContactStudy, contacts, meshed, ring_doubt, solve
 from qsbearing.documents.numbers import plain
 
-FINEST = {Level.QUICK: 6, Level.RELEASE: 8}
+FINEST = {MeshLevel.QUICK: 6, MeshLevel.RELEASE: 8}
 """Elements per semi-axis of the finest of three meshes."""
-DOFS = {Level.QUICK: 60_000, Level.RELEASE: 110_000}
+DOFS = {MeshLevel.QUICK: 60_000, MeshLevel.RELEASE: 110_000}
 """About so many unknowns has the larger of the two bodies, which are solved one after the other."""
 LOADS = {
-    Level.QUICK: (("inner", 2000.0, (2000.0,)),),
-    Level.RELEASE: tuple((race, load, (load,)) for race in RACES for load in (500.0, 2000.0, 5000.0)),
+    MeshLevel.QUICK: (("inner", 2000.0, (2000.0,)),),
+    MeshLevel.RELEASE: tuple((race, load, (load,)) for race in RACES for load in (500.0, 2000.0, 5000.0)),
 }
 """Of the example: raceway, load that the meshes are made for, loads solved [N]."""
 # Gap: two methods whose own errors are below 0.02 % (the pressure's largest: a twentieth of a per cent is what an
@@ -41,21 +41,21 @@ BULGE_REASON = (
 )
 
 
-def gap_rows(solved: Solved) -> list[Row]:
+def gap_rows(solved: TrueContactStudy) -> list[AgreementRow]:
     """The gap's shape, on the true bodies, against boundary elements; the ball's other side against a series."""
     reference = boundary_element.over_hertz(solved.groove, solved.load)
     rows = []
     for name, tolerance in GAP_TOLERANCES.items():
-        found, uncertainty = solved.ratio("exact_gap", "parabola", name)
+        effect, uncertainty = solved.ratio("exact_gap", "parabola", name)
         of_both = 100.0 * uncertainty / reference.ratio[name] + reference.uncertainty_percent[name]
         rows.append(
-            Row(
+            AgreementRow(
                 f"{solved.case}: exact gap over parabola, true bodies",
                 f"{name} over Hertz",
                 "1",
                 reference.ratio[name],
                 boundary_element.SOURCE,
-                found,
+                effect,
                 of_both,
                 tolerance,
                 GAP_REASON,
@@ -65,7 +65,7 @@ def gap_rows(solved: Solved) -> list[Row]:
     uncertainty += lean(solved.groove, solved.load)
     exact = solved.bulges[-1][1]
     rows.append(
-        Row(
+        AgreementRow(
             f"{solved.case}: ball pressed at two opposite points",
             "equator moves out",
             "m",
@@ -91,7 +91,7 @@ def lean(groove: BallInGroove, load: float) -> float:
     return share * (1.0 - groove.ball_radius / groove.groove_radius) * mean
 
 
-def true_rows(solved: Solved) -> list[Row]:
+def true_rows(solved: TrueContactStudy) -> list[AgreementRow]:
     """The true contact against Hertz, and which part of the difference is whose: findings."""
     exact = hertz(solved.groove.problem(solved.load))
     rows = []
@@ -105,7 +105,7 @@ def true_rows(solved: Solved) -> list[Row]:
             )
         ]
         # The bodies' size moves the approach alone; of the ellipse the ratio keeps the mesh's own error out.
-        found, uncertainty = (
+        ratio, uncertainty = (
             solved.estimate([each[name] for each in solved.surface])
             if name == "approach"
             else solved.ratio("surface", "parabola", name)
@@ -114,13 +114,13 @@ def true_rows(solved: Solved) -> list[Row]:
             parts.append(f"assumed dimensions of the ring ± {plain(100.0 * solved.ring_doubt, '.2g')} %")
             uncertainty += solved.ring_doubt
         rows.append(
-            Row(
+            AgreementRow(
                 f"{solved.case}: true contact",
                 name,
                 QUANTITIES[name],
                 getattr(exact, name),
                 HERTZ_SOURCE,
-                getattr(exact, name) * found,
+                getattr(exact, name) * ratio,
                 100.0 * uncertainty,
                 None,
                 f"a finding: {', '.join(parts)}",
@@ -129,7 +129,7 @@ def true_rows(solved: Solved) -> list[Row]:
     return rows
 
 
-def body_rows(solved: Solved, level: Level) -> list[Row]:
+def body_rows(solved: TrueContactStudy, level: MeshLevel) -> list[AgreementRow]:
     """Both bodies by statics, and what they make of the approach by methods of their own."""
     if solved.finest is None:
         return []
@@ -142,12 +142,12 @@ def body_rows(solved: Solved, level: Level) -> list[Row]:
     ]
 
 
-def refused_rows(groove: BallInGroove, load: float, problem: Exception) -> list[Row]:
+def refused_rows(groove: BallInGroove, load: float, problem: Exception) -> list[AgreementRow]:
     """A contact that could not be solved, and why."""
     exact = hertz(groove.problem(load))
     case = f"{groove.name} {groove.race_name}, Q = {load:.0f} N: true contact"
     return [
-        Row(case, name, QUANTITIES[name], getattr(exact, name), HERTZ_SOURCE, None, None, None, str(problem))
+        AgreementRow(case, name, QUANTITIES[name], getattr(exact, name), HERTZ_SOURCE, None, None, None, str(problem))
         for name in READ
     ]
 
@@ -171,7 +171,7 @@ NOTES = [
 
 def single(
     bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float, elements: int, progress: Progress
-) -> tuple[list[Row], list[Row], Solved]:
+) -> tuple[list[AgreementRow], list[AgreementRow], TrueContactStudy]:
     """One contact of a bearing on the meshes of `sequence`, as `fem-check contact --geometry true` shows it.
 
     Its rows, those of them that the meshes are too coarse to judge, and the contact.
@@ -193,19 +193,19 @@ def single(
         load,
     )
     solved = replace(solved, ring_doubt=ring_doubt(bearing, source, groove, load))
-    before = [*gap_rows(solved), *body_rows(solved, Level.QUICK)]
+    before = [*gap_rows(solved), *body_rows(solved, MeshLevel.QUICK)]
     rows = decided(before)
     undecided = [row for row, first in zip(rows, before, strict=True) if row is not first]
     return [*rows, *true_rows(solved)], undecided, solved
 
 
-def decided(rows: list[Row]) -> list[Row]:
+def decided(rows: list[AgreementRow]) -> list[AgreementRow]:
     """Rows of a bearing whose meshes were not chosen for it: a finding in place of "fail" where they decide nothing.
 
     That is where the deviation is within its own uncertainty or the tolerance, and only both together exceed this.
     """
 
-    def of(row: Row) -> Row:
+    def of(row: AgreementRow) -> AgreementRow:
         limit, doubt = row.tolerance_percent, row.uncertainty_percent
         if limit is None or doubt is None or row.verdict != "fail":
             return row
@@ -223,41 +223,41 @@ def sequence(finest: int) -> tuple[int, ...]:
     return (finest // 2, 3 * finest // 4, finest)
 
 
-def mesh_entry(solved: Solved, elements: int) -> dict[str, Any]:
+def mesh_entry(solved: TrueContactStudy, elements: int) -> MeshRecord:
     """The finest mesh, as the record keeps it."""
     return {"elements_per_semi_axis": elements, "dofs": solved.dofs, "file": f"true_ball_{elements:02d}, true_ring"}
 
 
-def loads_of(scene: str, level: Level) -> tuple[tuple[str, float, tuple[float, ...]], ...]:
+def loads_of(scene: str, level: MeshLevel) -> tuple[tuple[str, float, tuple[float, ...]], ...]:
     """What is solved: the example at its loads, another scene at those that its own contacts carry."""
     if scene == EXAMPLE:
         return LOADS[level]
-    races = RACES if level is Level.RELEASE else RACES[:1]
-    found = []
+    races = RACES if level is MeshLevel.RELEASE else RACES[:1]
+    cases = []
     for race in races:
         loads = operating_loads(scene, race)
         if loads:
-            some = loads[-1:] if level is Level.QUICK else sorted({loads[0], loads[len(loads) // 2], loads[-1]})
-            found += [(race, load, (load,)) for load in (float(f"{load:.4g}") for load in some)]
-    return tuple(found)
+            some = loads[-1:] if level is MeshLevel.QUICK else sorted({loads[0], loads[len(loads) // 2], loads[-1]})
+            cases += [(race, load, (load,)) for load in (float(f"{load:.4g}") for load in some)]
+    return tuple(cases)
 
 
-def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """A bearing's raceways over the loads."""
-    found: list[Solved] = []
-    refused: list[Row] = []
+    solutions: list[TrueContactStudy] = []
+    refused: list[AgreementRow] = []
     for race, mesh_load, loads in loads_of(scene, level):
         try:
             own = solve(contacts(scene, race, mesh_load, sequence(FINEST[level])), loads, progress)
             of = load_scene(scene)
-            found += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
+            solutions += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
         except (MeshError, ContactError) as problem:
             refused += refused_rows(groove_contact(scene, race), mesh_load, problem)
-    if not found:
+    if not solutions:
         raise MeshError(f"no contact was solved: {refused[-1].why_tolerance if refused else 'none carries load'}")
-    rows: list[Row] = []
-    every: dict[str, list[Solved]] = {}
-    for each in (replace(one, alike=tuple(found)) for one in found):
+    rows: list[AgreementRow] = []
+    every: dict[str, list[TrueContactStudy]] = {}
+    for each in (replace(one, alike=tuple(solutions)) for one in solutions):
         every.setdefault(each.groove.race_name, []).append(each)
         judged = [*gap_rows(each), *body_rows(each, level)]
         rows += [*(judged if scene == EXAMPLE else decided(judged)), *true_rows(each)]
@@ -266,14 +266,14 @@ def run(level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
     return Findings([*rows, *refused], mesh_entry(last, FINEST[level]), last.solver, {"true_geometry": pictures}, NOTES)
 
 
-def series(solved: list[Solved]) -> dict[str, object]:
+def series(solved: list[TrueContactStudy]) -> dict[str, object]:
     """Deviations from Hertz over the load, in per cent, for the picture."""
     drawn: dict[str, object] = {"load_N": [each.load for each in solved]}
-    for key, found in (("gap_shape", "exact_gap"), ("true_contact", "surface")):
+    for key, gap in (("gap_shape", "exact_gap"), ("true_contact", "surface")):
         values: dict[str, list[float]] = {}
         spread: dict[str, list[float]] = {}
         for name in READ:
-            both = [each.ratio(found, "parabola", name) for each in solved]
+            both = [each.ratio(gap, "parabola", name) for each in solved]
             values[name] = [100.0 * (value - 1.0) for value, _ in both]
             spread[name] = [100.0 * uncertainty for _, uncertainty in both]
         drawn[f"{key}_percent"], drawn[f"{key}_uncertainty"] = values, spread
@@ -286,7 +286,7 @@ def series(solved: list[Solved]) -> dict[str, object]:
 CHECK = Check(
     name="true_geometry",
     question="How far is Hertz from a true sphere in a true groove, in true bodies; at which load, and why?",
-    kind=Kind.MODEL_COMPARISON,
+    kind=CheckKind.MODEL_COMPARISON,
     reference="boundary elements on half-spaces with the exact gap; a pressed elastic sphere in a series",
     tolerance="gap's shape: approach and a 0.1 %, b 0.2 %, p0 0.05 % of boundary elements; ball's equator 1 %",
     run=run,
@@ -297,8 +297,8 @@ CHECK = Check(
 def keep_meshes() -> None:
     """Put the quick level's meshes into the repository, and what they are into its manifest."""
     folder, entries = meshing.committed_folder(), meshing.manifest()
-    for race, load, _ in LOADS[Level.QUICK]:
-        for contact in contacts(EXAMPLE, race, load, sequence(FINEST[Level.QUICK])):
+    for race, load, _ in LOADS[MeshLevel.QUICK]:
+        for contact in contacts(EXAMPLE, race, load, sequence(FINEST[MeshLevel.QUICK])):
             for body in ("ball", "ring"):
                 path = folder / contact.mesh_file(body)
                 mesh = contact.mesh(body)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from fem_check.rows import row_text
+from fem_check.rows.record import CheckRecord, RowRecord
 from qsbearing.documents.model import Badge, Block, Paragraph, Remark, Table
 from qsbearing.documents.terminal import STYLES
 
 
-def agreement_table(entry: dict[str, Any]) -> list[Block]:
+def agreement_table(entry: CheckRecord) -> list[Block]:
     """A record as tables, one per case."""
     verdict = entry["verdict"]
     lead = f"{entry['check']} ({entry['level']}): {verdict}"
@@ -29,5 +28,5 @@ def agreement_table(entry: dict[str, Any]) -> list[Block]:
     return parts
 
 
-def _worst(row: dict[str, Any]) -> Paragraph:
+def _worst(row: RowRecord) -> Paragraph:
     return Paragraph(f"{row_text.in_words(row['quantity'])}: worst at {row['worst_at']}")

@@ -42,20 +42,20 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
         for case in book.selected(names):
             require("fem", *case.needs, what=f"case {case.name}")
         with progress_bar(as_json) as reporter:
-            found = book.run_book(names, out, reporter("book"))
+            entries = book.run_book(names, out, reporter("book"))
         page = write_book(out)
     except book.UnknownCaseError as problem:
         refuse(str(problem))
     except OSError as problem:
         refuse(f"--out {out}: the book cannot be written: {problem.strerror or problem}")
     if as_json:
-        for entry in found:
+        for entry in entries:
             print(json.dumps(entry))
     else:
         rows = [
             (entry["case"], KINDS[entry["kind"]], Badge(entry["verdict"]), row_text.short_exponents(entry["summary"]))
-            for entry in found
+            for entry in entries
         ]
         print_table([Table(("case", "kind", "", "found"), rows, "llll", "Published cases")])
         print_wrote([page])
-    sys.exit(OUT_OF_TOLERANCE if any(entry["verdict"] == "fail" for entry in found) else 0)
+    sys.exit(OUT_OF_TOLERANCE if any(entry["verdict"] == "fail" for entry in entries) else 0)

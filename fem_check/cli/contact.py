@@ -68,7 +68,7 @@ def contact(
     """
     require(*FEM, *([] if out is None else ["jinja2"]))
     from fem_check import meshing
-    from fem_check.contacts import chosen, files, half_spaces, run, shown, true_bodies
+    from fem_check.contacts import chosen, files, half_spaces, record, run, shown, true_bodies
     from fem_check.cost import mesh_choice
     from fem_check.cost import record as cost_record
     from fem_check.mechanics.contact import ContactError
@@ -113,10 +113,12 @@ def contact(
                 break
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
         level = half_spaces.level_of(sequence[-1])
-        entry = records_store.record(
-            None, "contact", level, outcome.findings, seconds, cpu_seconds, memory.peak_MB(), scene
-        )
-        entry |= outcome.known
+        entry: record.ContactsRecord = {
+            **records_store.record(
+                None, "contact", level, outcome.findings, seconds, cpu_seconds, memory.peak_MB(), scene
+            ),
+            **outcome.known,
+        }
         if accuracy is not None:
             entry["accuracy"] = {"asked": accuracy, "reached": reached, "reached_by": quantity, "sequence": sequence}
         written = [] if out is None else files.write(entry, outcome.maps(), outcome.fields(), out)
@@ -154,7 +156,7 @@ def contact(
 
 def _loads(texts: Sequence[str], faults: list[str]) -> list[float]:
     """The loads of all options, each once [N]."""
-    found: list[float] = []
+    loads: list[float] = []
     for text in (part.strip() for whole in texts for part in whole.split(",")):
         try:
             load = float(text)
@@ -163,9 +165,9 @@ def _loads(texts: Sequence[str], faults: list[str]) -> list[float]:
             continue
         if not 0.0 < load < float("inf"):
             faults.append(f"--load-N {text}: must be above 0 N and finite")
-        elif load not in found:
-            found.append(load)
-    return found
+        elif load not in loads:
+            loads.append(load)
+    return loads
 
 
 def _angle(text: str | None, faults: list[str]) -> str | float | None:
@@ -173,9 +175,9 @@ def _angle(text: str | None, faults: list[str]) -> str | float | None:
     if text in (None, "free", "loaded"):
         return text
     try:
-        found = float(text)
+        degrees = float(text)
     except ValueError:
-        found = float("nan")
-    if not 0.0 <= found < 90.0:
+        degrees = float("nan")
+    if not 0.0 <= degrees < 90.0:
         faults.append(f"--angle {text}: must be free, loaded, or an angle from 0 to below 90 degrees")
-    return found
+    return degrees

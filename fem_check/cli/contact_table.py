@@ -10,9 +10,8 @@ from rich.table import Table
 from rich.text import Text
 
 from fem_check.rows import row_text
+from fem_check.rows.record import CheckRecord, RowRecord, deviation_percent
 from qsbearing.documents.terminal import STYLES
-
-Row = dict[str, Any]
 
 SHOWN = {
     "approach": ("approach µm", 1e6), "semi_major_axis": ("a mm", 1e3), "semi_minor_axis": ("b mm", 1e3),
@@ -27,13 +26,13 @@ MEANING = {
 }
 
 
-def contact_tables(entry: dict[str, Any]) -> Group:
+def contact_tables(entry: CheckRecord) -> Group:
     """A table for each contact and what it says, then what the numbers rest on."""
     parts: list[Any] = [
         Text(f"{entry['scene']} ({entry['level']}): {entry['seconds']:.0f} s, {entry['peak_memory_MB']} MB", "bold"),
         counted(entry["rows"]),
     ]
-    contacts: dict[str, list[Row]] = {}
+    contacts: dict[str, list[RowRecord]] = {}
     for row in entry["rows"]:
         contacts.setdefault(row["case"].rpartition("; ")[0], []).append(row)
     for name, rows in contacts.items():
@@ -42,7 +41,7 @@ def contact_tables(entry: dict[str, Any]) -> Group:
     return Group(*parts)
 
 
-def counted(rows: list[Row]) -> Text:
+def counted(rows: list[RowRecord]) -> Text:
     """How many numbers are verified, findings, refused; what failed first."""
     counts = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in ("fail", *WORDS)}
     told = [
@@ -53,15 +52,15 @@ def counted(rows: list[Row]) -> Text:
     return Text(", ").join([Text(*each) for each in told])
 
 
-def _table(rows: list[Row]) -> Table:
-    found = {(row["case"].rpartition("; ")[2], row["quantity"]): row for row in rows}
+def _table(rows: list[RowRecord]) -> Table:
+    by_method = {(row["case"].rpartition("; ")[2], row["quantity"]): row for row in rows}
     table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False)
     table.add_column("", no_wrap=True)
     headings = ("\nHertz", "half-\nspace FE", "\n±", "", "true\nbodies FE", "\ndifference", "")
     for heading in headings:
         table.add_column(heading, justify="right" if heading else "left", no_wrap=True)
     for quantity, (label, size) in SHOWN.items():
-        ideal, true = (found.get((method, quantity)) for method in ("half-spaces", "true bodies"))
+        ideal, true = (by_method.get((method, quantity)) for method in ("half-spaces", "true bodies"))
         if ideal is None or true is None:
             continue
         table.add_row(
@@ -81,31 +80,31 @@ def _number(value: float | None, size: float) -> str:
     return "–" if value is None else f"{value * size:#.5g}".rstrip(".")
 
 
-def _difference(row: Row) -> tuple[str, str]:
+def _difference(row: RowRecord) -> tuple[str, str]:
     """Difference and its uncertainty: per cent, of an angle degrees."""
     if row["found"] is None:
         return "", ""
     if row["quantity"] == "angle":
         scale = (abs(row["reference"]) or 1.0) / 100.0
-        found = row["deviation_percent"] * scale, row["uncertainty_percent"] * scale
-        return f"{found[0]:+.2f}", f"{found[1]:.2f}°"
+        difference, uncertainty = deviation_percent(row) * scale, (row["uncertainty_percent"] or 0.0) * scale
+        return f"{difference:+.2f}", f"{uncertainty:.2f}°"
     return f"{row['deviation_percent']:+.2f}", f"{row['uncertainty_percent']:.2f}%"
 
 
-def _verdict(row: Row) -> Text:
+def _verdict(row: RowRecord) -> Text:
     return Text(WORDS[row["verdict"]], STYLES[row["verdict"]])
 
 
-def _summary(rows: Iterable[Row]) -> Iterable[Any]:
+def _summary(rows: Iterable[RowRecord]) -> Iterable[Any]:
     """One line for each verdict that the contact has."""
-    by_verdict: dict[str, list[Row]] = {}
+    by_verdict: dict[str, list[RowRecord]] = {}
     for row in rows:
         by_verdict.setdefault(row["verdict"], []).append(row)
     for verdict, meaning in MEANING.items():
         judged = [row for row in by_verdict.get(verdict, []) if row["quantity"] != "angle"] or by_verdict.get(verdict)
         if not judged:
             continue
-        worst = max(judged, key=lambda row: abs(row["deviation_percent"]) + row["uncertainty_percent"])
+        worst = max(judged, key=lambda row: abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0))
         said = f"{SHOWN[worst['quantity']][0].partition(' ')[0]} {' ± '.join(_difference(worst))}"
         limit = worst["tolerance_percent"]
         told = meaning.format(worst=said, tolerance=f"{row_text.number(limit, 2)}%" if limit else "none")
@@ -114,7 +113,7 @@ def _summary(rows: Iterable[Row]) -> Iterable[Any]:
         yield _line("refused", f"{', '.join(refused)}: {reason}")
 
 
-def _by_reason(rows: list[Row]) -> dict[str, list[str]]:
+def _by_reason(rows: list[RowRecord]) -> dict[str, list[str]]:
     reasons: dict[str, list[str]] = {}
     for row in rows:
         method = row["case"].rpartition("; ")[2]

@@ -32,19 +32,19 @@ def cost(level: str, out: Path, as_json: bool) -> None:
 
     from fem_check import meshing
     from fem_check.cost import measurement, picture, record, table
-    from fem_check.rows.agreement import Level
+    from fem_check.rows.agreement import MeshLevel
     from fem_check.running import records_store, runner
 
     path = record.path_of(level, out)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=path.parent).close()  # before the work, not after it
-        finest = max(max(counts) for counts in measurement.MESHES[Level(level)].values())
+        finest = max(max(counts) for counts in measurement.MESHES[MeshLevel(level)].values())
         runner.refuse_too_large(meshing.half_space(finest).dofs, f"cost at level {level}")
         with progress_bar(as_json) as reporter:
-            found = measurement.measure(Level(level), reporter("cost"))
-        records_store.replace(path, records_store.text(found))
-        records_store.replace(path.with_suffix(".png"), picture.png(found))
+            measured = measurement.measure(MeshLevel(level), reporter("cost"))
+        records_store.replace(path, records_store.text(measured))
+        records_store.replace(path.with_suffix(".png"), picture.png(measured))
     except BrokenProcessPool:
         refuse("the system ended a process that solved a contact; a likely cause is that the memory ran out")
     except (meshing.MeshError, runner.BadInputError, ValueError) as problem:
@@ -52,9 +52,9 @@ def cost(level: str, out: Path, as_json: bool) -> None:
     except OSError as problem:
         refuse(f"--out {out}: {path.parent} cannot be written: {problem.strerror or problem}")
     if as_json:
-        print(json.dumps(found))
+        print(json.dumps(measured))
         return
-    for each in (table.measured(found), table.mesh_choices(found)):
+    for each in (table.measured(measured), table.mesh_choices(measured)):
         print_table([each])
-    print_text(f"{table.remark(found)}\n")
+    print_text(f"{table.remark(measured)}\n")
     print_wrote([path])

@@ -42,8 +42,8 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
 
     try:
         folder = records or (out if records_store.read_all(out) else records_store.FOLDER)
-        found = evidence.read(folder)
-        written = files.write(found, None if previous is None else evidence.read(previous, alone=True), out)
+        current = evidence.read(folder)
+        written = files.write(current, None if previous is None else evidence.read(previous, alone=True), out)
     except records_store.RecordError as problem:
         refuse(str(problem))
     except OSError as problem:

@@ -53,7 +53,7 @@ def run_checks(
     require(*FEM)
     from fem_check.checks import OF_BEARING
     from fem_check.product.scenes import RING_OPTIONS
-    from fem_check.rows.agreement import EXAMPLE, Level
+    from fem_check.rows.agreement import EXAMPLE, MeshLevel
     from fem_check.running import runner
 
     if scene is None and any(value is not None for value in rings.values()):
@@ -66,7 +66,9 @@ def run_checks(
     try:
         chosen = runner.selected(names, scene is not None)
         with progress_bar(as_json) as reporter:
-            for entry in runner.run(chosen, Level(level), out, lambda check: reporter(check.name), scene or EXAMPLE):
+            for entry in runner.run(
+                chosen, MeshLevel(level), out, lambda check: reporter(check.name), scene or EXAMPLE
+            ):
                 failed |= entry["verdict"] != "pass"
                 finished.append(entry["check"])
                 if as_json:

@@ -12,7 +12,7 @@ import numpy as np
 import qsbearing
 from fem_check.checks.bearing_contacts import operated
 from fem_check.independent.contact_problem import ContactProblem
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.groove import RACES, BallInGroove
 from fem_check.product.problems import row_of
 from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
@@ -82,10 +82,10 @@ def chosen(source: str, race: str, loads: Sequence[float], angle: str | float | 
     races = raceways(race)
     if loads:
         return _with_loads(source, races, loads, FREE if angle is None else angle)
-    found = _of_scene(source, races, LOADED if angle is None else angle)
-    if not found:
+    contacts = _of_scene(source, races, LOADED if angle is None else angle)
+    if not contacts:
         raise SceneProblemError(f"scene {source}: no ball presses {'a' if race == BOTH else f'the {race}'} raceway")
-    return found
+    return contacts
 
 
 def _with_loads(source: str, races: Sequence[str], loads: Sequence[float], angle: str | float) -> list[Chosen]:
@@ -98,7 +98,7 @@ def _with_loads(source: str, races: Sequence[str], loads: Sequence[float], angle
     ]
 
 
-def _under_thrust(drawing: Drawing, load: float) -> float:
+def _under_thrust(drawing: BearingDrawing, load: float) -> float:
     return loaded_angle(drawing.groove("inner"), drawing.groove("outer"), load)
 
 
@@ -124,7 +124,7 @@ def _of_scene(source: str, races: Sequence[str], angle: str | float) -> list[Cho
     ]
 
 
-def _groove(drawing: Drawing, race: str, angle: str | float, loaded: float) -> BallInGroove:
+def _groove(drawing: BearingDrawing, race: str, angle: str | float, loaded: float) -> BallInGroove:
     if angle == FREE:
         return drawing.groove(race)
     return replace(drawing.groove(race), contact_angle=loaded if angle == LOADED else radians(float(angle)))

@@ -11,10 +11,12 @@ from typing import Any
 from fem_check.contacts import shown
 from fem_check.contacts.chosen import Chosen
 from fem_check.contacts.half_spaces import Shape
+from fem_check.contacts.record import ContactsRecord
 from fem_check.contacts.true_bodies import TrueBodies
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
+from fem_check.rows.record import computed_value
 from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Block, Document, Facts, Picture, Section, Trace
@@ -23,7 +25,7 @@ NAME = "contact"
 
 
 def write(
-    entry: dict[str, Any], maps: Sequence[dict[str, Any]], solved: Iterable[tuple[str, Field]], out: Path
+    entry: ContactsRecord, maps: Sequence[dict[str, Any]], solved: Iterable[tuple[str, NodalFields]], out: Path
 ) -> list[Path]:
     """Write all forms into a folder; returns their paths.
 
@@ -52,7 +54,7 @@ def write(
     return [*tables, *paths]
 
 
-def csv_of(entry: dict[str, Any]) -> bytes:
+def csv_of(entry: ContactsRecord) -> bytes:
     """The table, a row for each quantity of each contact."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -67,13 +69,13 @@ def csv_of(entry: dict[str, Any]) -> bytes:
         of = contact["race"], contact["balls"], contact["load_N"], contact["contact_angle_deg"], contact["angle"]
         for row in by_case[contact["case"]]:
             _, unit, size = shown.SHOWN[row["quantity"]]
-            judged = (row[f"{name}_percent"] for name in ("deviation", "uncertainty", "tolerance"))
-            values = size * row["reference"], size * row["found"], *judged
+            judged = row["deviation_percent"], row["uncertainty_percent"], row["tolerance_percent"]
+            values = size * row["reference"], size * computed_value(row), *judged
             writer.writerow((*of, row["quantity"], unit, *values, row["verdict"]))
     return text.getvalue().encode()
 
 
-def page(entry: dict[str, Any], maps: Sequence[dict[str, Any]], vtu: Sequence[str]) -> Document:
+def page(entry: ContactsRecord, maps: Sequence[dict[str, Any]], vtu: Sequence[str]) -> Document:
     """The page."""
     below = [each for each in (shown.tolerances(entry), shown.undecided(entry)) if each]
     agreement: list[Block] = [shown.agreement_table(entry), *below]
@@ -96,7 +98,7 @@ def page(entry: dict[str, Any], maps: Sequence[dict[str, Any]], vtu: Sequence[st
     )  # fmt: skip
 
 
-def versions(entry: dict[str, Any]) -> list[tuple[str, str]]:
+def versions(entry: ContactsRecord) -> list[tuple[str, str]]:
     """What the numbers rest on."""
     return [("Made with", ", ".join(f"{name} {version}" for name, version in entry["versions"].items()))]
 
@@ -109,17 +111,17 @@ def _map(pictures: dict[str, Any]) -> Picture:
 
     figure = pressure_map({"pictures": pictures})
     contact = pictures["contact"]
-    found = picture(
+    image = picture(
         figure,
         f"Map of the pressure of {contact['name']} at {contact['load_N']:g} N, ending at Hertz's outline.",
         f"{contact['name']} at {contact['load_N']:g} N: pressure of the finite elements, and Hertz's edge (black line)",
         0.7,
     )
     plt.close(figure)
-    return found
+    return image
 
 
-def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -> Iterable[tuple[str, Field]]:
+def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -> Iterable[tuple[str, NodalFields]]:
     """The raceway's half-space of each contact: solved once for a shape, and scaled."""
     names = _names(contacts)
     for shape in shapes:
@@ -130,7 +132,7 @@ def fields_of_half_spaces(contacts: Sequence[Chosen], shapes: Iterable[Shape]) -
             yield f"half_space_{names[id(each)]}", field.scaled(length, own.max_pressure / solved.max_pressure)
 
 
-def fields_of_true_bodies(contacts: Sequence[TrueBodies]) -> Iterable[tuple[str, Field]]:
+def fields_of_true_bodies(contacts: Sequence[TrueBodies]) -> Iterable[tuple[str, NodalFields]]:
     """Ball and ring of each contact, on its finest mesh."""
     names = _names([each.chosen for each in contacts])
     for each in contacts:

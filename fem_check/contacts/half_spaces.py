@@ -20,7 +20,8 @@ from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import MeshStudy
-from fem_check.rows.agreement import Findings, Level, Progress, Row, collapsed, covered
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel, Progress, collapsed, covered
+from fem_check.rows.record import MeshRecord
 
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5
@@ -30,9 +31,9 @@ NEARLY = 0.02
 3 %."""
 
 
-def level_of(elements: int) -> Level:
+def level_of(elements: int) -> MeshLevel:
     """The level whose tolerances apply to so many elements."""
-    return Level.RELEASE if elements >= half_space_contact.SEQUENCES[Level.RELEASE][-1] else Level.QUICK
+    return MeshLevel.RELEASE if elements >= half_space_contact.SEQUENCES[MeshLevel.RELEASE][-1] else MeshLevel.QUICK
 
 
 def sequence_of(elements: int) -> tuple[int, ...]:
@@ -87,16 +88,16 @@ def solve(contacts: Sequence[Chosen], sequence: tuple[int, ...], progress: Progr
         problem = each.problem
         similar = float(f"{problem.curvature_x / problem.curvature_y:.9g}"), *problem.bodies
         shapes.setdefault((each.groove.race_name, similar), []).append(each)
-    found = []
+    solved = []
     proportions: ContactProblem | None = None
     heaviest = [max(alike, key=lambda each: each.load).problem for alike in shapes.values()]
     for problem, alike in sorted(zip(heaviest, shapes.values(), strict=True), key=lambda each: ellipticity(each[0])):
         if proportions is None or ellipticity(problem) > (1.0 + NEARLY) * ellipticity(proportions):
             proportions = problem
         study = half_space_contact.mesh_study(problem, sequence, progress, proportions)
-        found.append(Shape(study, tuple(alike)))
+        solved.append(Shape(study, tuple(alike)))
     order = list(contacts)
-    return sorted(found, key=lambda shape: order.index(shape.alike[0]))
+    return sorted(solved, key=lambda shape: order.index(shape.alike[0]))
 
 
 def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> Findings:
@@ -107,8 +108,8 @@ def findings(shapes: Sequence[Shape], elements: int, accuracy: float | None) -> 
         elements: per semi-axis of the finest mesh.
         accuracy: tolerance of the quantities that it applies to; None: the level's own tolerances.
     """
-    rows: list[Row] = []
-    checks: list[Row] = []
+    rows: list[AgreementRow] = []
+    checks: list[AgreementRow] = []
     for shape in shapes:
         each = [row for contact in shape.alike for row in agreement(shape, contact, elements, accuracy)]
         judged = covered(shape.name, each)
@@ -129,20 +130,20 @@ def case_of(contact: Chosen) -> str:
     return f"{contact.groove.name} {contact.label}, parabolic gap"
 
 
-def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | None) -> list[Row]:
+def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | None) -> list[AgreementRow]:
     """One contact against Hertz: what its shape was found to be over Hertz, times its own."""
     level = level_of(elements)
     tolerances, why = half_space_contact.TOLERANCES[level], half_space_contact.WHY[level]
     if accuracy is not None:
         tolerances, why = dict.fromkeys(JUDGED, 100.0 * accuracy), "the accuracy asked for"
-    elif elements < half_space_contact.SEQUENCES[Level.QUICK][-1]:
+    elif elements < half_space_contact.SEQUENCES[MeshLevel.QUICK][-1]:
         tolerances, why = {}, COARSE
     solved, own = hertz(shape.study.problem), hertz(contact.problem)
     rows = []
     for name, unit in QUANTITIES.items():
         exact, reference = getattr(solved, name), getattr(own, name)
         rows.append(
-            Row(
+            AgreementRow(
                 case_of(contact),
                 name,
                 unit,
@@ -159,7 +160,7 @@ def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | No
     return rows
 
 
-def mesh_entry(shapes: Iterable[Shape], elements: int) -> dict[str, Any]:
+def mesh_entry(shapes: Iterable[Shape], elements: int) -> MeshRecord:
     """The finest mesh, as the record keeps it: the same block for all, stretched to each shape."""
     recipe = meshing.half_space(elements)
     return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees
-from typing import Any
+from typing import Any, NotRequired, TypedDict, cast
 
 import numpy as np
 
@@ -16,31 +16,96 @@ from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.independent.contact_problem import Array, ElasticConstants
 from fem_check.independent.groove import RACES
 from fem_check.independent.references import ellipse
+from fem_check.rows.record import CheckRecord
 
 
-def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence: Sequence[int]) -> dict[str, Any]:
+class MaterialRecord(TypedDict):
+    """Of balls or rings."""
+
+    name: str
+    elastic_modulus_GPa: float
+    poisson_ratio: float
+
+
+class BearingRecord(TypedDict):
+    """What the contacts are of."""
+
+    name: str
+    ball_count: int
+    ball_diameter_mm: float
+    pitch_diameter_mm: float
+    inner_groove_radius_mm: float
+    outer_groove_radius_mm: float
+    free_contact_angle_deg: float
+    ball_material: MaterialRecord
+    ring_material: MaterialRecord
+
+
+class ContactRecord(TypedDict):
+    """One contact."""
+
+    label: str
+    race: str
+    load_N: float
+    contact_angle_deg: float
+    angle: str
+    angle_is: str
+    balls: str
+    curvature_sum_across_per_mm: float
+    curvature_sum_along_per_mm: float
+    ellipticity: float
+    case: NotRequired[str]
+    """Of its rows."""
+    similar_to_load_N: NotRequired[float]
+    """Of half-spaces: the load that was solved for its shape."""
+    mesh: NotRequired[dict[str, Any]]
+    """Of true bodies: its own."""
+
+
+class Known(TypedDict):
+    """What is known of chosen contacts beside their rows."""
+
+    bearing: BearingRecord
+    elements: list[int]
+    contacts: list[ContactRecord]
+    undecided: NotRequired[list[str]]
+    """Of true bodies: rows that the meshes are too coarse to judge."""
+
+
+class ContactsRecord(CheckRecord, Known):
+    """Findings of chosen contacts."""
+
+    accuracy: NotRequired[dict[str, Any]]
+    """Asked for and reached, where meshes were chosen by it."""
+
+
+def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence: Sequence[int]) -> Known:
     """Entries of the record, and the pressure of each contact for its picture."""
     entries = []
     for each in contacts:
         shape = next(shape for shape in shapes if each in shape.alike)
-        entry = _contact(each) | {"case": half_spaces.case_of(each)}
+        entry = _contact(each)
+        entry["case"] = half_spaces.case_of(each)
         if len(shape.alike) > 1:
             entry["similar_to_load_N"] = shape.study.problem.load
         entries.append(entry)
     return {"bearing": _bearing(contacts[0]), "elements": list(sequence), "contacts": entries}
 
 
-def of_true_bodies(contacts: Sequence[TrueBodies], sequence: Sequence[int]) -> dict[str, Any]:
+def of_true_bodies(contacts: Sequence[TrueBodies], sequence: Sequence[int]) -> Known:
     """The same of true bodies; and which rows the meshes are too coarse to judge."""
-    entries = [_contact(each.chosen) | {"case": each.case, "mesh": true_bodies.mesh_of(each)} for each in contacts]
-    known = {"bearing": _bearing(contacts[0].chosen), "elements": list(sequence), "contacts": entries}
-    return known | {"undecided": [case for each in contacts for case in each.undecided]}
+    entries = [_contact(each.chosen) for each in contacts]
+    for entry, each in zip(entries, contacts, strict=True):
+        entry |= {"case": each.case, "mesh": true_bodies.mesh_of(each)}
+    undecided = [case for each in contacts for case in each.undecided]
+    bearing = _bearing(contacts[0].chosen)
+    return {"bearing": bearing, "elements": list(sequence), "contacts": entries, "undecided": undecided}
 
 
-def _bearing(contact: Chosen) -> dict[str, Any]:
+def _bearing(contact: Chosen) -> BearingRecord:
     bearing = contact.bearing.bearing
     lengths = ("ball_diameter", "pitch_diameter", *(f"{race}_groove_radius" for race in RACES))
-    return {
+    made = {
         "name": contact.groove.name,
         "ball_count": round(float(np.ravel(bearing.ball_count)[0])),
         **{f"{name}_mm": 1e3 * float(np.ravel(getattr(bearing, name))[0]) for name in lengths},
@@ -48,9 +113,10 @@ def _bearing(contact: Chosen) -> dict[str, Any]:
         "ball_material": _material(bearing.ball_material.name, contact.groove.ball),
         "ring_material": _material(bearing.ring_material.name, contact.groove.race),
     }
+    return cast(BearingRecord, made)
 
 
-def _material(name: str, constants: ElasticConstants) -> dict[str, Any]:
+def _material(name: str, constants: ElasticConstants) -> MaterialRecord:
     return {
         "name": name,
         "elastic_modulus_GPa": 1e-9 * constants.elastic_modulus,
@@ -58,7 +124,7 @@ def _material(name: str, constants: ElasticConstants) -> dict[str, Any]:
     }
 
 
-def _contact(contact: Chosen) -> dict[str, Any]:
+def _contact(contact: Chosen) -> ContactRecord:
     problem = contact.problem
     return {
         "label": contact.label,
@@ -76,24 +142,24 @@ def _contact(contact: Chosen) -> dict[str, Any]:
 
 def pressures_of_half_spaces(shapes: Sequence[Shape]) -> list[dict[str, Any]]:
     """The numbers of a map of each shape's pressure, at its heaviest load."""
-    found = []
+    maps = []
     for shape in shapes:
         solution = shape.study.solution
         middle = len(solution.unit_lengths) // 2
         length, pressure = float(solution.unit_lengths[middle]), solution.pressures[:, middle]
         heaviest = max(shape.alike, key=lambda each: each.load)
-        found.append(map_of(heaviest, solution.basis, length, pressure))
-    return found
+        maps.append(map_of(heaviest, solution.basis, length, pressure))
+    return maps
 
 
 def pressures_of_true_bodies(contacts: Sequence[TrueBodies]) -> list[dict[str, Any]]:
     """The numbers of a map of each contact's pressure."""
-    found = []
+    maps = []
     for each in contacts:
         finest = each.solved.finest
         assert finest is not None
-        found.append(map_of(each.chosen, finest.contact.frame.basis, 1.0, finest.pressure(each.chosen.load)))
-    return found
+        maps.append(map_of(each.chosen, finest.contact.frame.basis, 1.0, finest.pressure(each.chosen.load)))
+    return maps
 
 
 def map_of(contact: Chosen, basis: PressureBasis, length: float, pressure: Array) -> dict[str, Any]:

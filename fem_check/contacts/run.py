@@ -9,26 +9,26 @@ from typing import Any
 from fem_check.checks import true_geometry
 from fem_check.contacts import files, half_spaces, record, true_bodies
 from fem_check.contacts.chosen import Chosen
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.rows.agreement import Findings, Progress
 
 
 @dataclass(frozen=True)
-class Outcome:
+class SolvedContacts:
     """Contacts, solved."""
 
     findings: Findings
-    known: dict[str, Any]
+    known: record.Known
     """Entries of the record beside the findings: bearing, elements, contacts."""
     maps: Callable[[], list[dict[str, Any]]]
     """Makes the numbers of the pressure maps."""
-    fields: Callable[[], Iterable[tuple[str, Field]]]
+    fields: Callable[[], Iterable[tuple[str, NodalFields]]]
     """Makes the fields, each with the name of its file."""
 
 
 def of_half_spaces(
     contacts: Sequence[Chosen], sequence: tuple[int, ...], accuracy: float | None, progress: Progress
-) -> Outcome:
+) -> SolvedContacts:
     """Half-spaces on a sequence of meshes.
 
     Args:
@@ -42,7 +42,7 @@ def of_half_spaces(
         ContactError: a contact cannot be solved.
     """
     shapes = half_spaces.solve(contacts, sequence, progress)
-    return Outcome(
+    return SolvedContacts(
         half_spaces.findings(shapes, sequence[-1], accuracy),
         record.of_half_spaces(contacts, shapes, sequence),
         lambda: record.pressures_of_half_spaces(shapes),
@@ -50,7 +50,7 @@ def of_half_spaces(
     )
 
 
-def of_true_bodies(contacts: Sequence[Chosen], elements: int, progress: Progress) -> Outcome:
+def of_true_bodies(contacts: Sequence[Chosen], elements: int, progress: Progress) -> SolvedContacts:
     """True bodies, with so many elements per semi-axis of the finest mesh.
 
     Raises:
@@ -58,7 +58,7 @@ def of_true_bodies(contacts: Sequence[Chosen], elements: int, progress: Progress
         ContactError: a contact cannot be solved.
     """
     solved, findings = true_bodies.solve(contacts, elements, progress)
-    return Outcome(
+    return SolvedContacts(
         findings,
         record.of_true_bodies(solved, true_geometry.sequence(elements)),
         lambda: record.pressures_of_true_bodies(solved),

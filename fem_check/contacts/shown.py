@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from fem_check.contacts.record import ContactRecord, ContactsRecord, MaterialRecord
 from fem_check.rows import row_text
+from fem_check.rows.record import RowRecord, computed_value
 from qsbearing.documents.model import Badge, Block, Group, Paragraph, Remark, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.documents.terminal import STYLES
-
-Row = dict[str, Any]
-Entry = dict[str, Any]
 
 SHOWN = {
     "approach": ("approach δ", "µm", 1e6),
@@ -29,28 +28,28 @@ MODELS = {
 }
 
 
-def agreement_rows(entry: Entry) -> dict[str, list[Row]]:
+def agreement_rows(entry: ContactsRecord) -> dict[str, list[RowRecord]]:
     """The rows of each contact against Hertz, by the case that the contact names."""
-    found: dict[str, list[Row]] = {contact["case"]: [] for contact in entry["contacts"]}
+    by_case: dict[str, list[RowRecord]] = {contact["case"]: [] for contact in entry["contacts"]}
     for row in entry["rows"]:
-        if row["case"] in found:
-            found[row["case"]].append(row)
-    return found
+        if row["case"] in by_case:
+            by_case[row["case"]].append(row)
+    return by_case
 
 
-def heading(entry: Entry) -> Remark:
+def heading(entry: ContactsRecord) -> Remark:
     """The verdict on all contacts, and what it took."""
     lead = f"{entry['check']} ({entry['level']}): {entry['verdict']}"
     took = f"{entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
     return Remark(f"{lead}   {took}", entry["verdict"], lead, STYLES[entry["verdict"]])
 
 
-def facts(entry: Entry) -> list[tuple[str, str]]:
+def facts(entry: ContactsRecord) -> list[tuple[str, str]]:
     """What the contacts are of: name and text."""
     bearing, mesh = entry["bearing"], entry["mesh"]
-    materials = [_material(bearing[f"{part}_material"]) for part in ("ball", "ring")]
+    materials = [_material(each) for each in (bearing["ball_material"], bearing["ring_material"])]
     elements = ", ".join(map(str, entry["elements"][:-1]))
-    found = [
+    pairs = [
         (
             "Bearing",
             f"{bearing['name']}: {bearing['ball_count']} balls of {bearing['ball_diameter_mm']:.6g} mm on "
@@ -69,16 +68,16 @@ def facts(entry: Entry) -> list[tuple[str, str]]:
         ),
     ]
     told = _similar(entry["contacts"])
-    return [*found, ("Solved", told)] if told else found
+    return [*pairs, ("Solved", told)] if told else pairs
 
 
-def _material(material: dict[str, Any]) -> str:
+def _material(material: MaterialRecord) -> str:
     return f"{material['name']}, E {material['elastic_modulus_GPa']:.4g} GPa, ν {material['poisson_ratio']:.3g}"
 
 
-def _curvatures(contacts: Iterable[dict[str, Any]]) -> Iterable[tuple[bool, str]]:
+def _curvatures(contacts: Iterable[ContactRecord]) -> Iterable[tuple[bool, str]]:
     """Of each raceway, from the least to the largest of its contacts: sums of ball and raceway."""
-    by_race: dict[str, list[dict[str, Any]]] = {}
+    by_race: dict[str, list[ContactRecord]] = {}
     for contact in contacts:
         by_race.setdefault(contact["race"], []).append(contact)
     for number, (race, own) in enumerate(by_race.items()):
@@ -94,7 +93,7 @@ def _span(values: list[float], digits: int) -> str:
     return least if least == most else f"{least} to {most}"
 
 
-def _similar(contacts: list[dict[str, Any]]) -> str:
+def _similar(contacts: list[ContactRecord]) -> str:
     """Which contacts were solved for which others; empty where each was solved for itself."""
     solved: dict[tuple[str, float], int] = {}
     for contact in contacts:
@@ -110,7 +109,7 @@ def _similar(contacts: list[dict[str, Any]]) -> str:
     )
 
 
-def agreement_table(entry: Entry) -> Table:
+def agreement_table(entry: ContactsRecord) -> Table:
     """Every contact against Hertz."""
     lines: list[Any] = []
     by_case = agreement_rows(entry)
@@ -119,12 +118,12 @@ def agreement_table(entry: Entry) -> Table:
         for row in by_case[contact["case"]]:
             name, unit, size = SHOWN[row["quantity"]]
             told = row_text.of_row(row)
-            numbers = (row_text.number(row["reference"] * size), row_text.number(row["found"] * size))
+            numbers = (row_text.number(row["reference"] * size), row_text.number(computed_value(row) * size))
             lines.append((f"{name}, {unit}", *numbers, told.deviation, told.uncertainty, Badge(row["verdict"])))
     return Table(HEADINGS, lines, "lrrrrl", f"{entry['bearing']['name']}: Hertz and finite elements")
 
 
-def tolerances(entry: Entry) -> Paragraph | None:
+def tolerances(entry: ContactsRecord) -> Paragraph | None:
     """The tolerances of the table and their reason; None where all are findings."""
     told: dict[tuple[float, str], list[str]] = {}
     for row in (row for rows in agreement_rows(entry).values() for row in rows):
@@ -142,7 +141,7 @@ def tolerances(entry: Entry) -> Paragraph | None:
     )
 
 
-def undecided(entry: Entry) -> Paragraph | None:
+def undecided(entry: ContactsRecord) -> Paragraph | None:
     """Which rows are not judged because the meshes are too coarse, and the remedy."""
     if not entry.get("undecided"):
         return None
@@ -155,10 +154,10 @@ def undecided(entry: Entry) -> Paragraph | None:
     )
 
 
-def rests_on(entry: Entry) -> list[Block]:
+def rests_on(entry: ContactsRecord) -> list[Block]:
     """Tables of all other rows: self-checks, and what true bodies are compared with beside Hertz."""
     own = {contact["case"] for contact in entry["contacts"]}
-    by_case: dict[str, list[Row]] = {}
+    by_case: dict[str, list[RowRecord]] = {}
     for row in entry["rows"]:
         if row["case"] not in own:
             by_case.setdefault(row["case"], []).append(row)
@@ -176,7 +175,7 @@ def rests_on(entry: Entry) -> list[Block]:
     return [table] if lines else []
 
 
-def for_terminal(entry: Entry) -> list[Block]:
+def for_terminal(entry: ContactsRecord) -> list[Block]:
     """All of it, for a terminal."""
     paragraphs = []
     lead = ""

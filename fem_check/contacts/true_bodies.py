@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from fem_check.checks import true_geometry
-from fem_check.checks.true_geometry import Solved
+from fem_check.checks.true_geometry import TrueContactStudy
 from fem_check.contacts.chosen import Chosen
 from fem_check.rows import row_text
-from fem_check.rows.agreement import Findings, Progress, Row
+from fem_check.rows.agreement import AgreementRow, Findings, Progress
 
 LEAST_ELEMENTS = 6
 """Of the finest mesh; those of true bodies lie farther apart than those of half-spaces."""
@@ -21,7 +21,7 @@ class TrueBodies:
     """A contact, solved."""
 
     chosen: Chosen
-    solved: Solved
+    solved: TrueContactStudy
     undecided: tuple[str, ...]
     """Which of its rows the meshes are too coarse to judge."""
 
@@ -38,19 +38,20 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
         MeshError: gmsh cannot mesh the bodies.
         ContactError: a contact cannot be solved.
     """
-    found: list[TrueBodies] = []
-    rows: list[Row] = []
+    bodies: list[TrueBodies] = []
+    rows: list[AgreementRow] = []
     for each in contacts:
         own, undecided, solved = true_geometry.single(
             each.bearing, each.groove.name, each.groove, each.load, elements, progress
         )
-        found.append(
+        bodies.append(
             TrueBodies(each, solved, tuple(f"{row.case}, {row_text.in_words(row.quantity)}" for row in undecided))
         )
         rows += own
-    last = found[-1].solved
-    mesh = true_geometry.mesh_entry(last, elements) | {"geometry": "true", "origin": "made by gmsh"}
-    return found, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
+    last = bodies[-1].solved
+    mesh = true_geometry.mesh_entry(last, elements)
+    mesh |= {"geometry": "true", "origin": "made by gmsh"}
+    return bodies, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
 
 
 def mesh_of(contact: TrueBodies) -> dict[str, Any]:

@@ -12,17 +12,17 @@ import timeit
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import qsbearing
 from fem_check import meshing
+from fem_check.cost.record import CostRecord, FormCost, MeshCost, MeshRun, Spread
 from fem_check.elements.elastic_body import Progress
 from fem_check.elements.element_family import FAMILIES, SERENDIPITY
 from fem_check.independent.contact_problem import ContactProblem
 from fem_check.independent.references import axis_ratio, hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.product.scenes import groove_contact
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import memory, records_store
 from qsbearing.model.contact.hertz import HertzForm, effective_modulus
 from qsbearing.results import provenance
@@ -34,9 +34,9 @@ JUDGED = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure", "max
 """The *accuracy* of a contact is the worst of these. The depth of the largest shear is left out: at the maximum, 0.05 %
 of shear is 2 % of depth."""
 
-MESHES: dict[Level, dict[str, tuple[int, ...]]] = {
-    Level.QUICK: {SERENDIPITY.name: (3, 4, 5, 6), "hex27": (4,), "hex8": (4, 6), "tet10": (4,), "tet4": (4, 6)},
-    Level.RELEASE: {
+MESHES: dict[MeshLevel, dict[str, tuple[int, ...]]] = {
+    MeshLevel.QUICK: {SERENDIPITY.name: (3, 4, 5, 6), "hex27": (4,), "hex8": (4, 6), "tet10": (4,), "tet4": (4, 6)},
+    MeshLevel.RELEASE: {
         SERENDIPITY.name: (3, 4, 5, 6, 8, 10, 12, 16),
         "hex27": (4, 6, 8, 10),
         "hex8": (4, 6, 8, 12, 16),
@@ -73,7 +73,7 @@ def problem() -> ContactProblem:
     return groove_contact(SCENE, RACE).problem(LOAD)
 
 
-def solve(configuration: Configuration) -> dict[str, Any]:
+def solve(configuration: Configuration) -> MeshRun:
     """Solve one configuration once; meant for a process of its own, whose memory is then its own too.
 
     Timed: reading the mesh, assembling, far field, factorising, solving for every pressure basis function, the contact
@@ -105,7 +105,7 @@ def solve(configuration: Configuration) -> dict[str, Any]:
     }
 
 
-def closed_forms(solved: ContactProblem) -> list[dict[str, Any]]:
+def closed_forms(solved: ContactProblem) -> list[FormCost]:
     """Error and time of each closed form, called from Python.
 
     The errors are against `references`, Hertz in another form; that of the exact form is the rounding of the two.
@@ -114,17 +114,18 @@ def closed_forms(solved: ContactProblem) -> list[dict[str, Any]]:
     modulus = effective_modulus(
         solved.ball.elastic_modulus, solved.ball.poisson_ratio, solved.race.elastic_modulus, solved.race.poisson_ratio
     )
-    found = []
+    table: list[FormCost] = []
     for form, label in FORMS.items():
         call = partial(qsbearing.point_contact, solved.load, solved.curvature_x, solved.curvature_y, modulus, form)
         contact = call()
         error = {name: getattr(contact, name) / getattr(exact, name) - 1.0 for name in JUDGED if hasattr(contact, name)}
         seconds = [each / CALLS for each in timeit.repeat(call, number=CALLS, repeat=15)]
-        found.append({"label": label, "error": error, "worst_error": max(map(abs, error.values())), **_spread(seconds)})
-    return found
+        worst = max(map(abs, error.values()))
+        table.append({"label": label, "error": error, "worst_error": worst, "seconds": _spread(seconds)})
+    return table
 
 
-def measure(level: Level, progress: Progress) -> dict[str, Any]:
+def measure(level: MeshLevel, progress: Progress) -> CostRecord:
     """Measure a level: a cost record; nothing is written.
 
     Raises:
@@ -135,7 +136,7 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
     for count in {each.elements for each in planned}:
         meshing.locate(meshing.half_space(count))  # made here, so that no configuration's time includes it
     machine = provenance.hardware() | records_store.versions()
-    runs: dict[Configuration, list[dict[str, Any]]] = {each: [] for each in planned}
+    runs: dict[Configuration, list[MeshRun]] = {each: [] for each in planned}
     for turn in range(REPEATS):
         for done, each in enumerate(planned):
             stage = f"round {turn + 1}: {each.elements} elements, {each.family}"
@@ -156,13 +157,13 @@ def measure(level: Level, progress: Progress) -> dict[str, Any]:
     }
 
 
-def _entry(runs: list[dict[str, Any]]) -> dict[str, Any]:
+def _entry(runs: list[MeshRun]) -> MeshCost:
     peak = round(statistics.median(run["peak_memory_MB"] for run in runs))
-    return runs[0] | _spread(run["seconds"] for run in runs) | {"peak_memory_MB": peak}
+    return {**runs[0], "seconds": _spread(run["seconds"] for run in runs), "peak_memory_MB": peak}
 
 
-def _spread(seconds: Iterable[float]) -> dict[str, Any]:
+def _spread(seconds: Iterable[float]) -> Spread:
     """Median, smallest and largest, to three digits: more would be noise."""
     values = sorted(seconds)
-    kept = {"median": statistics.median(values), "low": values[0], "high": values[-1]}
-    return {"seconds": {name: float(f"{value:.3g}") for name, value in kept.items()}}
+    median, low, high = (float(f"{each:.3g}") for each in (statistics.median(values), values[0], values[-1]))
+    return {"median": median, "low": low, "high": high}

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from fem_check.cost.measurement import JUDGED
+from fem_check.cost.record import CostRecord
 from fem_check.elements.element_family import SERENDIPITY
 from fem_check.mechanics.half_space_contact import ORDERS
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing.documents.numbers import duration
 
 SEQUENCES = {6: (4, 5, 6), 8: (4, 6, 8), 10: (6, 8, 10), 12: (6, 8, 12), 16: (4, 8, 16)}
@@ -47,10 +47,10 @@ class MeshChoice:
         )
 
 
-def choices(record: dict[str, Any]) -> list[MeshChoice]:
+def choices(record: CostRecord) -> list[MeshChoice]:
     """All that a cost record has measured, the cheapest first, but those less accurate than a cheaper one."""
     entries = {e["elements_per_semi_axis"]: e for e in record["meshes"] if e["family"] == SERENDIPITY.label}
-    found: list[MeshChoice] = []
+    candidates: list[MeshChoice] = []
     for sequence in SEQUENCES.values():
         if not set(sequence) <= set(entries):
             continue
@@ -63,12 +63,16 @@ def choices(record: dict[str, Any]) -> list[MeshChoice]:
             uncertainty += chosen[-1]["position_uncertainty"][name]
             accuracies.append(abs(errors[-1]) + uncertainty)
         seconds = sum(entry["seconds"]["median"] for entry in chosen)
-        found.append(MeshChoice(sequence, max(accuracies), seconds, chosen[-1]["peak_memory_MB"]))
-    found.sort(key=lambda choice: choice.seconds)
-    return [choice for i, choice in enumerate(found) if all(choice.accuracy < other.accuracy for other in found[:i])]
+        candidates.append(MeshChoice(sequence, max(accuracies), seconds, chosen[-1]["peak_memory_MB"]))
+    candidates.sort(key=lambda choice: choice.seconds)
+    return [
+        choice
+        for i, choice in enumerate(candidates)
+        if all(choice.accuracy < other.accuracy for other in candidates[:i])
+    ]
 
 
-def proposals(accuracy: float, record: dict[str, Any] | None) -> list[MeshChoice]:
+def proposals(accuracy: float, record: CostRecord | None) -> list[MeshChoice]:
     """The choices that reach an accuracy on the record's contact, the cheapest first.
 
     Raises:
@@ -87,14 +91,14 @@ def proposals(accuracy: float, record: dict[str, Any] | None) -> list[MeshChoice
     return good
 
 
-def reached(rows: Iterable[Row]) -> tuple[float, str]:
+def reached(rows: Iterable[AgreementRow]) -> tuple[float, str]:
     """Accuracy reached, and the quantity that it is that of.
 
     Deviation and uncertainty together; the uncertainty alone of a finding, whose reference is not its exact value.
     """
-    found = []
+    accuracies = []
     for row in rows:
         if row.quantity in JUDGED and row.uncertainty_percent is not None:
             deviation = 0.0 if row.tolerance_percent is None else abs(row.deviation_percent)
-            found.append((0.01 * (deviation + row.uncertainty_percent), row.quantity))
-    return max(found)
+            accuracies.append((0.01 * (deviation + row.uncertainty_percent), row.quantity))
+    return max(accuracies)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from typing import Any
 
 import matplotlib
+
+from fem_check.cost.record import CostRecord
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -21,7 +22,7 @@ ASIDE = 10.0
 """From a point to the middle of its number [pt]."""
 
 
-def draw(record: dict[str, Any]) -> Figure:
+def draw(record: CostRecord) -> Figure:
     """Worst error of a contact over the time it takes, for each element family, and for each mesh choice."""
     figure, axes = plt.subplots(figsize=(8.5, 5.5), layout="constrained")
     for index, family in enumerate(dict.fromkeys(entry["family"] for entry in record["meshes"])):
@@ -86,7 +87,7 @@ def _number_points(axes: Axes, numbers: Sequence[int]) -> None:
         )
 
 
-def png(record: dict[str, Any]) -> bytes:
+def png(record: CostRecord) -> bytes:
     """The picture as a file, without the date and version that would change it."""
     figure = draw(record)
     buffer = io.BytesIO()

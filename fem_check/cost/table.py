@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from fem_check.cost.measurement import JUDGED
 from fem_check.cost.mesh_choice import choices
+from fem_check.cost.record import CostRecord, FormCost, MeshCost, Spread
 from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Table
 from qsbearing.documents.numbers import duration, plain, unit_of
@@ -13,27 +12,30 @@ from qsbearing.documents.numbers import duration, plain, unit_of
 SHORT_NAMES = dict(zip(JUDGED, ("δ", "a", "b", "p0", "τmax"), strict=True))
 
 
-def spread(seconds: dict[str, float]) -> str:
+def spread(seconds: Spread) -> str:
     """Median, and smallest to largest, in a unit that suits them."""
     unit, size = unit_of(seconds["median"])
     median, low, high = (plain(seconds[name] / size, ".4g") for name in ("median", "low", "high"))
     return f"{median} ({low} to {high}) {unit}"
 
 
-def measured(record: dict[str, Any]) -> Table:
+def measured(record: CostRecord) -> Table:
     """Errors, time and memory of every closed form and every mesh."""
-    rows = []
-    for entry in [*record["closed_forms"], *record["meshes"]]:
-        label = f"{entry['family']}: {entry['elements_per_semi_axis']}" if "family" in entry else entry["label"]
-        errors = (f"{100.0 * entry['error'][name]:+.2g}" if name in entry["error"] else "" for name in JUDGED)
-        dofs, memory = (str(entry.get(name, "")) for name in ("dofs", "peak_memory_MB"))
-        rows.append((label, dofs, *errors, spread(entry["seconds"]), memory))
+    rows = [_line(form["label"], "", form, "") for form in record["closed_forms"]]
+    for mesh in record["meshes"]:
+        label = f"{mesh['family']}: {mesh['elements_per_semi_axis']}"
+        rows.append(_line(label, str(mesh["dofs"]), mesh, str(mesh["peak_memory_MB"])))
     title = f"One contact ({record['contact']}, a/b = {record['ellipticity']:.2f}); elements: number per semi-axis"
     headings = ("solved by", "unknowns", *(f"{name} %" for name in SHORT_NAMES.values()), "time", "MB")
     return Table(headings, rows, caption=title)
 
 
-def mesh_choices(record: dict[str, Any]) -> Table:
+def _line(label: str, dofs: str, cost: FormCost | MeshCost, memory: str) -> tuple[str, ...]:
+    errors = (f"{100.0 * cost['error'][name]:+.2g}" if name in cost["error"] else "" for name in JUDGED)
+    return label, dofs, *errors, spread(cost["seconds"]), memory
+
+
+def mesh_choices(record: CostRecord) -> Table:
     """What each accuracy costs, uncertainty included."""
     rows: list[tuple[str, ...]] = [
         (
@@ -52,7 +54,7 @@ def mesh_choices(record: dict[str, Any]) -> Table:
     return Table(("accuracy", "elements per semi-axis", "time of all three", "MB"), rows, caption=title)
 
 
-def remark(record: dict[str, Any]) -> str:
+def remark(record: CostRecord) -> str:
     """Where and how it was measured."""
     machine = record["machine"]
     return (

@@ -40,7 +40,7 @@ def pressure_displacement(
     Returns:
         shape (3, point, basis).
     """
-    found = np.zeros((3, points.shape[1], loads.shape[1]))
+    displacement = np.zeros((3, points.shape[1], loads.shape[1]))
     transposed = loads.T.tocsr()
     # Blocks of about 10 MB: the full table of points times samples would be the memory peak of a fine mesh.
     block = max(1, int(4e5 / load_points.shape[1]))
@@ -53,5 +53,5 @@ def pressure_displacement(
             for axis, part in enumerate(point_load_displacement(dx, dy, some[2][:, None], poisson_ratio)):
                 total[axis] += sign_x * part if is_odd else part
         for axis in range(3):
-            found[axis, start : start + block] = (transposed @ total[axis].T).T
-    return found
+            displacement[axis, start : start + block] = (transposed @ total[axis].T).T
+    return displacement

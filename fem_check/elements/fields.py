@@ -30,7 +30,7 @@ CELLS = {
 
 
 @dataclass(frozen=True)
-class Field:
+class NodalFields:
     """A body and what its nodes have; lengths [mm], stresses [MPa]."""
 
     nodes: Array
@@ -44,7 +44,7 @@ class Field:
     pressure: Array
     """Of the contact, zero elsewhere, (node,)."""
 
-    def scaled(self, length: float, stress: float) -> Field:
+    def scaled(self, length: float, stress: float) -> NodalFields:
         """A similar body: lengths are multiplied by one number, stresses, and so strains, by another."""
         return replace(
             self,
@@ -78,7 +78,7 @@ class Field:
         mesh.write(path, file_format="vtu")
 
 
-def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: ElasticConstants) -> Field:
+def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: ElasticConstants) -> NodalFields:
     """The field of a body.
 
     Args:
@@ -88,7 +88,7 @@ def of_body(space: DisplacementSpace, moved: Array, pressure: Array, material: E
         material: of the body.
     """
     stresses = 1e-6 * stress(space, moved, material)
-    return Field(1e3 * space.nodes, in_vtk_order(space), 1e3 * moved.T, stresses, 1e-6 * pressure)
+    return NodalFields(1e3 * space.nodes, in_vtk_order(space), 1e3 * moved.T, stresses, 1e-6 * pressure)
 
 
 def stress(space: DisplacementSpace, moved: Array, material: ElasticConstants) -> Array:
@@ -105,11 +105,11 @@ def stress(space: DisplacementSpace, moved: Array, material: ElasticConstants) -
     first = 2.0 * second * ratio / (1.0 - 2.0 * ratio)
     nodes = space.element_nodes.ravel()
     times = np.bincount(nodes, minlength=space.count)
-    found = []
+    components = []
     for i, j in COMPONENTS:
         values = second * (gradient[i, j] + gradient[j, i]) + (first * trace if i == j else 0.0)
-        found.append(np.bincount(nodes, values.T.ravel(), space.count) / times)
-    return np.stack(found)
+        components.append(np.bincount(nodes, values.T.ravel(), space.count) / times)
+    return np.stack(components)
 
 
 def in_vtk_order(space: DisplacementSpace) -> Array:

@@ -23,7 +23,7 @@ NEAR = 1e-9
 
 
 @dataclass(frozen=True)
-class Body:
+class RingGrid:
     """An annulus of unit width and its grid: elements round half of it, and through it."""
 
     bore_radius: float
@@ -114,8 +114,8 @@ class Body:
 class Ring:
     """A ring, and what it is in or on, if anything."""
 
-    ring: Body
-    seat: Body | None = None
+    ring: RingGrid
+    seat: RingGrid | None = None
 
     @cached_property
     def dofs(self) -> int:
@@ -155,14 +155,14 @@ class Ring:
     def moved(self, radius: float, loads: Array) -> Array:
         """Radial displacement round a rim of the ring, at equal angles from 0 to pi, by nodal loads on the ring."""
         by_free, factor = self._held
-        found = by_free @ factor.solve(by_free[: len(loads)].T @ loads)
-        return np.asarray(found[self.ring.rim(radius)])
+        displacement = by_free @ factor.solve(by_free[: len(loads)].T @ loads)
+        return np.asarray(displacement[self.ring.rim(radius)])
 
 
 def harmonics(values: Array) -> Array:
     """Coefficients of cos(n t), n = 0, 1, ..., of an even function given at equal angles from 0 to pi."""
     from scipy.fft import dct
 
-    found = dct(values, type=1) / (len(values) - 1)
-    found[[0, -1]] *= 0.5
-    return np.asarray(found)
+    coefficients = dct(values, type=1) / (len(values) - 1)
+    coefficients[[0, -1]] *= 0.5
+    return np.asarray(coefficients)

@@ -20,7 +20,7 @@ WHY_SPREAD = "the spread of the series as printed: grooves differ from bearing t
 
 
 @dataclass(frozen=True)
-class Printed:
+class CatalogueRow:
     """A row."""
 
     columns: dict[str, float]
@@ -102,18 +102,18 @@ class Printed:
         return float(c["C0"] / (c["Z"] * c["Dw_mm"] ** 2 * cos(radians(c["alpha_deg"]))))
 
 
-def rows() -> list[Printed]:
+def rows() -> list[CatalogueRow]:
     """All of the table."""
-    found = []
+    bearings = []
     for each in csv.DictReader(TABLE.read_text(encoding="utf-8").splitlines()):
         printed = each.pop("name")
         series, number, letter, *_ = printed.split()
         name = ("" if series == "S" else series) + "7" + number[1:].replace("/", "-") + letter
-        found.append(Printed({key: float(value) for key, value in each.items()}, name, series))
-    return found
+        bearings.append(CatalogueRow({key: float(value) for key, value in each.items()}, name, series))
+    return bearings
 
 
-def unlike_boundaries(table: list[Printed]) -> list[str]:
+def unlike_boundaries(table: list[CatalogueRow]) -> list[str]:
     """Designations whose bore is another than they say, or that have two sets of boundary dimensions."""
     known: dict[str, tuple[float, ...]] = {}
     return [
@@ -123,7 +123,7 @@ def unlike_boundaries(table: list[Printed]) -> list[str]:
     ]
 
 
-def unlike_twins(table: list[Printed]) -> list[str]:
+def unlike_twins(table: list[CatalogueRow]) -> list[str]:
     """Bearings of one size at two angles whose balls or pitch circles differ: their names without the letter."""
     known: dict[str, tuple[float, ...]] = {}
     unlike = []

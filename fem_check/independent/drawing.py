@@ -10,7 +10,7 @@ from fem_check.independent.groove import BallInGroove
 
 
 @dataclass(frozen=True)
-class Drawing:
+class BearingDrawing:
     """One bearing; SI units, radians. Nothing derived is taken over: curvatures, masses and lengths follow here."""
 
     name: str
@@ -80,7 +80,7 @@ class Drawing:
         apart = self.inner_groove_centre_radius - self.outer_groove_centre_radius
         return 2.0 * (self.groove_centre_distance - apart)
 
-    def with_ball(self, diameter: float) -> Drawing:
+    def with_ball(self, diameter: float) -> BearingDrawing:
         """A ball of another diameter between the same grooves; lengths of the rings are to be taken from this one."""
         return replace(self, ball_diameter=diameter)
 
@@ -91,7 +91,7 @@ class Drawing:
         outer_radius: float = 0.0,
         inner_centre: float = 0.0,
         outer_centre: float = 0.0,
-    ) -> Drawing:
+    ) -> BearingDrawing:
         """The drawing once the ball's diameter, the groove radii and the circles of groove centres have grown [m].
 
         The free contact line joins the groove centres; its angle follows from how far apart they now are, radially. A

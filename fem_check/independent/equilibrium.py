@@ -18,7 +18,7 @@ import numpy as np
 
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 
 AXIS = np.array([1.0, 0.0, 0.0])
 LOSING = 1.0 / 50.0
@@ -30,7 +30,7 @@ falls like 5^-n at the most (the next pole lies where the raceway's radius would
 
 
 @dataclass(frozen=True)
-class Model:
+class BalanceTerms:
     """What is asked for: the terms of the balance, and the hypotheses and forms in them."""
 
     centrifugal: bool = False
@@ -54,9 +54,9 @@ def own_angle(hertz_angle: str, angle: float) -> float | None:
 class BallRow:
     """One row of balls between its rings, and how they turn."""
 
-    drawing: Drawing
+    drawing: BearingDrawing
     """In operation, before loads act."""
-    model: Model
+    model: BalanceTerms
     azimuth: Array
     inner_speed: float = 0.0
     outer_speed: float = 0.0
@@ -68,7 +68,7 @@ class BallRow:
     """Of the inner and the outer contacts' approaches: 1 for half-spaces."""
 
     @cached_property
-    def balls(self) -> list[Drawing]:
+    def balls(self) -> list[BearingDrawing]:
         """The drawing as each ball has it."""
         if self.diameters is None:
             return [self.drawing] * len(self.azimuth)
@@ -160,7 +160,7 @@ class BallRow:
     def _at_one_angle(self) -> dict[str, tuple[Array, Array]]:
         return {race: tuple(np.exp(series[:, :, 0])) for race, series in self._laws.items()}
 
-    def state(self, centres: Array, positions: Array, control: Array | None, speed: float = 1.0) -> State:
+    def state(self, centres: Array, positions: Array, control: Array | None, speed: float = 1.0) -> BallStates:
         """Everything of the balls at these positions from the outer groove's centre; shapes (ball, 2) [m].
 
         Args:
@@ -174,7 +174,7 @@ class BallRow:
         approaches = distance[0] - inner_length, distance[1] - outer_length
         (k_i, _), (k_o, _) = self.law("inner", inner), self.law("outer", outer)
         q_i, q_o = (k * np.maximum(each, 0.0) ** 1.5 for k, each in zip((k_i, k_o), approaches, strict=True))
-        state = State(inner, outer, q_i, q_o, *approaches)
+        state = BallStates(inner, outer, q_i, q_o, *approaches)
         if control is not None:
             seen = rolling_line(inner, outer, approaches[0] / inner_length)
             radius = np.full_like(inner_length, 0.5 * self.drawing.pitch_diameter)
@@ -197,14 +197,14 @@ class BallRow:
                     ("inner", q_i, inner, state.inner_share, -self.ball_radius),
                     ("outer", q_o, outer, 1.0 - state.inner_share, self.ball_radius),
                 ):
-                    asked = share * state.moment / arm
-                    state.asked[race] = np.abs(asked)
+                    required = share * state.moment / arm
+                    state.required[race] = np.abs(required)
                     if self.model.friction_coefficient is not None:
                         most = self.model.friction_coefficient * load
-                        asked = np.clip(asked, -most, most)
+                        required = np.clip(required, -most, most)
                     # At arm * (sin, cos), a force f (-cos, sin) has the moment arm * f about e_t.
                     along = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
-                    state.friction[race] = asked[:, None] * along * ((q_i > 0.0) | (q_o > 0.0))[:, None]
+                    state.friction[race] = required[:, None] * along * ((q_i > 0.0) | (q_o > 0.0))[:, None]
         return state
 
     def _spin_weights(self, control: Array, q_i: Array, q_o: Array) -> tuple[Array, Array]:
@@ -232,7 +232,7 @@ class BallRow:
         weight = along_i / (along_i + along_o)
         return np.asarray((0.5 if self.model.harris_shares else 1.0) * weight)
 
-    def jones_control(self, state: State) -> Array:
+    def jones_control(self, state: BallStates) -> Array:
         """Which raceway controls each ball by Jones's criterion, Qo ao Eo cos(ai - ao) > Qi ai Ei."""
         (_, s_i), (_, s_o) = (
             (0.0, each) if self.model.hertz_angle != "actual" else self.law(race, normal)
@@ -244,7 +244,7 @@ class BallRow:
         at_outer, at_inner = state.q_o ** (4.0 / 3.0) * s_o * cosine, state.q_i ** (4.0 / 3.0) * s_i
         return np.where((at_outer > at_inner) | (state.q_i <= 0.0), "outer", "inner")
 
-    def on_ring(self, state: State) -> Array:
+    def on_ring(self, state: BallStates) -> Array:
         """What holds the inner ring against each ball: x, y, z [N], moments about y and z [N m]; shape (ball, 5).
 
         Each force acts at its contact, a groove radius from the groove's centre, which is `lever` from the axis.
@@ -258,7 +258,7 @@ class BallRow:
         return np.stack([f_x, f_y, f_z, z * f_x - x * f_z, x * f_y - y * f_x], axis=1)
 
 
-class State:
+class BallStates:
     """The balls of a row at one place; arrays (ball, ...)."""
 
     def __init__(self, inner: Array, outer: Array, q_i: Array, q_o: Array, delta_i: Array, delta_o: Array) -> None:
@@ -269,7 +269,7 @@ class State:
         self.orbit, self.rotation = none, plane
         self.centrifugal, self.moment, self.inner_share = none, none, none
         """Outward [N]; about e_t [N m]; of it, by the inner raceway."""
-        self.asked = {"inner": none, "outer": none}
+        self.required = {"inner": none, "outer": none}
         """Friction that the shares ask for, whatever the contact can carry [N]."""
         self.friction = {"inner": plane, "outer": plane}
         """On the ball, in (e_x, e_r) [N]."""

@@ -33,5 +33,5 @@ def amplitude(ellipticity: float) -> tuple[float, float]:
         r2 = x**2 + (across - y) ** 2 + depth**2
         return -float(abs(np.sum(1.5 / pi * load * (across - y) * depth**2 / r2**2.5)))
 
-    found = minimize(negative, np.array([0.85, 0.45]), method="Nelder-Mead", options={"xatol": 1e-8, "fatol": 1e-14})
-    return -float(found.fun), float(found.x[1])
+    minimum = minimize(negative, np.array([0.85, 0.45]), method="Nelder-Mead", options={"xatol": 1e-8, "fatol": 1e-14})
+    return -float(minimum.fun), float(minimum.x[1])

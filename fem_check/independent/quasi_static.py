@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.equilibrium import BallRow, State
+from fem_check.independent.equilibrium import BallRow, BallStates
 
 CHANNELS = 6
 """Of the shaft: five, and the slide of sprung outer rings."""
@@ -63,7 +63,7 @@ def alone() -> Array:
 
 
 @dataclass(frozen=True)
-class Problem:
+class BalanceProblem:
     """What is to be in equilibrium. Of each of the shaft's channels its load, or (held) its displacement."""
 
     rows: tuple[Placed, ...]
@@ -87,14 +87,14 @@ class Problem:
 class Equilibrium:
     """The shaft's displacement, and all balls."""
 
-    problem: Problem
+    problem: BalanceProblem
     shaft: Array
     positions: tuple[Array, ...]
     """Of the balls' centres from the outer groove's, row by row; shape (ball, 2) [m]."""
     controls: tuple[Array | None, ...]
 
     @property
-    def states(self) -> list[State]:
+    def states(self) -> list[BallStates]:
         """Row by row."""
         return [
             placed.row.state(placed.row.groove_centres(placed.moved(self.shaft)), position, control)
@@ -113,7 +113,7 @@ class Equilibrium:
 
 
 def solve(
-    problem: Problem,
+    problem: BalanceProblem,
     start: tuple[Array, Sequence[Array]],
     controls: Sequence[Array | None],
     speed: float = 1.0,
@@ -166,7 +166,7 @@ def solve(
 
 
 def _imbalance(
-    problem: Problem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
+    problem: BalanceProblem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
 ) -> float:
     """The largest of any ball and of the shaft's free channels, over the largest force."""
     unbalanced, forces, left = problem.load.copy(), [1e-30], [0.0]
@@ -182,7 +182,7 @@ def _imbalance(
 
 
 def _linearised(
-    problem: Problem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
+    problem: BalanceProblem, shaft: Array, positions: Sequence[Array], controls: Sequence[Array | None], speed: float
 ) -> tuple[Array, Array, list[tuple[Array, Array]]]:
     """The shaft's stiffness and imbalance with the balls eliminated, and each row's moves of its balls: by themselves
     (ball, 2, 1), and by their groove centres (ball, 2, 2)."""
@@ -209,7 +209,7 @@ def _linearised(
     return stiffness, unbalanced, moves
 
 
-def at_rest(problem: Problem) -> tuple[Array, Sequence[Array]]:
+def at_rest(problem: BalanceProblem) -> tuple[Array, Sequence[Array]]:
     """A start: the set at rest, each ball a spring along the line between its groove centres.
 
     Its energy is convex in the shaft's displacement; a stiffness is added while a step does not lower it.
@@ -256,7 +256,7 @@ def at_rest(problem: Problem) -> tuple[Array, Sequence[Array]]:
     return shaft, positions
 
 
-def at_speed(problem: Problem, controls: Sequence[Array | None]) -> Equilibrium:
+def at_speed(problem: BalanceProblem, controls: Sequence[Array | None]) -> Equilibrium:
     """The equilibrium that continues the one at rest, by Newton's method in as few steps of speed as it takes.
 
     Raises:
@@ -267,42 +267,44 @@ def at_speed(problem: Problem, controls: Sequence[Array | None]) -> Equilibrium:
         start = rest
         try:
             for part in np.sqrt(np.arange(1, count + 1) / count):
-                found = solve(problem, start, controls, float(part))
-                start = found.shaft, found.positions
+                equilibrium = solve(problem, start, controls, float(part))
+                start = equilibrium.shaft, equilibrium.positions
         except (NoReferenceError, np.linalg.LinAlgError):
             continue
-        return found
+        return equilibrium
     raise NoReferenceError("no equilibrium was found on the way from rest")
 
 
-def stiffness(found: Equilibrium) -> Array:
+def stiffness(equilibrium: Equilibrium) -> Array:
     """Of the shaft, by differences between independent equilibria with all channels held; shape (5, 5), SI.
 
     A sprung ring keeps its spring's force.
     """
-    problem, columns = found.problem, []
+    problem, columns = equilibrium.problem, []
     held = np.append(np.ones(5, bool), problem.held[5])
-    pressed = [np.maximum(each.delta_i, each.delta_o).max() for each in found.states]
+    pressed = [np.maximum(each.delta_i, each.delta_o).max() for each in equilibrium.states]
     step = 1e-4 * max(float(np.max(pressed)), 1e-9)
     for channel in range(5):
         move = step / problem.scale[channel] * np.eye(CHANNELS)[channel]
         loads = []
-        for shaft in (found.shaft + move, found.shaft - move):
+        for shaft in (equilibrium.shaft + move, equilibrium.shaft - move):
             moved = replace(problem, held=held, shaft=shaft)
-            loads.append(solve(moved, (shaft, found.positions), found.controls).load[:5])
+            loads.append(solve(moved, (shaft, equilibrium.positions), equilibrium.controls).load[:5])
         columns.append((loads[0] - loads[1]) / (2.0 * move[channel]))
     return np.stack(columns, axis=1)
 
 
-def settles(found: Equilibrium) -> bool:
+def settles(equilibrium: Equilibrium) -> bool:
     """Whether Jones's criterion, asked again and again from this equilibrium, comes to controls that it confirms."""
     for _ in range(8):
-        rows = zip(found.problem.rows, found.states, strict=True)
-        asked = [placed.row.jones_control(state) for placed, state in rows]
-        if all(own is not None and (each == own).all() for each, own in zip(asked, found.controls, strict=True)):
+        rows = zip(equilibrium.problem.rows, equilibrium.states, strict=True)
+        controls = [placed.row.jones_control(state) for placed, state in rows]
+        if all(
+            own is not None and (each == own).all() for each, own in zip(controls, equilibrium.controls, strict=True)
+        ):
             return True
         try:
-            found = solve(found.problem, (found.shaft, found.positions), asked)
+            equilibrium = solve(equilibrium.problem, (equilibrium.shaft, equilibrium.positions), controls)
         except NoReferenceError:
             return False
     return False

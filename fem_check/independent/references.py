@@ -128,8 +128,8 @@ def largest_shear(ellipticity: float, poisson_ratio: float) -> tuple[float, floa
         principal = (stress_x, stress_y, stress_z)
         return 0.5 * (max(principal) - min(principal))
 
-    found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-8})
-    return -float(found.fun), float(found.x)
+    minimum = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-8})
+    return -float(minimum.fun), float(minimum.x)
 
 
 def curvature_ratio(ratio: float) -> float:

@@ -22,7 +22,7 @@ from fem_check.independent.contact_problem import Array
 
 
 @dataclass(frozen=True)
-class Annulus:
+class LameRing:
     """A ring, a shaft (bore 0: solid) or a housing; SI units."""
 
     bore_radius: float
@@ -45,14 +45,15 @@ class Annulus:
         return np.array([radius, 1.0 / radius]), self._rotation(radius)[0] + with_heat * self.strain * radius
 
     def radial_stress(self, radius: float) -> tuple[Array, float]:
-        """Likewise of sigma_r; of a solid body at its centre the condition that u vanishes there."""
+        """Row of the coefficients of (c1, c2) in sigma_r, and its known part; of a solid body at its centre the
+        condition that u vanishes there."""
         if radius == 0.0:
             return np.array([0.0, 1.0]), 0.0
         e, nu = self.elastic_modulus, self.poisson_ratio
         return np.array([e / (1.0 - nu), -e / (1.0 + nu) / radius**2]), self._rotation(radius)[1]
 
 
-def elastic_growth(ring: Annulus, radius: float, seat: Annulus | None = None, interference: float = 0.0) -> float:
+def elastic_growth(ring: LameRing, radius: float, seat: LameRing | None = None, interference: float = 0.0) -> float:
     """Outward displacement of a ring at a radius, but for that by its own heat [m].
 
     Args:
@@ -70,7 +71,7 @@ def elastic_growth(ring: Annulus, radius: float, seat: Annulus | None = None, in
     return float(row @ free) + known
 
 
-def _joined(inside: Annulus, outside: Annulus, interference: float) -> Array | None:
+def _joined(inside: LameRing, outside: LameRing, interference: float) -> Array | None:
     """(c1, c2) of both bodies; None where the seat is open."""
     seat, none = inside.outside_radius, np.zeros(2)
     (stress_in, known_in), (stress_out, known_out) = inside.radial_stress(seat), outside.radial_stress(seat)
@@ -81,11 +82,13 @@ def _joined(inside: Annulus, outside: Annulus, interference: float) -> Array | N
     right = [-at_bore, -at_end, known_out - known_in, 0.5 * interference + by_in - by_out]
     # Stiffnesses and lengths in one matrix: rows are brought to one size.
     size = np.abs(rows).max(axis=1)
-    found = np.linalg.solve(np.array(rows) / size[:, None], np.array(right) / size)
-    return np.asarray(found) if stress_in @ found[:2] + known_in < 0.0 else None
+    constants = np.linalg.solve(np.array(rows) / size[:, None], np.array(right) / size)
+    return np.asarray(constants) if stress_in @ constants[:2] + known_in < 0.0 else None
 
 
-def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]) -> float:
+def compliance_on_shaft(
+    radii: tuple[float, float, float], ring: tuple[float, float], shaft: tuple[float, float]
+) -> float:
     """Inward displacement of a ring's outer rim by a unit pressure round it, the ring on a hollow shaft [m/Pa].
 
     Plane stress; Lame's cylinders under pressure inside and outside, which share one displacement at the seat.
@@ -93,7 +96,7 @@ def give_on_shaft(radii: tuple[float, float, float], ring: tuple[float, float], 
     Args:
         radii: the shaft's bore, the seat, the ring's outer rim [m].
         ring: Young's modulus [Pa] and Poisson's ratio.
-        shaft: likewise.
+        shaft: Young's modulus [Pa] and Poisson's ratio.
     """
     c, a, b = radii
 

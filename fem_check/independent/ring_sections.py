@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import acos, cos, degrees, radians
 
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 
 # Bore, outside diameter and width of the 218 series (90, 160, 30 mm), radii in ball diameters from the pitch circle of
 # B218: what a bearing gets whose ring sections are not known.
@@ -76,7 +76,7 @@ class RingSections:
                     known[name], sources[name] = value, source
         return cls(known, sources, is_symmetric)
 
-    def checked(self, drawing: Drawing) -> RingSections:
+    def checked(self, drawing: BearingDrawing) -> RingSections:
         """These, where they make rings of a drawing.
 
         Raises:
@@ -92,7 +92,7 @@ class RingSections:
             raise SectionError(f"{drawing.name}: " + "; ".join(faults))
         return self
 
-    def profile(self, drawing: Drawing, race: str, contact: tuple[float, float] | None = None) -> RingProfile:
+    def profile(self, drawing: BearingDrawing, race: str, contact: tuple[float, float] | None = None) -> RingProfile:
         """A ring's section.
 
         Args:
@@ -111,16 +111,16 @@ class RingSections:
             self._shoulder(drawing, race, "open", contact),
         )
 
-    def alternatives(self, drawing: Drawing, race: str, contact: tuple[float, float]) -> list[list[RingProfile]]:
+    def alternatives(self, drawing: BearingDrawing, race: str, contact: tuple[float, float]) -> list[list[RingProfile]]:
         """Beside `profile`, what a ring may look like: of each assumed dimension, both ends of its usual range."""
         usual = self.profile(drawing, race, contact)
         side, ball = (-1.0 if race == "inner" else 1.0), drawing.ball_diameter
-        found = []
+        profiles = []
         if ("bore_diameter" if race == "inner" else "outside_diameter") not in self.known:
             backs = (0.5 * drawing.pitch_diameter + side * offset * ball for offset in BACK_SPREAD)
-            found.append([replace(usual, back_radius=back) for back in backs if back > 0.0])
+            profiles.append([replace(usual, back_radius=back) for back in backs if back > 0.0])
         if "width" not in self.known:
-            found.append([replace(usual, width=width * ball) for width in WIDTH_SPREAD])
+            profiles.append([replace(usual, width=width * ball) for width in WIDTH_SPREAD])
         angle, reach = contact
         for which, name, needed in (
             ("shoulder", "high_shoulder", angle + reach),
@@ -128,8 +128,8 @@ class RingSections:
         ):
             if self._given_shoulder(race, which) is None:
                 ends = (getattr(usual, name) + step for step in (-SHOULDER_SPREAD, SHOULDER_SPREAD))
-                found.append([replace(usual, **{name: min(max(end, needed), HIGHEST)}) for end in ends])
-        return found
+                profiles.append([replace(usual, **{name: min(max(end, needed), HIGHEST)}) for end in ends])
+        return profiles
 
     def _given_shoulder(self, race: str, side: str) -> float | None:
         """A shoulder's diameter; of a symmetric ring, the other one's will do."""
@@ -137,7 +137,7 @@ class RingSections:
         names = (f"{race}_{side}_diameter", *([f"{race}_{other}_diameter"] if self.is_symmetric else []))
         return next((self.known[name] for name in names if name in self.known), None)
 
-    def _shoulder(self, drawing: Drawing, race: str, side: str, contact: tuple[float, float] | None) -> float:
+    def _shoulder(self, drawing: BearingDrawing, race: str, side: str, contact: tuple[float, float] | None) -> float:
         given = self._given_shoulder(race, side)
         if given is not None:
             centre, radius, sign = _groove(drawing, race)
@@ -149,7 +149,7 @@ class RingSections:
         needed = (angle if side == "shoulder" else -angle) + reach + BESIDE
         return max(usual, min(needed, HIGHEST))
 
-    def told(self, drawing: Drawing, profiles: Mapping[str, RingProfile]) -> str:
+    def told(self, drawing: BearingDrawing, profiles: Mapping[str, RingProfile]) -> str:
         """Every dimension with where it comes from: one sentence for a table's note."""
         by_source: dict[str, list[str]] = {}
         for name, value in self.known.items():
@@ -178,25 +178,25 @@ class RingSections:
         return "Rings: " + "; ".join(parts) + "."
 
 
-def _groove(drawing: Drawing, race: str) -> tuple[float, float, float]:
+def _groove(drawing: BearingDrawing, race: str) -> tuple[float, float, float]:
     """Radius of the circle of groove centres, groove radius, and the side of the raceway seen from there."""
     if race == "inner":
         return drawing.inner_groove_centre_radius, drawing.inner_groove_radius, -1.0
     return drawing.outer_groove_centre_radius, drawing.outer_groove_radius, 1.0
 
 
-def _limits(drawing: Drawing) -> dict[str, tuple[float, float, str]]:
+def _limits(drawing: BearingDrawing) -> dict[str, tuple[float, float, str]]:
     """Between what each dimension lies, and why."""
-    found = {}
+    limits = {}
     for race in ("inner", "outer"):
         centre, radius, sign = _groove(drawing, race)
         bottom = 2.0 * (centre + sign * radius)
         if race == "inner":
-            found["bore_diameter"] = (0.0, bottom, "the bottom of the inner groove")
+            limits["bore_diameter"] = (0.0, bottom, "the bottom of the inner groove")
         else:
-            found["outside_diameter"] = (bottom, float("inf"), "the bottom of the outer groove")
+            limits["outside_diameter"] = (bottom, float("inf"), "the bottom of the outer groove")
         for side in ("shoulder", "open"):
             low, high = sorted((bottom, 2.0 * centre))
-            found[f"{race}_{side}_diameter"] = low, high, "the groove's bottom and the circle of its centres"
-    found["width"] = (0.5 * drawing.ball_diameter, float("inf"), "half a ball")
-    return found
+            limits[f"{race}_{side}_diameter"] = low, high, "the groove's bottom and the circle of its centres"
+    limits["width"] = (0.5 * drawing.ball_diameter, float("inf"), "half a ball")
+    return limits

@@ -20,7 +20,7 @@ from fem_check.independent.contact_problem import Array
 
 
 @dataclass(frozen=True)
-class Section:
+class BeamSection:
     """A length of the shaft; SI units."""
 
     begin: float
@@ -45,8 +45,8 @@ class Section:
         return k * self.elastic_modulus / (2.0 * (1.0 + nu)) * area
 
 
-def shape(sections: list[Section], at: Array, forces: Array, moments: Array, asked: Array) -> Array:
-    """Deflection and slope at `asked`, from the first section's begin, where both are taken as zero; (2, asked).
+def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array, stations: Array) -> Array:
+    """Deflection and slope at `stations`, from the first section's begin, where both are taken as zero; (2, station).
 
     Args:
         sections: end to end.
@@ -55,9 +55,9 @@ def shape(sections: list[Section], at: Array, forces: Array, moments: Array, ask
         moments: that turn it in the sense of a positive slope [N m].
         asked: positions [m].
     """
-    stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, asked]))
+    stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, stations]))
     w, slope = 0.0, 0.0
-    found = {stops[0]: (w, slope)}
+    deflections = {stops[0]: (w, slope)}
     for x, beyond in itertools.pairwise(stops):
         section = next(each for each in sections if each.begin <= 0.5 * (x + beyond) <= each.end)
         right = at > 0.5 * (x + beyond)
@@ -66,5 +66,5 @@ def shape(sections: list[Section], at: Array, forces: Array, moments: Array, ask
         h, bending = beyond - x, section.bending
         w += slope * h + (0.5 * moment * h**2 - shear * h**3 / 6.0) / bending + shear * h / section.shear
         slope += (moment * h - 0.5 * shear * h**2) / bending
-        found[beyond] = (w, slope)
-    return np.array([found[each] for each in asked]).T
+        deflections[beyond] = (w, slope)
+    return np.array([deflections[each] for each in stations]).T

@@ -11,7 +11,7 @@ largest pressure is that of the central rectangle, so it too comes from the pres
 For any contact that stays within the half-spaces' linear theory: gap and pressure along the contact's normal. Where the
 pressure follows the surface that the bodies share, of slope s across the groove, the half-space between two rectangles
 lies along their chord, of slope (s + s')/2; their forces and displacements, along the normals at its two ends, are
-inclined to it by half their difference either way. With the influence A of a pressure, B = x^2/r^3 summed likewise, and
+inclined to it by half their difference either way. With the influence A of a pressure, B = x^2/r^3 summed as A is, and
 e = nu/(1 - nu), the tangential influence along x is A + e B (Cerruti; Johnson 1985, eq. 3.75), and to the second order
 
     A -> A - (s^2 + s'^2)(1/2 + e)/4 B + s s' (A + (e - 1/2)/2 B).
@@ -49,7 +49,7 @@ MAX_ITERATIONS = 1000
 
 
 @dataclass(frozen=True)
-class OverHertz:
+class BoundaryElementRatios:
     """A contact's quantities over Hertz's."""
 
     ratio: dict[str, float]
@@ -58,7 +58,7 @@ class OverHertz:
 
 
 @lru_cache(maxsize=256)
-def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> OverHertz:
+def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> BoundaryElementRatios:
     """A ball in its groove with the exact gap; about a second.
 
     Args:
@@ -72,7 +72,7 @@ def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False)
     problem = groove.problem(load)
     slope = groove.shared_slope if follows_surface else None
     coarse, fine = (_over_parabola(problem, groove.gap, slope, points) for points in GRIDS)
-    return OverHertz(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
+    return BoundaryElementRatios(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
 
 
 def _over_parabola(
@@ -98,7 +98,7 @@ def quantities(
     exact = hertz(problem)
     a, b = exact.semi_major_axis, exact.semi_minor_axis
     compliance = problem.ball.compliance + problem.race.compliance
-    found = []
+    at_positions = []
     for position in range(POSITIONS):
         # Rectangles per semi-axis, from half a rectangle less to half a rectangle more.
         resolution = points / SEMI_AXIS_SPAN + (position + 0.5) / POSITIONS - 0.5
@@ -117,7 +117,7 @@ def quantities(
         hertzian = np.sqrt(np.maximum(1.0 - index[:, None] ** 2 - index**2, 0.0))
         pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined, hertzian)
         share = pressure / pressure.sum()
-        found.append(
+        at_positions.append(
             (
                 approach * b / exact.approach,
                 np.sqrt(5.0 * (share.sum(axis=1) @ index**2)),
@@ -125,7 +125,7 @@ def quantities(
                 pressure.max() / compliance / exact.max_pressure,
             )
         )
-    return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(found, axis=0)), strict=True))
+    return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
 
 
 def solve(

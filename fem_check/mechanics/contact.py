@@ -159,8 +159,8 @@ def active_set(
         left = flexibility[:, inside] @ pressure[inside] + gaps - motions @ moved
         return Trial(pressure, left, 1e-12 * moved[0] * areas), moved
 
-    active, found, moved = settle(flexibility, start, given)
-    return found.pressure, moved, np.where(active, 0.0, found.left)
+    active, trial, moved = settle(flexibility, start, given)
+    return trial.pressure, moved, np.where(active, 0.0, trial.left)
 
 
 def settle(

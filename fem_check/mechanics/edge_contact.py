@@ -36,7 +36,7 @@ NEAR_EDGE = (0.02, 0.15)
 
 
 @dataclass(frozen=True)
-class Unit:
+class UnitContact:
     """Hertz's contact with b = 1, p0 = 1, E* = 1."""
 
     ellipticity: float
@@ -75,7 +75,7 @@ class Cut:
     """Pressure, over p0; where the edge is sharp it is the grid's."""
 
 
-def opened(unit: Unit, edge: float, radius: float) -> contact.GapFunction:
+def opened(unit: UnitContact, edge: float, radius: float) -> contact.GapFunction:
     """The gap above a groove and its rounded edge."""
     return lambda x, y: unit.gap(x, y) + np.where(x > edge, (x - edge) ** 2 / (2.0 * radius), 0.0)
 
@@ -87,7 +87,7 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
         radius: of the edge over b E*/p0; None: sharp.
         finer: by how much the rectangles are smaller.
     """
-    unit, edge = Unit(ellipticity), ellipticity * (1.0 - 2.0 * share)
+    unit, edge = UnitContact(ellipticity), ellipticity * (1.0 - 2.0 * share)
     first, beyond = FIRST / finer, 0.0
     if radius is not None:
         # The contact ends soon beyond the edge, within a few of this length.
@@ -125,7 +125,9 @@ def cut(share: float, ellipticity: float, radius: float | None = None, finer: fl
     )
 
 
-def _pressed(x: Array, y: Array, area: Array, influence: Array, unit: Unit, edge: float, radius: float | None) -> Array:
+def _pressed(
+    x: Array, y: Array, area: Array, influence: Array, unit: UnitContact, edge: float, radius: float | None
+) -> Array:
     """Pressure of each rectangle at the approach of the uncut contact."""
     gap = unit.gap if radius is None else opened(unit, edge, radius)
     # Weighted with the areas it is nearly symmetric, and is made so.

@@ -14,7 +14,7 @@ import numpy as np
 from fem_check.elements.elastic_body import HeldBlock, Support
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.independent.contact_problem import Array, GapFunction
-from fem_check.mechanics.edge_contact import Cut, Unit, fixed_approach, graded, opened
+from fem_check.mechanics.edge_contact import Cut, UnitContact, fixed_approach, graded, opened
 
 POISSON_RATIO = 0.3
 FIRST, GROWTH = 0.015, 1.5
@@ -41,7 +41,7 @@ class Block:
 
     def cut(self, share: float, ellipticity: float, radius: float | None = None) -> Cut:
         """As `edge_contact.cut`."""
-        unit, edge = Unit(ellipticity), ellipticity * (1.0 - 2.0 * share)
+        unit, edge = UnitContact(ellipticity), ellipticity * (1.0 - 2.0 * share)
         basis, gap = self.basis, unit.gap if radius is None else opened(unit, edge, radius)
         # Parts of each function's even and odd half: hats within the groove, whole ones on a rounded edge, and beyond.
         one = np.identity(len(basis.forces))

@@ -32,7 +32,7 @@ INCREMENTS, HALVINGS = 15, 5
 """Of the indentation; of one that does not converge."""
 
 
-class State(NamedTuple):
+class PlasticState(NamedTuple):
     """Displacements; at the Gauss points plastic strain, its equivalent, stress; nodes in contact, and their forces."""
 
     moved: Array
@@ -97,7 +97,7 @@ class Indentation:
         strains += VOLUME[:, None] / 3.0 * (mean[:, None] - own)[:, :, None]
         return n, np.stack([2 * corners, 2 * corners + 1], axis=-1).reshape(-1, 8), strains, volume
 
-    def _returned(self, moved: Array, before: State) -> tuple[Array, Array, Array, Array]:
+    def _returned(self, moved: Array, before: PlasticState) -> tuple[Array, Array, Array, Array]:
         """Stresses, tangents, plastic strains and hardening at displacements, from the state before."""
         e, nu = self.material.elastic_modulus, self.material.poisson_ratio
         bulk, shear = e / (3.0 - 6.0 * nu), e / (2.0 + 2.0 * nu)
@@ -123,7 +123,7 @@ class Indentation:
         stress = kept * trial + bulk * (strain @ VOLUME)[..., None] * VOLUME
         return stress, tangent, before.plastic + flow, before.hardening + step
 
-    def pressed(self, depth: float | None, before: State) -> State:
+    def pressed(self, depth: float | None, before: PlasticState) -> PlasticState:
         """The state at an indentation, or (None) without the indenter; ContactError where it does not converge."""
         numbers, unknowns, strains, volume = self._mesh
         size, surface = 2 * numbers.size, 2 * numbers[:, 0] + 1
@@ -147,7 +147,7 @@ class Indentation:
             fits = not now.any() or float(np.abs(over[now]).max()) < 1e-9 * self.radius**2
             # Without the indenter all forces vanish together, and one step of Newton's method takes them away.
             if iteration and fits and (now == touching).all() and left < (1e-6 if now.any() else np.inf):
-                return State(moved, plastic, hardening, stress, touching, -forces[surface] * touching)
+                return PlasticState(moved, plastic, hardening, stress, touching, -forces[surface] * touching)
             touching, change = now, np.zeros(size)
             change[surface[now]] = -over[now]
             blocks = np.einsum("eg,egki,egkl,eglj->eij", volume, strains, tangent, strains, optimize=True)
@@ -156,7 +156,7 @@ class Indentation:
             moved = moved + change
         raise ContactError(f"the indentation of {self.elements} elements did not converge")
 
-    def _deeper(self, depth: float, by: float, before: State, halvings: int = HALVINGS) -> State:
+    def _deeper(self, depth: float, by: float, before: PlasticState, halvings: int = HALVINGS) -> PlasticState:
         try:
             with np.errstate(over="ignore", invalid="ignore"):
                 return self.pressed(depth + by, before)
@@ -166,11 +166,11 @@ class Indentation:
         half = self._deeper(depth, 0.5 * by, before, halvings - 1)
         return self._deeper(depth + 0.5 * by, 0.5 * by, half, halvings - 1)
 
-    def loaded(self) -> State:
+    def loaded(self) -> PlasticState:
         """At the load."""
         numbers, _, strains, volume = self._mesh
         points, nodes, zero = np.zeros(volume.shape), np.zeros(len(numbers)), np.zeros_like(strains[..., 0])
-        state = State(np.zeros(2 * numbers.size), zero, points, zero, np.arange(len(nodes)) == 0, nodes)
+        state = PlasticState(np.zeros(2 * numbers.size), zero, points, zero, np.arange(len(nodes)) == 0, nodes)
         step, depth, load = self.radius**2 * (2.0 if self.is_line else 1.0) / INCREMENTS, 0.0, 0.0
         for _ in range(10 * INCREMENTS):
             further = self._deeper(depth, step, state)
@@ -183,16 +183,16 @@ class Indentation:
                 step *= (self.load - load) / (total - load)
         raise ContactError("the load was not reached")
 
-    def dent(self, loaded: State) -> float:
+    def dent(self, loaded: PlasticState) -> float:
         """Depth at the centre once unloaded, over R'."""
         return -float(self.pressed(None, loaded).moved[2 * self._mesh[0][0, 0] + 1])
 
-    def contact_radius(self, loaded: State) -> float:
+    def contact_radius(self, loaded: PlasticState) -> float:
         """From the forces' second moment: 2 a^2/5, of a line a^2/4."""
         second = float(loaded.forces @ self.lines**2 / loaded.forces.sum())
         return float(np.sqrt((4.0 if self.is_line else 2.5) * second))
 
-    def largest_mises(self, loaded: State) -> float:
+    def largest_mises(self, loaded: PlasticState) -> float:
         """Of any element, the mean of its points [Pa]."""
         part = loaded.stress - (loaded.stress @ VOLUME / 3.0)[..., None] * VOLUME
         squares = (part[..., :3] ** 2).sum(axis=-1) + 2.0 * part[..., 3] ** 2

@@ -25,12 +25,13 @@ from fem_check.mechanics import contact, measuring
 from fem_check.mechanics.contact import ContactSolution
 from fem_check.mechanics.measuring import Measured
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Level, Row, covered
+from fem_check.rows.agreement import AgreementRow, MeshLevel, covered
+from fem_check.rows.record import MeshRecord
 
 if TYPE_CHECKING:
     from skfem import MeshHex
 
-SEQUENCES = {Level.QUICK: (4, 6, 8), Level.RELEASE: (8, 12, 16)}
+SEQUENCES = {MeshLevel.QUICK: (4, 6, 8), MeshLevel.RELEASE: (8, 12, 16)}
 """Elements per semi-axis, coarse to fine."""
 STRETCHES = ((1.0, 1.0), (1.03, 1.07), (1.07, 0.97))
 """Of the mesh along x and along y and z against the contact's own proportions: aligned first, then misaligned."""
@@ -44,8 +45,8 @@ slope of the stress vanishes, and slopes converge one order slower than the stre
 # all tell the published Hertz fits (0.3 to 0.7 %) and any error in a formula from the exact form. The shear is flat at
 # its maximum, so its depth is known to a few times less.
 TOLERANCES = {
-    Level.QUICK: {**dict.fromkeys(QUANTITIES, 0.3), "approach": 0.13, "max_shear_depth": 1.0},
-    Level.RELEASE: {
+    MeshLevel.QUICK: {**dict.fromkeys(QUANTITIES, 0.3), "approach": 0.13, "max_shear_depth": 1.0},
+    MeshLevel.RELEASE: {
         "approach": 0.01,
         "semi_major_axis": 0.05,
         "semi_minor_axis": 0.05,
@@ -55,9 +56,9 @@ TOLERANCES = {
     },
 }
 WHY = {
-    Level.QUICK: "one to two times the meshes' uncertainty: below the error of any published Hertz fit (0.3 to 0.7 %); "
-    "depth: the maximum is flat",
-    Level.RELEASE: "twice the meshes' uncertainty, ten times below the published Hertz fits; depth: a flat maximum",
+    MeshLevel.QUICK: "one to two times the meshes' uncertainty: below the error of any published Hertz fit (0.3 to "
+    "0.7 %); depth: the maximum is flat",
+    MeshLevel.RELEASE: "twice the meshes' uncertainty, ten times below the published Hertz fits; depth: a flat maximum",
 }
 
 
@@ -195,21 +196,21 @@ def mesh_study(
     return MeshStudy(problem, solution, sequence, stretched_out, sizes, bodies)
 
 
-def mesh_entry(found: MeshStudy) -> dict[str, object]:
+def mesh_entry(study: MeshStudy) -> MeshRecord:
     """The finest mesh, as the record keeps it."""
     return {
-        "elements_per_semi_axis": found.bodies.recipe.elements_per_semi_axis,
-        "dofs": found.bodies.race.dofs,
-        "file": found.bodies.recipe.file_name,
+        "elements_per_semi_axis": study.bodies.recipe.elements_per_semi_axis,
+        "dofs": study.bodies.race.dofs,
+        "file": study.bodies.recipe.file_name,
     }
 
 
-def largest_dofs(level: Level) -> int:
+def largest_dofs(level: MeshLevel) -> int:
     """Unknowns of the finest mesh of a level."""
     return meshing.half_space(SEQUENCES[level][-1]).dofs
 
 
-def field(study: MeshStudy) -> fields.Field:
+def field(study: MeshStudy) -> fields.NodalFields:
     """Displacement, stress and pressure in the raceway's half-space: the quarter x, y >= 0 of its finest mesh.
 
     At one position of the contact's edge in the mesh, in the middle of those that the result is the mean of.
@@ -230,18 +231,20 @@ def field(study: MeshStudy) -> fields.Field:
     return fields.of_body(space, moved, on_contact, race).scaled(length=length, stress=1.0)
 
 
-def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tuple[str, ...] = ()) -> list[Row]:
+def rows(
+    case: str, study: MeshStudy, level: MeshLevel, source: str, quantities: tuple[str, ...] = ()
+) -> list[AgreementRow]:
     """The contact compared with Hertz."""
-    exact = hertz(found.problem)
+    exact = hertz(study.problem)
     table = [
-        Row(
+        AgreementRow(
             case,
             quantity,
             QUANTITIES[quantity],
             getattr(exact, quantity),
             source,
-            found.value(quantity),
-            100.0 * found.uncertainty(quantity) / abs(getattr(exact, quantity)),
+            study.value(quantity),
+            100.0 * study.uncertainty(quantity) / abs(getattr(exact, quantity)),
             TOLERANCES[level][quantity],
             WHY[level],
         )
@@ -250,11 +253,11 @@ def rows(case: str, found: MeshStudy, level: Level, source: str, quantities: tup
     return [*table, covered(case, table)]
 
 
-def soundness_rows(case: str, measured: list[Measured]) -> list[Row]:
+def soundness_rows(case: str, measured: list[Measured]) -> list[AgreementRow]:
     """The self-checks that no solver enforces, worst over all meshes."""
     names = ("asymmetry", "force_imbalance")
     return [
-        Row(
+        AgreementRow(
             case,
             name,
             "1",

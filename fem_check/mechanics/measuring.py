@@ -128,7 +128,7 @@ def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: A
     # points than powers.
     fitted = lstsq(table, stresses.reshape(len(depth), -1), lapack_driver="gelsy")[0][: degree + 1]
     fitted = fitted.reshape(degree + 1, 3, -1)
-    found = np.zeros((2, len(unit_lengths)))
+    largest = np.zeros((2, len(unit_lengths)))
     over_b = np.linspace(0.25, 1.25, 2001)
     for case, length in enumerate(unit_lengths):
         depths = over_b * b[case] / length
@@ -138,8 +138,8 @@ def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: A
         # The vertex of a parabola through the three largest: the steps alone would leave 0.05 % of the depth.
         left, middle, right = shear[best - 1 : best + 2]
         vertex = over_b[best] + 0.5 * (left - right) / (left - 2.0 * middle + right) * (over_b[1] - over_b[0])
-        found[:, case] = middle, vertex * b[case]
-    return found[0], found[1]
+        largest[:, case] = middle, vertex * b[case]
+    return largest[0], largest[1]
 
 
 def measure(solution: ContactSolution, ball: CondensedBody, race: CondensedBody) -> Measured:

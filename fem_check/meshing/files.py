@@ -139,10 +139,10 @@ def read(path: Path) -> MeshHex:
         raise MeshError(f"{path} is not a whole gmsh mesh ({type(problem).__name__}: {problem})") from problem
     if not isinstance(mesh, MeshHex):
         raise MeshError(f"{path} holds no hexahedra")
-    found = set(mesh.boundaries or {})
-    if not set(TAGS) <= found:
-        missing = ", ".join(sorted(set(TAGS) - found))
-        raise MeshError(f"{path} lacks the tagged surface(s) {missing}; it has {', '.join(sorted(found)) or 'none'}")
+    tagged = set(mesh.boundaries or {})
+    if not set(TAGS) <= tagged:
+        missing = ", ".join(sorted(set(TAGS) - tagged))
+        raise MeshError(f"{path} lacks the tagged surface(s) {missing}; it has {', '.join(sorted(tagged)) or 'none'}")
     high = mesh.p.max(axis=1)
     for tag, axes, values in (
         ("contact", (2,), (0.0,)),

@@ -15,8 +15,8 @@ import numpy as np
 import qsbearing
 from fem_check.independent import quasi_static
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.equilibrium import BallRow, Model
-from fem_check.independent.quasi_static import CHANNELS, Placed, Problem, alone
+from fem_check.independent.equilibrium import BalanceTerms, BallRow
+from fem_check.independent.quasi_static import CHANNELS, BalanceProblem, Placed, alone
 from fem_check.product.scenes import axial_growth, drawing_at_rest, drawing_of, heat_strains
 
 LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
@@ -30,7 +30,7 @@ COLD: dict[str, Any] = {
 """Ring expansion that is given no temperature."""
 
 
-def of_scene(scene: qsbearing.Scene, name: str) -> Problem:
+def of_scene(scene: qsbearing.Scene, name: str) -> BalanceProblem:
     """A bearing alone.
 
     Raises:
@@ -50,10 +50,10 @@ def of_scene(scene: qsbearing.Scene, name: str) -> Problem:
             shaft[0] = _pressed((mounted,), _force(preload))
         # The shaft, as long as it was held, has grown since.
         shaft[0] *= 1.0 + heat_strains(scene, name)["shaft"]
-    return Problem((Placed(row_of(scene, name), alone()),), load, held, shaft)
+    return BalanceProblem((Placed(row_of(scene, name), alone()),), load, held, shaft)
 
 
-def of_set(of: qsbearing.BearingSet, name: str) -> Problem:
+def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
     """Rows on one shaft.
 
     Inner rings part as the shaft grows between them, outer ones as the housing does, both from the reference position;
@@ -88,7 +88,7 @@ def of_set(of: qsbearing.BearingSet, name: str) -> Problem:
         apart = moved["shaft"][number] - moved["housing"][number]
         length = (_number(row.offset) + pressed[row.sign]) * (1.0 + strains[number]["shaft"])
         rows.append(Placed(row_of(scene, name), place, length + row.sign * apart))
-    return Problem(tuple(rows), load, held, shaft)
+    return BalanceProblem(tuple(rows), load, held, shaft)
 
 
 def as_preloaded(scene: qsbearing.Scene, preload: qsbearing.Preload) -> qsbearing.Scene:
@@ -110,7 +110,7 @@ def row_of(scene: qsbearing.Scene, name: str) -> BallRow:
     """The balls of a scene's bearing."""
     drawing, moment, operation = drawing_at_rest(scene, name), scene.gyroscopic_moment, scene.operation
     turns = bool(scene.ball_effects)
-    model = Model(
+    model = BalanceTerms(
         centrifugal=turns and scene.centrifugal_force is not None,
         gyroscopic=turns and moment is not None,
         control=str(scene.raceway_control) if turns else None,
@@ -202,6 +202,6 @@ def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: 
 def _pressed(rows: tuple[Placed, ...], force: float) -> float:
     """The axial displacement of straight rings at rest under a force."""
     load = force * np.eye(CHANNELS)[0]
-    problem = Problem(rows, load, STRAIGHT, np.zeros(CHANNELS))
+    problem = BalanceProblem(rows, load, STRAIGHT, np.zeros(CHANNELS))
     controls = [None] * len(rows)
     return float(quasi_static.solve(problem, quasi_static.at_rest(problem), controls).shaft[0])

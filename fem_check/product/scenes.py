@@ -14,9 +14,9 @@ import numpy as np
 
 import qsbearing
 from fem_check.independent.contact_problem import ElasticConstants
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.groove import RACES, BallInGroove
-from fem_check.independent.ring_growth import Annulus, elastic_growth
+from fem_check.independent.ring_growth import LameRing, elastic_growth
 from fem_check.independent.ring_sections import DIMENSIONS, RingSections, SectionError
 from fem_check.rows.agreement import EXAMPLE
 from qsbearing.files import catalogue
@@ -39,7 +39,7 @@ class SceneProblemError(Exception):
 
 
 @dataclass(frozen=True)
-class Solved:
+class SolvedPoint:
     """A scene at one operating point, solved by the quasi-static model."""
 
     label: str
@@ -64,11 +64,11 @@ def load_scene(source: str) -> qsbearing.Scene:
     Raises:
         SceneProblemError: it cannot be read; the message has every error.
     """
-    found = load(source)
-    return found if isinstance(found, qsbearing.Scene) else solved(source)[0].solution.scene
+    scene_or_set = load(source)
+    return scene_or_set if isinstance(scene_or_set, qsbearing.Scene) else solved(source)[0].solution.scene
 
 
-def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
+def drawing_of(scene: qsbearing.Scene, name: str) -> BearingDrawing:
     """The dimensions and materials of a scene's bearing in operation: as drawn, grown as its ring effects say.
 
     Raises:
@@ -84,7 +84,7 @@ def drawing_of(scene: qsbearing.Scene, name: str) -> Drawing:
     return drawing.grown(**growth) if growth else drawing
 
 
-def drawing_at_rest(scene: qsbearing.Scene, name: str) -> Drawing:
+def drawing_at_rest(scene: qsbearing.Scene, name: str) -> BearingDrawing:
     """The same at rest and cold, without fits."""
     bearing = scene.bearing
 
@@ -95,7 +95,7 @@ def drawing_at_rest(scene: qsbearing.Scene, name: str) -> Drawing:
         )
 
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
-    return Drawing(
+    return BearingDrawing(
         name=bearing.name or name,
         **{field: _number(getattr(bearing, field), name, field) for field in lengths},
         ball=constants(bearing.ball_material, "ball_material"),
@@ -161,14 +161,14 @@ def _strain(material: Any, warmer: float, name: str) -> float:
 
 
 def _ring_growth(
-    effect: qsbearing.RingExpansion, scene: qsbearing.Scene, drawing: Drawing, name: str
+    effect: qsbearing.RingExpansion, scene: qsbearing.Scene, drawing: BearingDrawing, name: str
 ) -> dict[str, float]:
     """Of both groove radii and both circles of groove centres [m]."""
     operation, ring_material, strains = scene.operation, scene.bearing.ring_material, heat_strains(scene, name)
     speeds = {"inner": _number(operation.speed, name), "outer": _number(operation.outer_speed or 0.0, name)}
 
-    def body(what: str, material: Any, bore: float, outside: float, speed: float) -> Annulus:
-        return Annulus(
+    def body(what: str, material: Any, bore: float, outside: float, speed: float) -> LameRing:
+        return LameRing(
             bore, outside, _number(material.elastic_modulus, name), _number(material.poisson_ratio, name),
             _number(material.density, name), speed, strains[what],
         )  # fmt: skip
@@ -179,7 +179,7 @@ def _ring_growth(
         "inner": centres["inner"] - drawing.inner_groove_radius,
         "outer": centres["outer"] + drawing.outer_groove_radius,
     }
-    seats: dict[str, tuple[Annulus | None, float]] = {"inner": (None, 0.0), "outer": (None, 0.0)}
+    seats: dict[str, tuple[LameRing | None, float]] = {"inner": (None, 0.0), "outer": (None, 0.0)}
     if effect.shaft_interference is not None:
         hollow = 0.0 if effect.shaft_bore_diameter is None else 0.5 * _number(effect.shaft_bore_diameter, name)
         shaft = body("shaft", effect.shaft_material or ring_material, hollow, bore, speeds["inner"])
@@ -227,7 +227,7 @@ def ring_sections(scene: qsbearing.Scene, name: str) -> RingSections:
         raise SceneProblemError(f"scene {name}: {problem}") from problem
 
 
-def _of_catalogue(drawing: Drawing) -> dict[str, float]:
+def _of_catalogue(drawing: BearingDrawing) -> dict[str, float]:
     """Of the entry that a bearing is, whatever its materials and grooves."""
     entry = catalogue.find(drawing.name.removesuffix(MODIFIED))
     if entry is None:
@@ -254,17 +254,17 @@ def beyond_thrust(solution: qsbearing.Solution) -> list[str]:
     load = np.asarray(solution.load, float).reshape(-1)
     largest = float(max(solution.inner.load.max(), solution.outer.load.max()))
     lever = float(np.asarray(solution.scene.bearing.pitch_diameter))
-    found = [
+    carried = [
         f"{name} {value:.4g} {unit}"
         for (name, unit), value, scale in zip(channels, load[1:], (1.0, 1.0, lever, lever), strict=True)
         if abs(value) > 1e-6 * largest * scale
     ]
     operation = solution.scene.operation
     if operation.outer_speed is not None and float(np.asarray(operation.outer_speed)) != 0.0:
-        found.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
+        carried.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
     if solution.scene.ball_diameter_deviations is not None:
-        found.append("unequal balls")
-    return found
+        carried.append("unequal balls")
+    return carried
 
 
 def groove_contact(scene: str, race: str) -> BallInGroove:
@@ -312,7 +312,7 @@ def ball_count(scene: str) -> int:
 
 
 @lru_cache(maxsize=8)
-def solved(source: str) -> tuple[Solved, ...]:
+def solved(source: str) -> tuple[SolvedPoint, ...]:
     """A scene, solved at its operating points.
 
     Raises:
@@ -322,12 +322,14 @@ def solved(source: str) -> tuple[Solved, ...]:
     of = load(source)
     if isinstance(of, qsbearing.BearingSet):
         rows = enumerate(solve_set(source, of).rows, 1)
-        found = tuple(Solved(f"{ROW}{number}", solution) for number, solution in rows)
+        points = tuple(SolvedPoint(f"{ROW}{number}", solution) for number, solution in rows)
     else:
-        found = tuple(Solved(label, solve(source, label, scene)) for label, scene in operating_points(source).items())
-    for point in found:
+        points = tuple(
+            SolvedPoint(label, solve(source, label, scene)) for label, scene in operating_points(source).items()
+        )
+    for point in points:
         _refuse_beyond_elastic_contact(source, point)
-    return found
+    return points
 
 
 def solve_set(source: str, of: qsbearing.BearingSet) -> qsbearing.SetSolution:
@@ -356,7 +358,7 @@ def _single(source: str, label: str, solution: AnySolution) -> AnySolution:
     return solution
 
 
-def _refuse_beyond_elastic_contact(source: str, point: Solved) -> None:
+def _refuse_beyond_elastic_contact(source: str, point: SolvedPoint) -> None:
     bearing = point.solution.scene.bearing
     for race in RACES:
         contacts = getattr(point.solution, race)

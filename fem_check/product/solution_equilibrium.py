@@ -10,9 +10,9 @@ import numpy as np
 import qsbearing
 from fem_check.independent import quasi_static
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.equilibrium import BallRow, State
-from fem_check.independent.quasi_static import Equilibrium, NoReferenceError, Problem
-from fem_check.rows.agreement import Row
+from fem_check.independent.equilibrium import BallRow, BallStates
+from fem_check.independent.quasi_static import BalanceProblem, Equilibrium, NoReferenceError
+from fem_check.rows.agreement import AgreementRow
 
 TOLERANCE = 1e-9
 """Of equilibria: both sides work at full precision, and lose some digits in soft directions."""
@@ -25,11 +25,11 @@ BALANCE_SOURCE = "equilibrium of balls and ring found from the drawing alone"
 
 def equilibrium_rows(
     label: str,
-    make: Callable[[], Problem],
+    make: Callable[[], BalanceProblem],
     rows: Sequence[qsbearing.Solution],
     whole: qsbearing.Solution | qsbearing.SetSolution,
     displacement: Array,
-) -> Iterator[Row]:
+) -> Iterator[AgreementRow]:
     """A solution against the equilibrium of the same problem that the reference finds.
 
     Args:
@@ -40,27 +40,29 @@ def equilibrium_rows(
     """
     try:
         problem = make()
-        found = reference_near(problem, rows, displacement)
-        stiffness = quasi_static.stiffness(found)
+        equilibrium = reference_near(problem, rows, displacement)
+        stiffness = quasi_static.stiffness(equilibrium)
     except NoReferenceError as failed:
         why = f"{failed}: what is reported is not in equilibrium either"
-        yield Row(label, "equilibria found", "1", 1.0, BALANCE_SOURCE, 0.0, None, 0.0, why)
+        yield AgreementRow(label, "equilibria found", "1", 1.0, BALANCE_SOURCE, 0.0, None, 0.0, why)
         return
-    lever, states = problem.lever, found.states
+    lever, states = problem.lever, equilibrium.states
     forces = max(float(max(each.q_i.max(), each.q_o.max())) for each in states)
     approaches = max(float(max(np.abs(each.delta_i).max(), np.abs(each.delta_o).max())) for each in states)
     lengths = problem.scale[: len(displacement)]
-    largest = float(np.abs(np.where(problem.held, 0.0, found.shaft)[: len(displacement)] * lengths).max())
+    largest = float(np.abs(np.where(problem.held, 0.0, equilibrium.shaft)[: len(displacement)] * lengths).max())
 
-    def row(quantity: str, unit: str, got: Any, expected: Any, scale: float, tolerance: float = TOLERANCE) -> Row:
+    def row(
+        quantity: str, unit: str, got: Any, expected: Any, scale: float, tolerance: float = TOLERANCE
+    ) -> AgreementRow:
         return of_arrays(label, quantity, unit, np.asarray(got), np.asarray(expected), scale, tolerance)
 
-    moved = found.shaft[: len(displacement)] * lengths
+    moved = equilibrium.shaft[: len(displacement)] * lengths
     yield row("displacement, tilts at the groove centres", "m", displacement * lengths, moved, max(largest, approaches))
-    load = found.load[:5] / problem.scale[:5]
+    load = equilibrium.load[:5] / problem.scale[:5]
     yield row("load, moments over the lever", "N", whole.load / problem.scale[:5], load, forces)
     if len(rows) > 1:
-        each = [found.row_load(number) / problem.scale[:5] for number in range(len(rows))]
+        each = [equilibrium.row_load(number) / problem.scale[:5] for number in range(len(rows))]
         yield row("load of each row", "N", [one.load / problem.scale[:5] for one in rows], each, forces)
     size = np.outer([1.0, 1.0, 1.0, lever, lever], [1.0, 1.0, 1.0, lever, lever])
     yield row(
@@ -68,8 +70,8 @@ def equilibrium_rows(
         float(np.abs(stiffness / size).max()), STIFFNESS_TOLERANCE,
     )  # fmt: skip
     # Where a solution says that no controls are consistent, there must be none.
-    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(found)
-    for placed, state, control, solution in zip(problem.rows, states, found.controls, rows, strict=True):
+    consistent = all(each.control_is_consistent for each in rows) or quasi_static.settles(equilibrium)
+    for placed, state, control, solution in zip(problem.rows, states, equilibrium.controls, rows, strict=True):
         yield from ball_rows(label, placed.row, state, control, solution)
         if consistent and control is not None and placed.row.model.control == "per_ball" and placed.row.turns:
             jones = placed.row.jones_control(state)
@@ -79,11 +81,11 @@ def equilibrium_rows(
 
 
 def ball_rows(
-    label: str, of: BallRow, state: State, control: Array | None, solution: qsbearing.Solution
-) -> Iterator[Row]:
+    label: str, of: BallRow, state: BallStates, control: Array | None, solution: qsbearing.Solution
+) -> Iterator[AgreementRow]:
     """The balls of one row."""
 
-    def row(quantity: str, unit: str, got: Any, expected: Any, scale: float = 0.0) -> Row:
+    def row(quantity: str, unit: str, got: Any, expected: Any, scale: float = 0.0) -> AgreementRow:
         return of_arrays(label, quantity, unit, np.nan_to_num(np.asarray(got)), np.asarray(expected), scale)
 
     inner, outer = solution.inner, solution.outer
@@ -113,34 +115,34 @@ def ball_rows(
         rolled = np.where(placed, state.moment, 0.0)
         yield row("gyroscopic moment", "N m", -np.asarray(solution.gyroscopic_moment), rolled)
         both = (state.q_i > 0.0) & (state.q_o > 0.0)
-        asked = [state.asked["inner"][both] / state.q_i[both], state.asked["outer"][both] / state.q_o[both]]
+        required = [state.required["inner"][both] / state.q_i[both], state.required["outer"][both] / state.q_o[both]]
         reported = [np.asarray(each.required_friction)[both] for each in (inner, outer)]
-        yield row("required friction", "1", reported, asked)
+        yield row("required friction", "1", reported, required)
 
 
 def of_arrays(
     label: str,
     quantity: str,
     unit: str,
-    found: Array,
+    computed: Array,
     expected: Array,
     scale: float = 0.0,
     tolerance: float = TOLERANCE,
-) -> Row:
+) -> AgreementRow:
     """An array against its reference in one row: the largest of the reference, and that off by the worst deviation.
 
     Args:
         scale: at least this is the largest: of what the array is a small part of.
     """
-    worst = float(np.abs(found - expected).max(initial=0.0))
+    worst = float(np.abs(computed - expected).max(initial=0.0))
     size = max(float(np.abs(expected).max(initial=0.0)), scale)
     why = "two solutions at full precision; soft directions lose digits"
     if quantity.startswith("stiffness"):
         why = "differences of loads lose half the digits"
-    return Row(label, quantity, unit, size, BALANCE_SOURCE, size + worst, None, 100.0 * tolerance, why)
+    return AgreementRow(label, quantity, unit, size, BALANCE_SOURCE, size + worst, None, 100.0 * tolerance, why)
 
 
-def reference_near(problem: Problem, rows: Sequence[qsbearing.Solution], displacement: Array) -> Equilibrium:
+def reference_near(problem: BalanceProblem, rows: Sequence[qsbearing.Solution], displacement: Array) -> Equilibrium:
     """The reference's equilibrium: found on its own way from rest, or, where there are others, from the solution.
 
     A start decides only which of several equilibria is found; none that is not one ends there.

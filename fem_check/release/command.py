@@ -14,7 +14,7 @@ from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import BAD_INPUT, note
 
 if TYPE_CHECKING:
-    from fem_check.release.gate import Verdict
+    from fem_check.release.gate import StepVerdict
 
 FAILED = 1
 REASONS = 5
@@ -63,25 +63,25 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
 
         from fem_check.release import gate, steps, tree
         from fem_check.release import previous as previous_records
-        from fem_check.rows.agreement import Level
+        from fem_check.rows.agreement import MeshLevel
         from fem_check.running.records_store import RecordError
     except ImportError as problem:
         _refuse(f"{problem}: the gate needs `pip install -e '.[dev]'`")
     try:
-        root, listed = tree.root(), steps.all_steps(Level(level))
+        root, listed = tree.root(), steps.all_steps(MeshLevel(level))
         tree.refuse_inside(root, out.resolve())
         with previous_records.opened(root, previous) as before:
-            place = steps.Place(root, Level(level), out.resolve(), tree.head(root), before.folder)
-            found = gate.before_all(listed, place, before)
-            runs = all(each.passes for each in found)
+            place = steps.GateFolders(root, MeshLevel(level), out.resolve(), tree.head(root), before.folder)
+            verdicts = gate.before_all(listed, place, before)
+            runs = all(each.passes for each in verdicts)
             if runs:
                 journal = gate.resumed(place, listed) if resume else {}
                 if not journal:
                     shutil.rmtree(place.gate, ignore_errors=True)
                 gate.run(listed, place, journal, lambda said: click.echo(said, err=True), workers)
-                found = gate.all_judged(listed, place, journal, before)
-        passes = all(each.passes for each in found)
-        _show(found, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
+                verdicts = gate.all_judged(listed, place, journal, before)
+        passes = all(each.passes for each in verdicts)
+        _show(verdicts, as_json, f"{'pass' if passes else 'FAIL'}{'' if runs else ': nothing was run'}")
         if keep and passes:
             written = gate.keep(listed, place)
             click.echo(f"{len(written)} records are now those of {root}: commit them and nothing else", err=True)
@@ -94,12 +94,12 @@ def release(level: str, out: Path, previous: str | None, workers: int, resume: b
     sys.exit(0 if passes else FAILED)
 
 
-def _show(found: list[Verdict], as_json: bool, last: str) -> None:
+def _show(verdicts: list[StepVerdict], as_json: bool, last: str) -> None:
     """Step, verdict, why, and how to run it again; with `--json` the same as data."""
     if as_json:
-        print(json.dumps([each.as_dict() for each in found]))
+        print(json.dumps([each.as_dict() for each in verdicts]))
         return
-    for each in found:
+    for each in verdicts:
         click.echo(f"{'pass' if each.passes else 'FAIL'}  {each.step}: {each.said}  [{each.command}]")
         for reason in each.reasons[:REASONS]:
             click.echo(f"      {reason}")

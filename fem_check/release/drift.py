@@ -5,11 +5,8 @@ A value may be within its tolerance and have moved all the same; the limits of t
 
 from __future__ import annotations
 
-from typing import Any
-
+from fem_check.release.previous import Record
 from qsbearing.documents.numbers import plain
-
-Record = dict[str, Any]
 
 REFERENCE = 1e-6
 """Per cent of the value: a reference is a closed form, a quadrature or a boundary-element solution converged to 1e-10;
@@ -38,11 +35,11 @@ ITERATIONS = 1.0
 def of_check(new: Record, old: Record) -> list[str]:
     """Of a check's rows: values found, references and tolerances; and rows that are gone."""
     known = {(row["case"], row["quantity"]): row for row in old["rows"]}
-    found = {(row["case"], row["quantity"]): row for row in new["rows"]}
+    now = {(row["case"], row["quantity"]): row for row in new["rows"]}
     gmsh = [each.get("versions", {}).get("gmsh") for each in (new, old)]
     same_mesh = new.get("mesh") == old.get("mesh") and gmsh[0] == gmsh[1]
-    moved = [f"the row {_name(row)} of the previous release is gone" for key, row in known.items() if key not in found]
-    return moved + [each for key, row in found.items() if key in known for each in _of_row(row, known[key], same_mesh)]
+    moved = [f"the row {_name(row)} of the previous release is gone" for key, row in known.items() if key not in now]
+    return moved + [each for key, row in now.items() if key in known for each in _of_row(row, known[key], same_mesh)]
 
 
 def _name(row: Record) -> str:
@@ -97,9 +94,9 @@ def _limit(row: Record, old: Record, same_mesh: bool) -> float:
 def of_hard_cases(new: Record, old: Record) -> list[str]:
     """Of the table of hard cases: outcomes, and errors beyond rounding."""
     known = {case["case"]: case for case in old["cases"]}
-    found = {case["case"]: case for case in new["cases"]}
-    moved = [f"the hard case {name} of the previous release is gone" for name in known if name not in found]
-    for name, case in ((name, case) for name, case in found.items() if name in known):
+    current = {case["case"]: case for case in new["cases"]}
+    moved = [f"the hard case {name} of the previous release is gone" for name in known if name not in current]
+    for name, case in ((name, case) for name, case in current.items() if name in known):
         before = known[name]
         was, now = (f"{each['status']}, {each['verdict']}" for each in (before, case))
         if was != now:
@@ -129,7 +126,7 @@ def of_campaign(new: Record, old: Record) -> list[str]:
 
 
 def of_recomputed(new: Record, old: Record) -> list[str]:
-    """Of a campaign that computes its cases a second time: its classes, likewise."""
+    """Of a campaign that computes its cases a second time: how its cases ended, as `of_campaign` compares classes."""
     both = [
         {"envelope": each["campaign"], "seed": each["seed"], "count": each["count"], "classes": each["ended"]}
         for each in (new, old)

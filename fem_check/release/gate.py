@@ -10,22 +10,29 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
-from fem_check.release.steps import LONGEST, Place, Step, write_tables
+from fem_check.release.steps import LONGEST, GateFolders, Step, write_tables
 from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
 
-Entry = dict[str, Any]
-"""Of a step that was run: its seconds, and the error with which it ended, or None."""
-Journal = dict[str, Entry]
+
+class StepRun(TypedDict):
+    """A step that was run."""
+
+    seconds: float
+    error: str | None
+    """With which it ended; None where it ended well."""
+
+
+Journal = dict[str, StepRun]
 
 
 @dataclass(frozen=True)
-class Verdict:
+class StepVerdict:
     """What a step came to."""
 
     step: str
@@ -46,7 +53,7 @@ class Verdict:
         return asdict(self) | {"passes": self.passes}
 
 
-def resumed(place: Place, steps: list[Step]) -> Journal:
+def resumed(place: GateFolders, steps: list[Step]) -> Journal:
     """What an interrupted gate of the same commit has done, but for steps that ended with an error."""
     try:
         kept = json.loads((place.gate / "steps.json").read_text(encoding="utf-8"))
@@ -58,7 +65,9 @@ def resumed(place: Place, steps: list[Step]) -> Journal:
         return {}
 
 
-def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str], None], workers: int = 1) -> None:
+def run(
+    steps: list[Step], place: GateFolders, journal: Journal, ended: Callable[[str], None], workers: int = 1
+) -> None:
     """Run what the journal lacks, and enter it there; `ended` is told how each step ended.
 
     Args:
@@ -76,13 +85,13 @@ def run(steps: list[Step], place: Place, journal: Journal, ended: Callable[[str]
             _end(step, _run(step, place), place, journal, ended)
 
 
-def _end(step: Step, entry: Entry, place: Place, journal: Journal, ended: Callable[[str], None]) -> None:
+def _end(step: Step, entry: StepRun, place: GateFolders, journal: Journal, ended: Callable[[str], None]) -> None:
     journal[step.name] = entry
     _enter(place, journal)
     ended(f"{step.name}: {entry['error'] or 'done'}")
 
 
-def _run(step: Step, place: Place) -> Entry:
+def _run(step: Step, place: GateFolders) -> StepRun:
     began, error = time.perf_counter(), None
     try:
         step.run(place)
@@ -95,44 +104,44 @@ _shared: list[Step] = []
 """Of `_side_by_side`: processes that are forked find it, since a step cannot be sent to them."""
 
 
-def _run_shared(number: int, place: Place) -> Entry:
+def _run_shared(number: int, place: GateFolders) -> StepRun:
     return _run(_shared[number], place)
 
 
-def _side_by_side(steps: list[Step], place: Place, workers: int) -> Iterator[tuple[Step, Entry]]:
+def _side_by_side(steps: list[Step], place: GateFolders, workers: int) -> Iterator[tuple[Step, StepRun]]:
     """Run steps in processes, the longest first, and hand out each as it ends."""
     _shared[:] = sorted(steps, key=lambda step: step.name not in LONGEST)
     pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork"))
     try:
-        asked = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}
-        for each in as_completed(asked):
+        submitted = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}
+        for each in as_completed(submitted):
             try:
                 entry = each.result()
             except BrokenProcessPool as problem:  # a process was killed, for want of memory as a rule
                 entry = {"seconds": 0.0, "error": f"{type(problem).__name__}: {problem}"}
-            yield asked[each], entry
+            yield submitted[each], entry
     finally:
         pool.shutdown(cancel_futures=True)
 
 
-def _enter(place: Place, journal: Journal, found: Iterable[Verdict] = ()) -> None:
+def _enter(place: GateFolders, journal: Journal, verdicts: Iterable[StepVerdict] = ()) -> None:
     """Write the journal; once all is judged, with the verdicts, by which a report knows a release."""
     made = provenance.of_run(f"fem-check release --level {place.level}", str(place.level))
     content: dict[str, Any] = {"commit": place.commit, "level": str(place.level), "provenance": made, "steps": journal}
-    content |= {"verdicts": {each.step: each.reasons for each in found}} if found else {}
+    content |= {"verdicts": {each.step: each.reasons for each in verdicts}} if verdicts else {}
     place.gate.mkdir(parents=True, exist_ok=True)
     records_store.replace(place.gate / "steps.json", (json.dumps(content, indent=1) + "\n").encode())
 
 
-def all_judged(steps: list[Step], place: Place, journal: Journal, before: Previous) -> list[Verdict]:
+def all_judged(steps: list[Step], place: GateFolders, journal: Journal, before: Previous) -> list[StepVerdict]:
     """The verdicts of a gate that has run, of what holds before all too; they are entered beside the journal."""
-    found = before_all(steps, place, before)
-    found += [judged(step, place, journal, before) for step in steps]
-    _enter(place, journal, found)
-    return found
+    verdicts = before_all(steps, place, before)
+    verdicts += [judged(step, place, journal, before) for step in steps]
+    _enter(place, journal, verdicts)
+    return verdicts
 
 
-def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdict]:
+def before_all(steps: list[Step], place: GateFolders, before: Previous) -> list[StepVerdict]:
     """That the tree is the commit the gate began with; that the previous release's records are as they were kept, and
     that each is made again. Without this there is no use in running anything."""
     dirty = [f"dirty tree: {name} is not committed" for name in tree.changes(place.root)]
@@ -147,16 +156,16 @@ def before_all(steps: list[Step], place: Place, before: Previous) -> list[Verdic
     if unknown:
         said += f"; {unknown} of {len(kept)} do not say from what: values only"
     return [
-        Verdict("clean tree", dirty, f"commit {place.commit[:12]}", "git status"),
-        Verdict("previous release", before.problems + gone, said, "git log -- fem_check/records"),
+        StepVerdict("clean tree", dirty, f"commit {place.commit[:12]}", "git status"),
+        StepVerdict("previous release", before.problems + gone, said, "git log -- fem_check/records"),
     ]
 
 
-def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verdict:
+def judged(step: Step, place: GateFolders, journal: Journal, before: Previous) -> StepVerdict:
     """A step's verdict, from its records, the previous release's, and the journal."""
     done = journal[step.name]
     if done["error"]:
-        return Verdict(step.name, [done["error"]], command=step.command)
+        return StepVerdict(step.name, [done["error"]], command=step.command)
     made = step.made(place.out)
     gone = {name for pattern in step.records for name in before.names(pattern)} - set(made)
     reasons = [f"{name} of the previous release is not made any more" for name in sorted(gone)]
@@ -166,15 +175,15 @@ def judged(step: Step, place: Place, journal: Journal, before: Previous) -> Verd
         try:
             record = previous.read(place.out / name)
             old = before.read(name)
-            found = integrity.of_provenance(record, place.commit) + step.wrong(record)
-            found += step.moved(record, old) if old else []
+            objections = integrity.of_provenance(record, place.commit) + step.wrong(record)
+            objections += step.moved(record, old) if old else []
         except (RecordError, LookupError, TypeError, ValueError) as problem:
-            found = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
-        reasons += [f"{name}: {each}" for each in found]
-    return Verdict(step.name, reasons, f"{done['seconds']:.0f} s", step.command)
+            objections = [f"it cannot be judged: {type(problem).__name__}: {problem}"]
+        reasons += [f"{name}: {each}" for each in objections]
+    return StepVerdict(step.name, reasons, f"{done['seconds']:.0f} s", step.command)
 
 
-def keep(steps: list[Step], place: Place) -> list[Path]:
+def keep(steps: list[Step], place: GateFolders) -> list[Path]:
     """Make a gate's records those of the repository, with what is written from them and their manifest; returns the
     records, to be committed with the rest."""
     names = [name for step in steps for name in step.made(place.out)]

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import Any
 
-from fem_check.rows.agreement import Row
+from fem_check.release.previous import Record
+from fem_check.rows.agreement import AgreementRow
 from qsbearing.documents.numbers import plain
 
-NAMES = [field.name for field in fields(Row)]
+NAMES = [field.name for field in fields(AgreementRow)]
 
 
-def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
+def of_provenance(record: Record, commit: str) -> list[str]:
     """What speaks against a record being this commit's."""
     made = record.get("provenance")
     if not made:
@@ -21,7 +21,7 @@ def of_provenance(record: dict[str, Any], commit: str) -> list[str]:
     return [f"it was made from commit {commit[:12]} with changes that are not committed"] if made["dirty"] else []
 
 
-def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
+def of_rows(record: Record, digits: int | None = None) -> list[str]:
     """Rows out of tolerance, and rows that contradict themselves: deviation and verdict follow from the rest.
 
     Args:
@@ -29,7 +29,7 @@ def of_rows(record: dict[str, Any], digits: int | None = None) -> list[str]:
     """
     wrong = [] if record["rows"] else ["it has no rows"]
     for entry in record["rows"]:
-        row = Row(**{name: entry[name] for name in NAMES})
+        row = AgreementRow(**{name: entry[name] for name in NAMES})
         if row.found is None:  # refused: nothing that could contradict itself
             continue
         name = f"{row.quantity!r} of {row.case!r}"

@@ -39,16 +39,16 @@ def problems(root: Path) -> list[str]:
     Raises:
         RecordError: their file holds something else.
     """
-    path, found = of_repository(root), sums(root)
+    path, actual = of_repository(root), sums(root)
     if not path.is_file():
         return [MISSING]
     try:
         kept = dict(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, TypeError) as problem:
         raise records_store.RecordError(f"{path} is not a manifest ({problem})") from problem
-    changed = [f"{name} was changed" for name in kept if name in found and found[name] != kept[name]]
-    deleted = [f"{name} was deleted" for name in kept if name not in found]
-    return changed + deleted + [f"{name} is not in the manifest" for name in found if name not in kept]
+    changed = [f"{name} was changed" for name in kept if name in actual and actual[name] != kept[name]]
+    deleted = [f"{name} was deleted" for name in kept if name not in actual]
+    return changed + deleted + [f"{name} is not in the manifest" for name in actual if name not in kept]
 
 
 if __name__ == "__main__":

@@ -18,6 +18,8 @@ from fem_check.running.kept_files import place_of
 from fem_check.running.records_store import RecordError
 
 RECORDS = "fem_check/records"
+Record = dict[str, Any]
+"""A record of any kind: of a check, a case of the book, a campaign, a benchmark."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class Previous:
     problems: list[str] = field(default_factory=list)
     """What was changed, deleted or added since the repository's manifest was written."""
 
-    def read(self, name: str) -> dict[str, Any] | None:
+    def read(self, name: str) -> Record | None:
         """A record by its path in the folder that a gate makes; None where there is none."""
         path = place_of(name, self.repository, self.folder) if self.repository else self.folder / name
         return read(path) if path.is_file() else None
@@ -43,7 +45,7 @@ class Previous:
         return sorted(path.relative_to(self.folder).as_posix() for path in self.folder.glob(pattern))
 
 
-def read(path: Path) -> dict[str, Any]:
+def read(path: Path) -> Record:
     """A record.
 
     Raises:

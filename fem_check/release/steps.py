@@ -9,24 +9,22 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from fem_check.checks import ALL
 from fem_check.release import drift, integrity
-from fem_check.rows.agreement import Level
+from fem_check.release.previous import Record
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import known, runner
 from fem_check.running.kept_files import OF_REPOSITORY
 
-Record = dict[str, Any]
-
 SCENES = {
-    Level.QUICK: {"wild": 1_500, "realistic": 4_000, "mounted": 800},
-    Level.RELEASE: {"wild": 100_000, "realistic": 100_000, "mounted": 100_000},
+    MeshLevel.QUICK: {"wild": 1_500, "realistic": 4_000, "mounted": 800},
+    MeshLevel.RELEASE: {"wild": 100_000, "realistic": 100_000, "mounted": 100_000},
 }
 """Of the campaigns of single bearings: solved, classified, refusals certified."""
 RECOMPUTED = {
-    Level.QUICK: {"elastic_rings": 1_000, "sets": 200, "spindles": 100},
-    Level.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "spindles": 20_000},
+    MeshLevel.QUICK: {"elastic_rings": 1_000, "sets": 200, "spindles": 100},
+    MeshLevel.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "spindles": 20_000},
 }
 """Cases of the campaigns that compute what is solved a second time."""
 LONGEST = ("check bearing_sector", "campaign spindles")
@@ -42,11 +40,11 @@ class StepError(Exception):
 
 
 @dataclass(frozen=True)
-class Place:
+class GateFolders:
     """Where the gate runs and keeps what it makes."""
 
     root: Path
-    level: Level
+    level: MeshLevel
     out: Path
     commit: str
     previous: Path | None = None
@@ -65,7 +63,7 @@ class Step:
     name: str
     command: str
     """Which runs it alone."""
-    run: Callable[[Place], None]
+    run: Callable[[GateFolders], None]
     records: tuple[str, ...] = ()
     """That it makes, as paths or patterns below the output folder."""
     wrong: Callable[[Record], list[str]] = lambda record: []
@@ -80,10 +78,10 @@ class Step:
         return sorted(path.relative_to(out).as_posix() for each in self.records for path in out.glob(each))
 
 
-def all_steps(level: Level) -> list[Step]:
+def all_steps(level: MeshLevel) -> list[Step]:
     """What a release needs, cheap and telling things first."""
     ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
-    rest = _of_release() if level is Level.RELEASE else []
+    rest = _of_release() if level is MeshLevel.RELEASE else []
     return [
         _elsewhere(
             "hard cases", "verification.hard_cases.table", _wrong_hard_cases, moved=drift.of_hard_cases, is_alone=False
@@ -105,8 +103,8 @@ def all_steps(level: Level) -> list[Step]:
     ]
 
 
-def _check(level: Level, name: str) -> Step:
-    def run(place: Place) -> None:
+def _check(level: MeshLevel, name: str) -> Step:
+    def run(place: GateFolders) -> None:
         list(runner.run(runner.selected((name,)), place.level, place.out, lambda check: lambda stage, part: None))
 
     command = f"fem-check run {name} --level {level}"
@@ -153,7 +151,7 @@ def _elsewhere(
     """
     path = made or f"tests/{module.replace('.', '/')}.json"
 
-    def run(place: Place) -> None:
+    def run(place: GateFolders) -> None:
         target = place.out / OF_REPOSITORY / path
         target.parent.mkdir(parents=True, exist_ok=True)
         _python(place, name.replace(" ", "_"), f"tests.{module}", str(target))
@@ -170,13 +168,13 @@ def _wrong_hard_cases(record: Record) -> list[str]:
     return [f"the hard case {case['case']} is {case['verdict']}" for case in bad]
 
 
-def _campaign(level: Level, envelope: str, count: int) -> Step:
-    asked = ["--envelope", envelope, "--count", str(count), "--seed", str(SEED)]
+def _campaign(level: MeshLevel, envelope: str, count: int) -> Step:
+    options = ["--envelope", envelope, "--count", str(count), "--seed", str(SEED)]
 
-    def run(place: Place) -> None:
+    def run(place: GateFolders) -> None:
         folder = place.gate / "campaign" / envelope
         call = partial(
-            _python, place, f"campaign_{envelope}", "tests.verification.campaign", *asked, "--out", str(folder)
+            _python, place, f"campaign_{envelope}", "tests.verification.campaign", *options, "--out", str(folder)
         )
         try:  # what an interrupted gate has solved is kept by the campaign itself
             call("--resume", accept=1)
@@ -185,20 +183,20 @@ def _campaign(level: Level, envelope: str, count: int) -> Step:
             call(accept=1)
 
     def wrong(record: Record) -> list[str]:
-        found = [f"{number} scenes: {what}" for what, number in record["failures"].items()] + known.objections(record)
+        faults = [f"{number} scenes: {what}" for what, number in record["failures"].items()] + known.objections(record)
         if record["count"] != count or sum(record["classes"].values()) != count:
-            found.append(f"{sum(record['classes'].values())} scenes are classified, {count} were asked for")
-        return found
+            faults.append(f"{sum(record['classes'].values())} scenes are classified, {count} were asked for")
+        return faults
 
     made = (f"gate/{level}/campaign/{envelope}/summary.json",)
-    command = f"python -m tests.verification.campaign {' '.join(asked)}"
+    command = f"python -m tests.verification.campaign {' '.join(options)}"
     return Step(f"campaign {envelope}", command, run, made, wrong, drift.of_campaign)
 
 
-def _recomputed(level: Level, name: str, count: int) -> Step:
+def _recomputed(level: MeshLevel, name: str, count: int) -> Step:
     made, module = f"gate/{level}/campaign/{name}/summary.json", f"tests.verification.campaign.{name}"
 
-    def run(place: Place) -> None:
+    def run(place: GateFolders) -> None:
         target = place.out / made
         target.parent.mkdir(parents=True, exist_ok=True)
         _python(place, f"campaign_{name}", module, str(count), str(SEED), "--out", str(target), accept=1)
@@ -211,7 +209,7 @@ def _recomputed(level: Level, name: str, count: int) -> Step:
     return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed, is_alone=False)
 
 
-def _benchmarks(place: Place) -> None:
+def _benchmarks(place: GateFolders) -> None:
     target = str(place.gate / "benchmarks.json")
     _python(place, "benchmarks", "tests.verification.benchmarks.ratios", "--level", place.level, target)
 
@@ -221,17 +219,17 @@ def _wrong_points(record: Record) -> list[str]:
     return [f"{lost} of {record['points']} points did not converge"] if lost else []
 
 
-def _report(place: Place) -> None:
+def _report(place: GateFolders) -> None:
     previous = ["--previous", str(place.previous)] if place.previous else []
     _python(place, "report", "fem_check", "report", "--out", str(place.out), *previous)
 
 
-def write_tables(place: Place) -> None:
+def write_tables(place: GateFolders) -> None:
     """Write the guide's tables and what else follows from the records of the repository."""
     _python(place, "tables", "tests.verification.benchmarks.tables")
 
 
-def _python(place: Place, log: str, module: str, *arguments: str, accept: int = 0) -> None:
+def _python(place: GateFolders, log: str, module: str, *arguments: str, accept: int = 0) -> None:
     """Run a module in a process of its own, which may end badly without ending the gate.
 
     Args:

@@ -42,8 +42,8 @@ def head(folder: Path) -> str:
 
 def changes(folder: Path) -> list[str]:
     """Files that differ from the commit or are not in it, without those that .gitignore names."""
-    found = provenance.git("status", "--porcelain", "-z", folder=folder).split("\0")
-    return sorted(entry[3:] for entry in found if entry[2:3] == " ")
+    statuses = provenance.git("status", "--porcelain", "-z", folder=folder).split("\0")
+    return sorted(entry[3:] for entry in statuses if entry[2:3] == " ")
 
 
 def refuse_inside(folder: Path, out: Path) -> None:
@@ -52,6 +52,6 @@ def refuse_inside(folder: Path, out: Path) -> None:
     Raises:
         TreeError: it is one.
     """
-    asked = ["git", "-C", str(folder), "check-ignore", "-q", str(out / "records")]
-    if out.is_relative_to(folder) and subprocess.run(asked, check=False).returncode:
+    command = ["git", "-C", str(folder), "check-ignore", "-q", str(out / "records")]
+    if out.is_relative_to(folder) and subprocess.run(command, check=False).returncode:
         raise TreeError(f"--out {out}: what the gate makes there would be changes of the tree; name another")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -66,8 +66,8 @@ class Kept:
     def version(self) -> str:
         """Of qsbearing, as far as the record says it."""
         holders = (self.provenance, self.data.get("versions") or {}, self.data.get("machine") or {})
-        found = [holder["qsbearing"] for holder in holders if "qsbearing" in holder]
-        return str(found[0]) if found else str(self.data.get("version") or "")
+        versions = [holder["qsbearing"] for holder in holders if "qsbearing" in holder]
+        return str(versions[0]) if versions else str(self.data.get("version") or "")
 
     @property
     def needs_checkout(self) -> bool:
@@ -171,17 +171,17 @@ def _label(folder: Path) -> str:
 
 def _load(path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-        if not isinstance(found, dict):
+        record = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(record, dict):
             raise ValueError("it is not an object")
     except (ValueError, OSError) as problem:
         raise records_store.RecordError(f"{path} is not a record ({problem})") from problem
-    return found
+    return record
 
 
-def _kept(name: str, path: Path, command: str, data: dict[str, Any] | None = None) -> Kept:
+def _kept(name: str, path: Path, command: str, data: Mapping[str, Any] | None = None) -> Kept:
     """A file with its sha256."""
-    return Kept(name, data or _load(path), command, hashlib.sha256(path.read_bytes()).hexdigest())
+    return Kept(name, dict(data or _load(path)), command, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
 def _in_repository(records: Path, name: str, command: str) -> Kept | None:
@@ -199,24 +199,24 @@ def _again(data: dict[str, Any]) -> str:
 
 
 def _cost(records: Path) -> Kept | None:
-    found = cost_record.read(records)
-    if found is None:
+    record = cost_record.read(records)
+    if record is None:
         return None
-    level = found["level"]
+    level = record["level"]
     name = f"cost/{level}.json"
-    return _kept(f"{_label(records)}/{name}", records / name, f"fem-check cost --level {level}", found)
+    return _kept(f"{_label(records)}/{name}", records / name, f"fem-check cost --level {level}", record)
 
 
 def published(records: Path) -> dict[str, Kept]:
     """The records of the book in a folder of records."""
-    found = {}
+    by_case = {}
     for path in sorted((records / "book").glob("*.json")):
         data = _load(path)
         if {"case", "verdict", "rows"} <= set(data):
-            found[data["case"]] = _kept(
+            by_case[data["case"]] = _kept(
                 f"{_label(records)}/book/{path.name}", path, f"fem-check book {data['case']}", data
             )
-    return found
+    return by_case
 
 
 def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
@@ -226,12 +226,12 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
     (level,) = levels
     folder = records / "gate" / level
     paths = [path for pattern in GATE for path in sorted(folder.glob(pattern))]
-    found = {}
+    by_name = {}
     for path in paths:
         name, data = path.relative_to(folder).as_posix(), _load(path)
         command = f"fem-check release --level {level}" if name == "steps.json" else _again(data)
-        found[name.removesuffix(".json")] = _kept(f"{label}/gate/{level}/{name}", path, command, data)
-    return found
+        by_name[name.removesuffix(".json")] = _kept(f"{label}/gate/{level}/{name}", path, command, data)
+    return by_name
 
 
 def missing(what: str, command: str) -> Remark:

@@ -28,12 +28,12 @@ def write(evidence: Evidence, before: Evidence | None, out: Path) -> list[Path]:
     """
     out.mkdir(parents=True, exist_ok=True)
     whole = validation.document(evidence, before)
-    found = as_data(evidence)
+    data = as_data(evidence)
     forms = {
         "html": html(whole).encode(),
         "pdf": pdf(validation.for_paper(whole)),
-        "csv": csv_of(found["rows"]),
-        "json": (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode(),
+        "csv": csv_of(data["rows"]),
+        "json": (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode(),
     }
     paths = {out / f"{NAME}.{form}": content for form, content in forms.items()}
     for path, content in paths.items():
@@ -48,8 +48,8 @@ def write_book(records: Path) -> Path:
         OSError: the folder cannot be written.
     """
     path = folder_of(records) / "book.html"
-    found = Evidence(records, {}, book=published(records))
-    sections = book.sections(found, whole=True)
+    evidence = Evidence(records, {}, book=published(records))
+    sections = book.sections(evidence, whole=True)
     said = "Published cases: standards, catalogues, other programs, and measurements."
     records_store.replace(path, html(Document("The validation book", "qsbearing", sections, said)).encode())
     return path

@@ -62,8 +62,8 @@ def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:
 
 def level(evidence: Evidence) -> str:
     """Of the checks; records of several commits are never called a release."""
-    found = traceability.listed(kept.data["level"] for kept in evidence.checks.values())
-    return f"{found} settings, a mixed set of records: not a release" if traceability.is_mixed(evidence) else found
+    levels = traceability.listed(kept.data["level"] for kept in evidence.checks.values())
+    return f"{levels} settings, a mixed set of records: not a release" if traceability.is_mixed(evidence) else levels
 
 
 def verdict(evidence: Evidence, questions: Sequence[Question]) -> Remark:
@@ -99,16 +99,16 @@ def verdict(evidence: Evidence, questions: Sequence[Question]) -> Remark:
 
 def _scope(evidence: Evidence) -> str:
     """What was covered, from the records; what was not, in words."""
-    found = []
+    ranges = []
     if kept := evidence.checks.get("conformity"):
-        found.append(f"groove radii of {span(kept.data['pictures']['conformity']['curves'])} ball diameters")
+        ranges.append(f"groove radii of {span(kept.data['pictures']['conformity']['curves'])} ball diameters")
     if kept := evidence.checks.get("bearing_sector"):
         scene, curves = kept.data["scene"].upper(), kept.data["pictures"]["bearing_sector"].values()
         loads = chain.from_iterable(curve["load_N"] for states in curves for curve in states.values())
-        found.append(f"{scene} under thrust of {span(loads)} N between elastic rings")
+        ranges.append(f"{scene} under thrust of {span(loads)} N between elastic rings")
     if evidence.reference:
-        found.append(f"{len(evidence.reference.data['cases'])} scenes with every effect against fifty digits")
-    covered = f"Covered: {'; '.join(found)}. " if found else ""
+        ranges.append(f"{len(evidence.reference.data['cases'])} scenes with every effect against fifty digits")
+    covered = f"Covered: {'; '.join(ranges)}. " if ranges else ""
     return (
         f"{covered}Not covered: radial load and moments between elastic bodies in three dimensions; measured "
         "temperatures. Not covered means untested, not wrong. Not in the model: vibration, cage forces, oil drag, "
@@ -123,8 +123,8 @@ def _coverage(evidence: Evidence) -> str:
     said = "an expanded uncertainty of the finite elements: meshes and positions of the contact's edge"
     if share is None:
         return f"{said}."
-    found, asked = (100.0 * (1.0 - value) for value in (share["found"], share["tolerance_percent"] / 100.0))
-    held = f"It held the true error in {found:.1f} % of cases (at least {asked:g} % needed)"
+    covered, least = (100.0 * (1.0 - value) for value in (share["found"], share["tolerance_percent"] / 100.0))
+    held = f"It held the true error in {covered:.1f} % of cases (at least {least:g} % needed)"
     return f"{said}. {held}: {as_read(share['case'])}."
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.rows import Row, as_read, difference, largest, quantity, used
+from fem_check.report.rows import as_read, difference, largest, quantity, used
 from fem_check.rows import row_text
+from fem_check.rows.record import RowRecord, deviation_percent
 from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.model import Badge
 
@@ -73,43 +74,43 @@ def _passes(kept: Kept) -> bool:
 
 def _equations(evidence: Evidence) -> Question:
     records = [kept for kept in (evidence.reference, evidence.relations) if kept]
-    asked = Question("Are the equations solved?", "mathematics", records)
+    question = Question("Are the equations solved?", "mathematics", records)
     if evidence.reference is None:
-        return asked
-    found = evidence.reference.data
+        return question
+    record = evidence.reference.data
     worst = max(
-        max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in found["cases"]
+        max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in record["cases"]
     )
-    bad = [each["case"] for each in found["cases"] if each["verdict"] != "pass"]
+    bad = [each["case"] for each in record["cases"] if each["verdict"] != "pass"]
     files = evidence.relations.data["files"] if evidence.relations else []
     bad += [each["file"] for each in files if each["verdict"] != "pass"]
-    return asked._replace(
-        answer=f"{len(found['cases'])} scenes against solutions with fifty digits, {len(files)} files of relations",
-        worst=row_text.scientific(worst, 1), limit=row_text.number(found["tolerance"]), verdict=_judged(not bad),
+    return question._replace(
+        answer=f"{len(record['cases'])} scenes against solutions with fifty digits, {len(files)} files of relations",
+        worst=row_text.scientific(worst, 1), limit=row_text.number(record["tolerance"]), verdict=_judged(not bad),
         missed=f"equations: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
 
 
 def _hertz(evidence: Evidence) -> Question:
     records = [k for name, k in evidence.checks.items() if k.data["kind"] == "verification" and name not in RINGS]
-    asked = Question("Is each contact Hertz's?", "hertz", records)
+    question = Question("Is each contact Hertz's?", "hertz", records)
     solved = [row for row in _rows(evidence.checks, "half_space_contacts", "solution_contacts") if _is_of_elements(row)]
     if not solved:
-        return asked._replace(verdict=_judged(False), missed=_failing(records)) if _failing(records) else asked
-    worst = max(solved, key=lambda row: abs(row["deviation_percent"]))
+        return question._replace(verdict=_judged(False), missed=_failing(records)) if _failing(records) else question
+    worst = max(solved, key=lambda row: abs(deviation_percent(row)))
     missed = _failing(records)
-    return asked._replace(
+    return question._replace(
         answer=f"{len(solved)} comparisons with finite elements; worst: {row_text.in_words(worst['quantity'])}",
         worst=difference(worst), limit=row_text.of_row(worst).tolerance, verdict=_judged(not missed),
         missed=missed,
     )  # fmt: skip
 
 
-def _is_of_elements(row: Row) -> bool:
+def _is_of_elements(row: RowRecord) -> bool:
     return bool(row["uncertainty_percent"] and row["tolerance_percent"] and row["reference"] and row["unit"] != "1")
 
 
-def _rows(checks: dict[str, Kept], *names: str) -> list[Row]:
+def _rows(checks: dict[str, Kept], *names: str) -> list[RowRecord]:
     return [row for name in names if name in checks for row in checks[name].data["rows"]]
 
 
@@ -123,8 +124,10 @@ def sector(checks: dict[str, Kept], outside: str, names: Sequence[str] = SECTOR)
     Args:
         outside: how the outside diameter is held, as its cases end.
     """
-    found = [row for row in _rows(checks, "bearing_sector") if row["verdict"] == "finding" and row["reference"]]
-    own = [row for row in found if row["case"].partition("outside diameter ")[2] in (outside, f"{outside}{GYROSCOPIC}")]
+    findings = [row for row in _rows(checks, "bearing_sector") if row["verdict"] == "finding" and row["reference"]]
+    own = [
+        row for row in findings if row["case"].partition("outside diameter ")[2] in (outside, f"{outside}{GYROSCOPIC}")
+    ]
     each = {name: [row for row in own if row["quantity"].split(" ")[-1] == name] for name in names}
     return ", ".join(f"{quantity(name)} {largest(rows)}" for name, rows in each.items() if rows)
 
@@ -142,14 +145,14 @@ def span(values: Iterable[float | str]) -> str:
 
 def _rigid_seat(evidence: Evidence) -> Question:
     records = [k for k in evidence.checks.values() if k.data["kind"] == "model comparison"]
-    asked = Question("Rigid seat: how far from elastic bodies?", "check-bearing-sector", records)
+    question = Question("Rigid seat: how far from elastic bodies?", "check-bearing-sector", records)
     worst = sector(evidence.checks, "rigid", MOST_ASKED)
     if not worst:
-        return asked._replace(see="hertz")
+        return question._replace(see="hertz")
     curves = evidence.checks["bearing_sector"].data["pictures"]["bearing_sector"]["rigid"].values()
     loads = [load for curve in curves for load in curve["load_N"]]
     missed = _failing(records)
-    return asked._replace(
+    return question._replace(
         answer=f"axial load {span(loads)} N, at rest and at speed",
         worst=worst, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
         may="contact loads, contact angles and displacements in rigid seats",
@@ -158,11 +161,11 @@ def _rigid_seat(evidence: Evidence) -> Question:
 
 def _free_ring(evidence: Evidence) -> Question:
     records = [evidence.checks[name] for name in ("bearing_sector",) if name in evidence.checks]
-    asked = Question("Free or thin outer ring?", "check-bearing-sector" if records else "hertz", records)
+    question = Question("Free or thin outer ring?", "check-bearing-sector" if records else "hertz", records)
     worst, mended = (sector(evidence.checks, each, MOST_ASKED) for each in ("free", WITH_RINGS))
     if not worst:
-        return asked
-    return asked._replace(
+        return question
+    return question._replace(
         answer=f"use elastic_rings, then: {mended}", worst=worst, verdict=LIMIT_OF_USE,
         may="rings in seats that are not stiff with elastic_rings" if mended else "",
         not_for=f"a free outside diameter without elastic_rings (off by {worst})",
@@ -172,13 +175,15 @@ def _free_ring(evidence: Evidence) -> Question:
 def _elastic_rings(evidence: Evidence) -> Question:
     records = [evidence.checks[name] for name in RINGS if name in evidence.checks]
     is_there = "elastic_ring" in evidence.checks
-    asked = Question("Elastic rings themselves?", "check-elastic-ring" if is_there else "hertz", records)
-    found = [row for row in _rows(evidence.checks, "elastic_ring") if row["verdict"] == "finding" and row["reference"]]
-    if not found:
-        return asked
-    worst, missed = max(found, key=lambda row: abs(row["deviation_percent"])), _failing(records)
-    off = f"{largest(found)} of the {as_read(worst['quantity'])}"
-    return asked._replace(
+    question = Question("Elastic rings themselves?", "check-elastic-ring" if is_there else "hertz", records)
+    findings = [
+        row for row in _rows(evidence.checks, "elastic_ring") if row["verdict"] == "finding" and row["reference"]
+    ]
+    if not findings:
+        return question
+    worst, missed = max(findings, key=lambda row: abs(deviation_percent(row))), _failing(records)
+    off = f"{largest(findings)} of the {as_read(worst['quantity'])}"
+    return question._replace(
         answer=f"one pitch in three dimensions; worst: {as_read(worst['case'])}",
         worst=off, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
         not_for=f"deflections of elastic rings near 0° with many balls (up to {off})",
@@ -187,15 +192,15 @@ def _elastic_rings(evidence: Evidence) -> Question:
 
 def _published(evidence: Evidence) -> Question:
     records = [kept for kept in evidence.book.values() if kept.data["kind"] != "M"]
-    asked = Question("Published results?", "published", records)
+    question = Question("Published results?", "published", records)
     if not records:
-        return asked
+        return question
     expected = [kept for kept in records if not is_counter_example(kept.data)]
     good, missed = sum(map(_passes, expected)), _failing(records)
     rows = [(row, kept) for kept in expected for row in kept.data["rows"] if row["tolerance_percent"]]
     near, case = max(rows, key=lambda each: used(each[0]))
     told, more = row_text.of_row(near), _and_more(records, expected)
-    return asked._replace(
+    return question._replace(
         answer=f"{len(expected)} cases computed by others{more}; nearest to its limit: {case.data['title']}",
         worst=(told.deviation and difference(near)) or told.found, limit=told.tolerance,
         verdict=_judged(not missed, f"{good} of {len(expected)}"), missed=missed,
@@ -205,14 +210,14 @@ def _published(evidence: Evidence) -> Question:
 
 def _measured(evidence: Evidence) -> Question:
     records = [kept for kept in evidence.book.values() if kept.data["kind"] == "M"]
-    asked = Question("Measurements?", "measurements" if records else "published", records)
+    question = Question("Measurements?", "measurements" if records else "published", records)
     if not records:
-        return asked
+        return question
     expected = [kept for kept in records if not is_counter_example(kept.data)]
     rows = [row for kept in expected for row in kept.data["rows"] if row["reference"] and row["verdict"] == "finding"]
-    worst = max(rows, key=lambda row: abs(row["deviation_percent"]), default=None)
+    worst = max(rows, key=lambda row: abs(deviation_percent(row)), default=None)
     missed, more = _failing(records), _and_more(records, expected)
-    return asked._replace(
+    return question._replace(
         answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
         + ("none" if worst is None else f"{as_read(worst['quantity'])}, {as_read(worst['case'])}"),
         worst="" if worst is None else largest([worst]),
@@ -226,7 +231,7 @@ def _and_more(records: Sequence[Kept], expected: Sequence[Kept]) -> str:
     return f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree" if more else ""
 
 
-def is_counter_example(entry: dict[str, Any]) -> bool:
+def is_counter_example(entry: Mapping[str, Any]) -> bool:
     """Whether a published case is one that the model is not expected to meet."""
     return bool(entry.get("counter_example"))
 
@@ -247,26 +252,26 @@ class Scenes:
 
 def scenes(kept: Kept) -> Scenes:
     """The counts of a campaign, whichever made it."""
-    found = kept.data
-    if "campaign" in found:
-        lost, wrong = len(found["not_converged"]), len(found["wrong"])
-        solved = found["ended"].get("converged", 0)
-        return Scenes(found["campaign"].replace("_", " "), found["count"], lost, solved, wrong, None)
-    lost, wrong = found["classes"].get("not_converged", 0), sum(found["failures"].values())
-    solved = found["classes"].get("converged", 0)
-    return Scenes(found["envelope"], found["count"], lost, solved, wrong, found["bar"]["allowed"])
+    record = kept.data
+    if "campaign" in record:
+        lost, wrong = len(record["not_converged"]), len(record["wrong"])
+        solved = record["ended"].get("converged", 0)
+        return Scenes(record["campaign"].replace("_", " "), record["count"], lost, solved, wrong, None)
+    lost, wrong = record["classes"].get("not_converged", 0), sum(record["failures"].values())
+    solved = record["classes"].get("converged", 0)
+    return Scenes(record["envelope"], record["count"], lost, solved, wrong, record["bar"]["allowed"])
 
 
 def refusals(kept: Iterable[Kept]) -> dict[str, int]:
     """Scenes of campaigns without an equilibrium by their reason, the most frequent first."""
-    found: Counter[str] = Counter()
+    by_reason: Counter[str] = Counter()
     for one in kept:
         ended = one.data.get("ended", {}).items()
-        found.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
+        by_reason.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
         reasons = one.data.get("no_equilibrium", {}).get("reasons_and_certificates", {})
-        found.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
+        by_reason.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
     merged: Counter[str] = Counter()
-    for why, number in found.items():
+    for why, number in by_reason.items():
         merged[why.replace("_", " ")] += number
     return dict(merged.most_common())
 
@@ -287,9 +292,9 @@ def total(kept: Iterable[Kept]) -> Scenes:
 
 def _robust(evidence: Evidence) -> Question:
     records = [*evidence.campaigns, *evidence.recomputed, *([evidence.hard_cases] if evidence.hard_cases else [])]
-    asked = Question("Hard and random scenes?", "robustness", records)
+    question = Question("Hard and random scenes?", "robustness", records)
     if not records:
-        return asked
+        return question
     limited, others = [list(map(scenes, each)) for each in (evidence.campaigns, evidence.recomputed)]
     cases = evidence.hard_cases.data["cases"] if evidence.hard_cases else []
     hard = [each["case"] for each in cases if each["verdict"] not in EXPECTED]
@@ -304,7 +309,7 @@ def _robust(evidence: Evidence) -> Question:
     ]
     missed += [f"hard cases without the expected result: {', '.join(hard)}"] if hard else []
     every, good = total(evidence.random_scenes), len(cases) - len(hard)
-    return asked._replace(
+    return question._replace(
         answer=f"{good} of {len(cases)} hard cases give the expected result; {every.wrong} of {every.count:,} random "
         "scenes wrong",
         worst=f"not converged: {every.lost} of {every.count:,}",

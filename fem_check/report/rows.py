@@ -5,12 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from math import inf
-from typing import Any
 
 from fem_check.rows import row_text
+from fem_check.rows.record import RowRecord, computed_value, deviation_percent
 from qsbearing.documents.model import Badge, Cell, Table
-
-Row = dict[str, Any]
 
 SHORT = {
     "semi_major_axis": "a", "semi_minor_axis": "b", "max_pressure": "p0", "max_shear_stress": "τmax",
@@ -34,9 +32,9 @@ def as_read(text: str) -> str:
     """A text of a record as readers see it: without marks of code, units and powers by their signs."""
     text = re.sub(r"(?<=\d )um\b", "µm", text.replace("`", ""))
     text = re.sub(r"(?<=\d) deg\b", "°", text)
-    text = _FIVE_DIGITS.sub(lambda found: f"{found[1]},{found[2]}", text)
+    text = _FIVE_DIGITS.sub(lambda match: f"{match[1]},{match[2]}", text)
     text = re.sub(r"(?<=[a-z])[ _]material\.(?=[a-z])", "'s ", text)
-    text = re.sub(r"\^([23])(?![\d.])", lambda found: "²³"[int(found[1]) - 2], text)
+    text = re.sub(r"\^([23])(?![\d.])", lambda match: "²³"[int(match[1]) - 2], text)
     return row_text.short_exponents(text)
 
 
@@ -49,17 +47,17 @@ def badge(word: str) -> Badge:
     return Badge(word, STATUS.get(word, "missing"))
 
 
-def counts(rows: Sequence[Row]) -> dict[str, int]:
+def counts(rows: Sequence[RowRecord]) -> dict[str, int]:
     """How many rows have each verdict."""
     return {word: sum(row["verdict"] == word for row in rows) for word in ("pass", "fail", "finding")}
 
 
-def difference(row: Row) -> str:
+def difference(row: RowRecord) -> str:
     """What was found against the reference, with its uncertainty and unit."""
     said = row_text.difference(row)
     if row["uncertainty_percent"] is None:  # nothing says to which digit it is known
-        size = (row["found"] - row["reference"]) * row_text.in_unit(row)[0]
-        said = short(size) if not row["reference"] or row_text.is_absolute(row) else short(row["deviation_percent"])
+        size = (computed_value(row) - row["reference"]) * row_text.in_unit(row)[0]
+        said = short(size) if not row["reference"] or row_text.is_absolute(row) else short(deviation_percent(row))
     unit = row_text.difference_unit(row)
     return row_text.with_unit(said, unit)
 
@@ -69,52 +67,52 @@ def short(value: float) -> str:
     return row_text.number(value, 3 if 10.0 <= abs(value) < 1000.0 else 2, signed=True)
 
 
-def largest(rows: Iterable[Row]) -> str:
+def largest(rows: Iterable[RowRecord]) -> str:
     """The largest difference of some rows in the unit that readers see, without its uncertainty; empty for no row."""
     row = max(rows, key=_size, default=None)
     return "" if row is None else difference(row | {"uncertainty_percent": None})
 
 
-def used(row: Row) -> float:
+def used(row: RowRecord) -> float:
     """Share of its tolerance that deviation and uncertainty take; of a row without one 0, and infinite of one that is
     refused."""
     if row["found"] is None:
         return inf
-    reach = abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)
+    reach = abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0)
     tolerance = row["tolerance_percent"]
     return float(reach / tolerance) if tolerance else (inf if tolerance == 0.0 and reach else 0.0)
 
 
-def worst(rows: Sequence[Row], most: int = 5) -> list[tuple[int, Row]]:
+def worst(rows: Sequence[RowRecord], most: int = 5) -> list[tuple[int, RowRecord]]:
     """Of each quantity the worst row and of how many it is; failures first, then at most three findings, the largest,
     then the rows nearest to their tolerances."""
-    alike: dict[tuple[str, bool], list[Row]] = {}
+    alike: dict[tuple[str, bool], list[RowRecord]] = {}
     for row in rows:
         alike.setdefault((row["quantity"], row["tolerance_percent"] is None), []).append(row)
     each = [(len(same), max(same, key=_badness)) for same in alike.values()]
     failing = [pair for pair in each if pair[1]["verdict"] in ("fail", "refused")]
     findings = sorted(
-        (pair for pair in each if pair[1]["verdict"] == "finding"), key=lambda pair: -abs(pair[1]["deviation_percent"])
+        (pair for pair in each if pair[1]["verdict"] == "finding"), key=lambda pair: -abs(deviation_percent(pair[1]))
     )
     judged = sorted((pair for pair in each if pair[1]["verdict"] == "pass"), key=lambda pair: -used(pair[1]))
     room = max(3, most - len(judged))
     return [*failing, *findings[:room], *judged][:most]
 
 
-def _badness(row: Row) -> tuple[bool, float, float]:
+def _badness(row: RowRecord) -> tuple[bool, float, float]:
     return row["verdict"] in ("fail", "refused"), used(row), _size(row)
 
 
-def _size(row: Row) -> float:
+def _size(row: RowRecord) -> float:
     if row["found"] is None:
         return inf
-    return float(abs(row["found"] - row["reference"] if row_text.is_absolute(row) else row["deviation_percent"]))
+    return float(abs(row["found"] - row["reference"] if row_text.is_absolute(row) else deviation_percent(row)))
 
 
 HEADINGS = ("quantity", "worst of", "deviation ± 95 %", "limit", "where", "verdict")
 
 
-def table(rows: Sequence[tuple[int, Row]], caption: str = "", is_whole: bool = False) -> Table:
+def table(rows: Sequence[tuple[int, RowRecord]], caption: str = "", is_whole: bool = False) -> Table:
     """Rows, each the worst of so many; all rows, if it is whole."""
     lines: list[list[Cell]] = []
     for count, row in rows:
@@ -133,15 +131,15 @@ def table(rows: Sequence[tuple[int, Row]], caption: str = "", is_whole: bool = F
     return Table(headings, lines, "l" * len(headings), caption, stack=True)
 
 
-def reasons(rows: Iterable[Row]) -> list[list[Cell]]:
+def reasons(rows: Iterable[RowRecord]) -> list[list[Cell]]:
     """A line for each reason: its quantities, their limits, the reason."""
-    found: dict[str, dict[str, dict[str, None]]] = {}
+    by_reason: dict[str, dict[str, dict[str, None]]] = {}
     for row in rows:
         why = as_read(row["why_tolerance"] or "").removeprefix("a finding").removeprefix(": ")
-        entry = found.setdefault(why, {"quantity": {}, "limit": {}})
+        entry = by_reason.setdefault(why, {"quantity": {}, "limit": {}})
         entry["quantity"][quantity(as_read(row["quantity"]))] = None
         entry["limit"][row_text.of_row(row).tolerance or "none"] = None
-    return [[", ".join(entry["quantity"]), _several(list(entry["limit"])), why] for why, entry in found.items()]
+    return [[", ".join(entry["quantity"]), _several(list(entry["limit"])), why] for why, entry in by_reason.items()]
 
 
 def _several(limits: Sequence[str]) -> str:

@@ -28,12 +28,12 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
         evidence: all that is on record.
         before: of an earlier release, to be compared with.
     """
-    asked = questions.all_of(evidence)
+    answers = questions.all_of(evidence)
     return Document(
         f"qsbearing {traceability.listed(kept.version for kept in evidence.all())}",
         "Validation report",
         [
-            traceability.section(evidence, asked),
+            traceability.section(evidence, answers),
             limits.section(),
             mathematics.section(evidence),
             *cards.sections(evidence),
@@ -46,7 +46,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             traceability.reproducing(evidence),
             annex.notes(evidence),
         ],
-        head=page_one.blocks(evidence, asked, before),
+        head=page_one.blocks(evidence, answers, before),
         depth=1,
     )
 

@@ -6,20 +6,22 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field, replace
 from enum import StrEnum
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
+
+from fem_check.rows.record import NO_MESH, MeshRecord, RowRecord
 
 EXAMPLE = "b218"
 """The scene that the checks run on unless another is named."""
 
 
-class Level(StrEnum):
+class MeshLevel(StrEnum):
     """How fine the meshes are, and so how expensive the run."""
 
     QUICK = "quick"
     RELEASE = "release"
 
 
-class Kind(StrEnum):
+class CheckKind(StrEnum):
     """What a check can show."""
 
     VERIFICATION = "verification"
@@ -30,7 +32,7 @@ class Kind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Row:
+class AgreementRow:
     """One quantity compared with its reference."""
 
     case: str
@@ -72,26 +74,22 @@ class Row:
             return "finding" if math.isfinite(self.found) else "fail"
         return "pass" if self.reach_percent <= self.tolerance_percent else "fail"  # NaN fails too
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> RowRecord:
         """As the record keeps it; what is no number is None."""
         ordered = asdict(self) | {"deviation_percent": self.deviation_percent, "verdict": self.verdict}
-        names = (
-            "case", "quantity", "unit", "reference", "reference_source", "found", "deviation_percent",
-            "uncertainty_percent", "tolerance_percent", "why_tolerance", "verdict", "worst_at",
-        )  # fmt: skip
-        values = {name: ordered[name] for name in names}
-        return {
+        values = {name: ordered[name] for name in RowRecord.__annotations__}
+        kept = {
             name: None if isinstance(each, float) and not math.isfinite(each) else each for name, each in values.items()
         }
+        return cast(RowRecord, kept)
 
 
 @dataclass
 class Findings:
     """Result of a check."""
 
-    rows: list[Row]
-    mesh: dict[str, Any] = field(default_factory=lambda: dict.fromkeys(("elements_per_semi_axis", "dofs", "file")))
-    """elements_per_semi_axis, dofs, file of the finest mesh; None without one."""
+    rows: list[AgreementRow]
+    mesh: MeshRecord = field(default_factory=NO_MESH.copy)
     solver: str = ""
     pictures: dict[str, Any] = field(default_factory=dict)
     """Series of numbers from which the report draws."""
@@ -104,9 +102,9 @@ class Findings:
         return "fail" if any(row.verdict == "fail" for row in self.rows) else "pass"
 
 
-def collapsed(rows: Iterable[Row], case: str) -> list[Row]:
+def collapsed(rows: Iterable[AgreementRow], case: str) -> list[AgreementRow]:
     """One row per quantity in place of many similar ones: the worst, under a case that names what it stands for."""
-    worst: dict[str, Row] = {}
+    worst: dict[str, AgreementRow] = {}
     for row in rows:
         known = worst.get(row.quantity)
         # A reach that is no number counts as the worst.
@@ -115,7 +113,7 @@ def collapsed(rows: Iterable[Row], case: str) -> list[Row]:
     return [replace(row, case=case, worst_at=row.case) for row in worst.values()]
 
 
-def covered(case: str, rows: Iterable[Row]) -> Row:
+def covered(case: str, rows: Iterable[AgreementRow]) -> AgreementRow:
     """The verdict on the uncertainties themselves: no deviation from an exact reference may exceed the one beside it.
 
     Args:
@@ -130,7 +128,9 @@ def covered(case: str, rows: Iterable[Row]) -> Row:
     worst = max(over, key=lambda name: math.inf if math.isnan(over[name]) else over[name])
     source = "exact: the uncertainty covers the deviation from an exact reference"
     why = "an uncertainty that its own deviation exceeds is too small"
-    return Row(case, "largest deviation over uncertainty", "1", 0.0, source, over[worst], None, 100.0, why, worst)
+    return AgreementRow(
+        case, "largest deviation over uncertainty", "1", 0.0, source, over[worst], None, 100.0, why, worst
+    )
 
 
 Progress = Callable[[str, float], None]
@@ -139,7 +139,7 @@ Progress = Callable[[str, float], None]
 class Run(Protocol):
     """The function that runs a check."""
 
-    def __call__(self, level: Level, progress: Progress, scene: str = EXAMPLE) -> Findings:
+    def __call__(self, level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         """Run it on a scene: a file, or a name of the catalogue; checks that concern no bearing ignore it."""
 
 
@@ -149,9 +149,9 @@ class Check:
 
     name: str
     question: str
-    kind: Kind
+    kind: CheckKind
     reference: str
     tolerance: str
     run: Run
-    largest_dofs: Callable[[Level], int]
+    largest_dofs: Callable[[MeshLevel], int]
     """Unknowns of the largest linear system at a level, for the estimate of memory."""

@@ -61,8 +61,8 @@ def well_apart(sizes: list[float], values: list[float]) -> tuple[list[float], li
     kept = [(size, value) for size, value in zip(sizes[:-1], values[:-1], strict=True) if size >= APART * sizes[-1]]
     if len(kept) < 2:
         return sizes, values
-    coarser, found = zip(*kept, strict=True)
-    return [*coarser, sizes[-1]], [*found, values[-1]]
+    coarser, coarser_values = zip(*kept, strict=True)
+    return [*coarser, sizes[-1]], [*coarser_values, values[-1]]
 
 
 def extrapolated(sizes: list[float], values: list[float]) -> tuple[float, float]:

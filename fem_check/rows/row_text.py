@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from math import floor, isfinite, log10
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-Row = dict[str, Any]
+from fem_check.rows.record import RowRecord, computed_value, deviation_percent
 
 UNITS = {
     "m": (1e6, "µm"), "Pa": (1e-6, "MPa"), "m/N": (1e9, "nm/N"), "1": (1.0, ""), "relative": (100.0, "%"),
@@ -24,7 +24,7 @@ class RowText(NamedTuple):
     """Per cent; empty where the reference is zero; of a displacement that is a finding in its own unit, which it names.
     """
     uncertainty: str
-    """Likewise."""
+    """Of the deviation, in its unit."""
     tolerance: str
     """With its sign or unit: per cent, or the limit of a difference from zero in the row's own unit."""
 
@@ -58,10 +58,10 @@ def scientific(value: float, digits: int) -> str:
 
 def short_exponents(text: str) -> str:
     """Powers of ten without the zeros that a program writes: 1e-7 for 1e-07."""
-    return re.sub(r"(?<=\d)e([+-]?)0*(\d+)\b", lambda found: f"e{found[1].strip('+')}{found[2]}", text)
+    return re.sub(r"(?<=\d)e([+-]?)0*(\d+)\b", lambda match: f"e{match[1].strip('+')}{match[2]}", text)
 
 
-def in_unit(row: Row) -> tuple[float, str]:
+def in_unit(row: RowRecord) -> tuple[float, str]:
     """Factor and name of the unit that readers see."""
     factor, name = UNITS.get(row["unit"], (1.0, row["unit"] or ""))
     return factor, name
@@ -86,7 +86,7 @@ _MOST_DECIMALS = 6
 """Smaller uncertainties are those of rounding, and are written with a power of ten."""
 
 
-def is_absolute(row: Row) -> bool:
+def is_absolute(row: RowRecord) -> bool:
     """Whether a per cent of the reference would mislead: a displacement at speed is zero at some load, and what a ring
     adds to it, 9 µm, is then any per cent; an angle's zero is arbitrary. A displacement that is judged has a tolerance
     in per cent."""
@@ -95,40 +95,43 @@ def is_absolute(row: Row) -> bool:
     )
 
 
-def own_difference(row: Row) -> tuple[str, str]:
+def own_difference(row: RowRecord) -> tuple[str, str]:
     """The difference from the reference and its uncertainty, in the unit that readers see."""
     factor, _ = in_unit(row)
     uncertainty = row["uncertainty_percent"]
     size = 0.01 * abs(row["reference"]) * factor
-    return rounded(factor * (row["found"] - row["reference"]), None if uncertainty is None else size * uncertainty)
+    return rounded(
+        factor * (computed_value(row) - row["reference"]), None if uncertainty is None else size * uncertainty
+    )
 
 
-def of_row(row: Row) -> RowText:
+def of_row(row: RowRecord) -> RowText:
     """All numbers of a row."""
     factor, unit = in_unit(row)
-    reference, found = (None if row[name] is None else number(row[name] * factor) for name in ("reference", "found"))
-    if found is None:
+    reference, computed = (None if each is None else number(each * factor) for each in (row["reference"], row["found"]))
+    if computed is None:
         return RowText(reference or "", "", "", "", "")
-    deviation, uncertainty = rounded(row["deviation_percent"], row["uncertainty_percent"])
+    deviation, uncertainty = rounded(deviation_percent(row), row["uncertainty_percent"])
     tolerance = row["tolerance_percent"]
     if row["reference"] == 0.0:
         limit = "" if tolerance is None else with_unit(number(tolerance / 100.0 * factor, 2), unit)
         if row["uncertainty_percent"]:
-            found = f"{found} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
-        return RowText("0", found or "", "", "", limit)
+            computed = f"{computed} ± {number(row['uncertainty_percent'] / 100.0 * factor, 2)}"
+        return RowText("0", computed or "", "", "", limit)
     limit = "" if tolerance is None else f"{number(tolerance, 2)} %"
     if is_absolute(row):
         deviation, uncertainty = (each and with_unit(each, unit) for each in own_difference(row))
-        limit = limit and with_unit(number(0.01 * tolerance * abs(row["reference"]) * factor, 2), unit)
-    return RowText(reference or "", found or "", deviation, uncertainty, limit)
+        if tolerance is not None:
+            limit = with_unit(number(0.01 * tolerance * abs(row["reference"]) * factor, 2), unit)
+    return RowText(reference or "", computed or "", deviation, uncertainty, limit)
 
 
-def difference_unit(row: Row) -> str:
+def difference_unit(row: RowRecord) -> str:
     """Of `difference`."""
     return in_unit(row)[1] if row["reference"] == 0.0 or is_absolute(row) else "%"
 
 
-def difference(row: Row) -> str:
+def difference(row: RowRecord) -> str:
     """The difference from the reference in one text, without its unit: see `difference_unit`."""
     told = of_row(row)
     if row["reference"] == 0.0:
@@ -137,7 +140,7 @@ def difference(row: Row) -> str:
     return deviation + (f" ± {uncertainty}" if uncertainty else "")
 
 
-def deviation(row: Row) -> str:
+def deviation(row: RowRecord) -> str:
     """Deviation ± its uncertainty: per cent, unless a unit stands behind it; nothing of a reference that is zero."""
     if row["found"] is None or row["reference"] == 0.0:
         return ""

@@ -24,12 +24,14 @@ def objections(record: dict[str, Any]) -> list[str]:
     """What the scenes of a campaign that did not converge speak against a release."""
     lost, bar = record["not_converged"], record["bar"]
     unknown = [name for name in lost if name not in NOT_CONVERGED]
-    found = []
+    faults = []
     if len(unknown) > bar["allowed"]:
-        found.append(f"the bar is missed ({bar['asked']}): {len(unknown)} not converged, {', '.join(unknown[:5])}")
+        faults.append(f"the bar is missed ({bar['asked']}): {len(unknown)} not converged, {', '.join(unknown[:5])}")
     for name in NOT_CONVERGED:
         envelope, seed, chunk, index = name.split("/")
         is_drawn = (envelope, int(seed)) == (record["envelope"], record["seed"])
         if is_drawn and int(chunk) * _CHUNK + int(index) < record["count"] and name not in lost:
-            found.append(f"{name} is known as not converged and is solved now: take it from fem_check/running/known.py")
-    return found
+            faults.append(
+                f"{name} is known as not converged and is solved now: take it from fem_check/running/known.py"
+            )
+    return faults

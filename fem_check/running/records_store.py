@@ -7,13 +7,14 @@ import os
 import shlex
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from fem_check import meshing
 from fem_check.product.scenes import RING_OPTIONS
-from fem_check.rows.agreement import EXAMPLE, Check, Findings, Level
+from fem_check.rows.agreement import EXAMPLE, Check, Findings, MeshLevel
+from fem_check.rows.record import CheckRecord
 from qsbearing import __version__
 from qsbearing.results import provenance
 
@@ -31,9 +32,9 @@ class RecordError(Exception):
 
 def versions() -> dict[str, str]:
     """Versions of what the numbers rest on."""
-    found = {"qsbearing": __version__} | provenance.versions(("numpy", "scipy", *PACKAGES))
+    by_package = {"qsbearing": __version__} | provenance.versions(("numpy", "scipy", *PACKAGES))
     gmsh = meshing.gmsh_version()
-    return found | ({"gmsh": gmsh} if gmsh else {})
+    return by_package | ({"gmsh": gmsh} if gmsh else {})
 
 
 def record(
@@ -45,7 +46,7 @@ def record(
     cpu_seconds: float,
     peak_memory_MB: float,
     scene: str = EXAMPLE,
-) -> dict[str, Any]:
+) -> CheckRecord:
     """A check's findings as they are kept and printed.
 
     The processor's time stands beside the clock's: on a machine that others use too, only it tells the work done.
@@ -74,7 +75,7 @@ def record(
     entry["provenance"] = provenance.of_run(command, str(level), PACKAGES)
     entry["notes"] = findings.notes
     entry["pictures"] = findings.pictures
-    return entry
+    return cast(CheckRecord, entry)
 
 
 def command_of(name: str, level: str, scene: str) -> str:
@@ -94,7 +95,7 @@ def path_of(name: str, level: str, folder: Path = FOLDER) -> Path:
     return folder / str(level) / f"{name}.json"
 
 
-def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
+def write(entry: CheckRecord, folder: Path = FOLDER) -> Path:
     """Keep a record: the file is replaced in one step, so an interrupted run leaves the earlier one whole."""
     path = path_of(entry["check"], entry["level"], folder)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -102,7 +103,7 @@ def write(entry: dict[str, Any], folder: Path = FOLDER) -> Path:
     return path
 
 
-def text(entry: dict[str, Any]) -> bytes:
+def text(entry: Mapping[str, Any]) -> bytes:
     """A record as it stands in its file: rows to read, and the pictures' numbers, which nobody reads, on one line."""
     read = json.dumps({key: value for key, value in entry.items() if key != "pictures"}, indent=1, allow_nan=False)
     if "pictures" in entry:
@@ -123,14 +124,14 @@ def replace(path: Path, content: bytes) -> None:
         raise
 
 
-def read_all(folder: Path = FOLDER) -> dict[str, dict[str, Any]]:
+def read_all(folder: Path = FOLDER) -> dict[str, CheckRecord]:
     """The records of each check, the release level's where there is one, else the quick level's."""
-    found: dict[str, dict[str, Any]] = {}
-    for level in (Level.QUICK, Level.RELEASE):
+    by_check: dict[str, CheckRecord] = {}
+    for level in (MeshLevel.QUICK, MeshLevel.RELEASE):
         for path in sorted((folder / level).glob("*.json")):
-            entry = read(path, FIELDS, "no record", "run its check again")
-            found[entry["check"]] = entry
-    return found
+            entry = cast(CheckRecord, read(path, FIELDS, "no record", "run its check again"))
+            by_check[entry["check"]] = entry
+    return by_check
 
 
 def read(path: Path, fields: Iterable[str], unfit: str, remedy: str) -> dict[str, Any]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
 from fem_check.checks import ALL, OF_BEARING, OPTIONAL
 from fem_check.mechanics import half_space_contact
@@ -13,7 +12,8 @@ from fem_check.mechanics.contact import ContactError
 from fem_check.meshing import MeshError
 from fem_check.product import scenes
 from fem_check.product.scenes import SceneProblemError
-from fem_check.rows.agreement import EXAMPLE, Check, Level, Progress
+from fem_check.rows.agreement import EXAMPLE, Check, MeshLevel, Progress
+from fem_check.rows.record import CheckRecord
 from fem_check.running import memory, records_store
 
 
@@ -43,11 +43,11 @@ def refuse_too_large(dofs: int, what: str) -> None:
 
 def run(
     checks: list[Check],
-    level: Level,
+    level: MeshLevel,
     folder: Path,
     progress: Callable[[Check], Progress],
     scene: str = EXAMPLE,
-) -> Iterator[dict[str, Any]]:
+) -> Iterator[CheckRecord]:
     """Run checks on a scene and keep their records; each record is handed out as it is written.
 
     Raises:
@@ -73,7 +73,7 @@ def run(
         seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu
         entry = records_store.record(check, check.name, level, findings, seconds, cpu_seconds, memory.peak_MB(), scene)
         records_store.write(entry, folder)
-        if level is Level.RELEASE:
+        if level is MeshLevel.RELEASE:
             half_space_contact.clear_cache()
         yield entry
     if not_run:

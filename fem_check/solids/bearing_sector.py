@@ -81,7 +81,7 @@ class SectorResults:
     pressures: tuple[Array, Array]
     """Coefficients of each contact's basis functions [Pa]."""
     friction: Array
-    """Likewise at the outer contact; zero without a gyroscopic moment."""
+    """Coefficients of the friction at the outer contact [Pa]; zero without a gyroscopic moment."""
     gaps: tuple[Array, Array]
     """Mean gap over each basis function, of the deformed bodies [m]."""
 
@@ -111,13 +111,13 @@ class Sector:
         start = np.zeros(3)
         for _ in range(FRICTION_ITERATIONS):
             state = _State(self, load, friction)
-            found = root(state.residual, start, method="hybr", options={"xtol": XTOL, "eps": 1e-7})
-            worst = float(np.abs(state.residual(found.x)).max())
+            equilibrium = root(state.residual, start, method="hybr", options={"xtol": XTOL, "eps": 1e-7})
+            worst = float(np.abs(state.residual(equilibrium.x)).max())
             if not worst < RESIDUAL:
                 raise ContactError(
-                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({found.message})"
+                    f"no equilibrium of ball and inner ring: {worst:.1e} of the load is left ({equilibrium.message})"
                 )
-            start = found.x
+            start = equilibrium.x
             if not load.gyroscopic_moment:
                 break
             previous, friction = friction, state.friction_pressures()
@@ -199,8 +199,8 @@ class BearingSector(Sector):
         along = basis.weighted(lambda x, y: x - results.centre)
         motions = np.column_stack([basis.forces, along * np.abs(basis.forces).max() / np.abs(along).max()])
         pressure, _, _ = active_set(flexibility, gaps, motions, np.array([0.5 * results.load, 0.0]), start)
-        found = contact_results.ellipse(frame, pressure)
-        return {name: value / getattr(exact, name) for name, value in found.items()}
+        quantities = contact_results.ellipse(frame, pressure)
+        return {name: value / getattr(exact, name) for name, value in quantities.items()}
 
 
 def condensed_ring(geometry: SectorGeometry, name: str, kinds: Sequence[str], support: OuterSupport) -> CondensedSolid:

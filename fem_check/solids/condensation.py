@@ -74,9 +74,9 @@ def moved(
     turn = sp.identity(3 * body.space.count, format="csr") if turn is None else turn
     free = np.flatnonzero(~fixed.ravel())
     matrix = sp.csr_matrix(turn.T @ stiffness @ turn)
-    found = np.zeros(3 * body.space.count)
-    found[free] = factorise(sp.csc_matrix(matrix[free][:, free])).solve((turn.T @ force)[free, None])[:, 0]
-    return np.asarray(turn @ found).reshape(-1, 3)
+    displacement = np.zeros(3 * body.space.count)
+    displacement[free] = factorise(sp.csc_matrix(matrix[free][:, free])).solve((turn.T @ force)[free, None])[:, 0]
+    return np.asarray(turn @ displacement).reshape(-1, 3)
 
 
 def _dilation(body: TetrahedralBody, matrix: sp.csr_matrix) -> float:

@@ -71,7 +71,7 @@ class Patch:
 
     @property
     def lengths(self) -> tuple[float, float]:
-        """Of the block along the surface, likewise [m]."""
+        """Of the block along the surface, towards larger and towards smaller contact angles [m]."""
         return self.reach[0] * self.semi_major_axis, self.reach[1] * self.semi_major_axis
 
     @property

@@ -186,9 +186,9 @@ class ContactFrame:
         near = (xi > self.ends[0]) & (xi < self.ends[1]) & (eta < self.patch.half_width)
         height = (self.ball_height if on_ball else self.groove_height)(xi[near], eta[near])[0]
         near[near] = np.abs(zeta[near] - height) < 1e-5 * self.ball.radius
-        found = np.zeros(points.shape[1])
-        found[near] = self.basis.values(xi[near], eta[near]) @ pressure
-        return found
+        values = np.zeros(points.shape[1])
+        values[near] = self.basis.values(xi[near], eta[near]) @ pressure
+        return values
 
     @cached_property
     def resultants(self) -> Array:

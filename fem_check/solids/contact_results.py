@@ -55,9 +55,9 @@ def ellipse(frame: ContactFrame, pressure: Array) -> dict[str, float]:
     Raises:
         ContactError: it reaches the edge of its patch.
     """
-    found = _read(frame, pressure)
-    del found["centre"]
-    return found
+    quantities = _read(frame, pressure)
+    del quantities["centre"]
+    return quantities
 
 
 def _read(frame: ContactFrame, pressure: Array) -> dict[str, float]:

@@ -14,7 +14,7 @@ import numpy as np
 from scipy import fft
 
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.mechanics.boundary_element import lengthwise_influence, normal_influence
 from fem_check.solids.bearing_sector import OuterSupport, Sector
 from fem_check.solids.contact_frame import ContactFrame
@@ -44,7 +44,7 @@ class HalfSpaceSector(Sector):
         return total
 
 
-def half_spaces(frame: ContactFrame, drawing: Drawing) -> Array:
+def half_spaces(frame: ContactFrame, drawing: BearingDrawing) -> Array:
     """Flexibility of two half-spaces under a contact's pressure functions, each with its mirror image at y < 0."""
     basis = frame.basis
     lines, sides = [], []
@@ -81,5 +81,5 @@ def half_spaces(frame: ContactFrame, drawing: Drawing) -> Array:
     for number, each in enumerate(half.T):
         upper = each.reshape(x.shape)
         moved[:, number] = displacement(np.concatenate([upper[:, ::-1], upper], axis=1))[:, x.shape[1] :].ravel()
-    found = sum(compliances) * sides[0] * sides[1] * (half.T @ moved)
-    return 0.5 * (found + found.T)
+    flexibility = sum(compliances) * sides[0] * sides[1] * (half.T @ moved)
+    return 0.5 * (flexibility + flexibility.T)

@@ -51,5 +51,5 @@ def solve(flexibility: Array, gaps: Array, start: Array | None = None) -> Normal
         pressure[inside] = -cho_solve(factor, gaps[inside])
         return Trial(pressure, flexibility[:, inside] @ pressure[inside] + gaps, 1e-12 * scale), np.zeros(0)
 
-    active, found, _ = settle(flexibility, start, given)
-    return NormalContact(found.pressure, active, found.left, max(0.0, -float(found.left.min())) / scale)
+    active, trial, _ = settle(flexibility, start, given)
+    return NormalContact(trial.pressure, active, trial.left, max(0.0, -float(trial.left.min())) / scale)

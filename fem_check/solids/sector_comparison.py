@@ -18,7 +18,7 @@ import numpy as np
 
 import qsbearing
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.ring_sections import RingProfile
 from fem_check.product.scenes import SceneProblemError, ball_count, drawing_of, load_scene, ring_sections, solved
 from fem_check.solids import contact_block
@@ -56,7 +56,7 @@ QUANTITIES = {
 
 
 @dataclass(frozen=True)
-class OperatingPoint:
+class ThrustPoint:
     """A pure thrust load at a speed: every ball carries the same."""
 
     axial_load: float
@@ -71,7 +71,7 @@ class OperatingPoint:
         return f"Fa = {self.axial_load:.0f} N, {speed}"
 
 
-def own_point(scene_name: str) -> OperatingPoint:
+def own_point(scene_name: str) -> ThrustPoint:
     """The thrust and the inner ring's speed of a scene; what else it carries, the sector of one ball cannot.
 
     Raises:
@@ -84,7 +84,7 @@ def own_point(scene_name: str) -> OperatingPoint:
             f"scene {scene_name}: one ball between both rings needs one axial load above 0; a scene with a radial load "
             "or a moment alone has no ball that stands for all"
         )
-    return OperatingPoint(float(load.reshape(())), float(speed.reshape(())))
+    return ThrustPoint(float(load.reshape(())), float(speed.reshape(())))
 
 
 @dataclass(frozen=True)
@@ -93,13 +93,13 @@ class Values:
 
     model: dict[str, float]
     """The quasi-static model's."""
-    found: dict[str, float]
+    elements: dict[str, float]
     """The finite elements'."""
     position_uncertainty: dict[str, float]
 
 
 @dataclass(frozen=True)
-class Compared(Values):
+class ComparedSector(Values):
     """One operating point on one mesh: against the model as it is by default, Hertz at the free contact angle.
 
     Ellipse and largest pressure less what the mesh makes of a parabola.
@@ -122,7 +122,7 @@ def sector_bearing(scene_name: str) -> SectorBearing:
 
 
 def model(
-    scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool, free_outer_ring: bool = False
+    scene_name: str, point: ThrustPoint, *, gyroscopic_moment: bool, free_outer_ring: bool = False
 ) -> qsbearing.Solution:
     """The quasi-static model at an operating point: equal balls; at speed outer control and their inertia.
 
@@ -160,7 +160,7 @@ def model(
     return solution
 
 
-def free_ring(drawing: Drawing, profile: RingProfile) -> qsbearing.ElasticRings:
+def free_ring(drawing: BearingDrawing, profile: RingProfile) -> qsbearing.ElasticRings:
     """The effect that lets the outer ring give way as one whose outside diameter is free."""
     centre, radius = drawing.outer_groove_centre_radius, drawing.outer_groove_radius
     shoulder, opposite = (
@@ -172,7 +172,7 @@ def free_ring(drawing: Drawing, profile: RingProfile) -> qsbearing.ElasticRings:
     )  # fmt: skip
 
 
-def with_free_ring(scene_name: str, point: OperatingPoint) -> dict[str, float]:
+def with_free_ring(scene_name: str, point: ThrustPoint) -> dict[str, float]:
     """What the model computes at a point where its outer ring gives way as a free one, by quantity."""
     return _of_model(model(scene_name, point, gyroscopic_moment=False, free_outer_ring=True))
 
@@ -205,35 +205,33 @@ def _rounded(axial_displacement: float, ball_centre: Array, contacts: Iterable[A
     )
 
 
-def place(
-    scene_name: str, point: OperatingPoint, support: OuterSupport, *, gyroscopic_moment: bool = False
-) -> Expected:
+def place(scene_name: str, point: ThrustPoint, support: OuterSupport, *, gyroscopic_moment: bool = False) -> Expected:
     """Where the bodies are meshed: the model's position; with a support that it knows nothing of, where a coarse mesh
     there finds them."""
     bearing = sector_bearing(scene_name)
     near = expected(bearing, model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
     if support is OuterSupport.RIGID:
         return near
-    found = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
+    results = BearingSector(SectorGeometry(bearing, near, COARSE), support).solve(
         SectorLoad(point.axial_load, point.speed)
     )
-    return _rounded(found.axial_displacement, found.ball_centre, (found.inner, found.outer), ROOM[support])
+    return _rounded(results.axial_displacement, results.ball_centre, (results.inner, results.outer), ROOM[support])
 
 
 def compare(
     scene_name: str,
-    point: OperatingPoint,
+    point: ThrustPoint,
     sector: BearingSector,
     *,
     gyroscopic_moment: bool = False,
     positions: int = POSITIONS,
-) -> Compared:
+) -> ComparedSector:
     """Compare one operating point on one mesh, made for it."""
     cell = ROOM[sector.support] * contact_block.PATCH / contact_block.cells(sector.geometry.elements)
     factors = 1.0 + cell * ((np.arange(positions) + 0.5) / positions - 0.5)
     deviations: dict[str, list[Array]] = {"default": [], "as read": []}
     for factor in factors:
-        near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
+        near = ThrustPoint(point.axial_load * factor**3, point.speed * factor**1.5)
         solution = model(scene_name, near, gyroscopic_moment=gyroscopic_moment)
         results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
         read, mesh = _of_elements(results), _of_parabola(sector, results)
@@ -243,9 +241,9 @@ def compare(
     solution = model(scene_name, point, gyroscopic_moment=gyroscopic_moment)
     default = _averaged(_of_model(solution), deviations["default"], factors)
     as_read = _averaged(_of_model(nearest(solution)), deviations["as read"], factors)
-    return Compared(
+    return ComparedSector(
         default.model,
-        default.found,
+        default.elements,
         default.position_uncertainty,
         as_read,
         sector.dofs,
@@ -253,12 +251,12 @@ def compare(
     )
 
 
-def half_spaces(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bool) -> tuple[Values, HalfSpaceSector]:
+def half_spaces(scene_name: str, point: ThrustPoint, *, gyroscopic_moment: bool) -> tuple[Values, HalfSpaceSector]:
     """The sector with half-spaces for bodies against `nearest`, and its finer grid's sector.
 
     The uncertainty is that of the positions and the change from the coarser grid.
     """
-    bearing, found = sector_bearing(scene_name), []
+    bearing, per_grid = sector_bearing(scene_name), []
     where = place(scene_name, point, OuterSupport.RIGID, gyroscopic_moment=gyroscopic_moment)
     for elements in HALF_SPACE_CELLS:
         sector = HalfSpaceSector(SectorGeometry(bearing, where, elements))
@@ -266,25 +264,27 @@ def half_spaces(scene_name: str, point: OperatingPoint, *, gyroscopic_moment: bo
         factors = 1.0 + cell * ((np.arange(HALF_SPACE_POSITIONS) + 0.5) / HALF_SPACE_POSITIONS - 0.5)
         deviations = []
         for factor in factors:
-            near = OperatingPoint(point.axial_load * factor**3, point.speed * factor**1.5)
+            near = ThrustPoint(point.axial_load * factor**3, point.speed * factor**1.5)
             reference = nearest(model(scene_name, near, gyroscopic_moment=gyroscopic_moment))
             results = sector.solve(SectorLoad(near.axial_load, near.speed, gyroscopic_moment))
             deviations.append(_deviation(_of_elements(results), _of_model(reference)))
         reference = nearest(model(scene_name, point, gyroscopic_moment=gyroscopic_moment))
-        found.append(_averaged(_of_model(reference), deviations, factors))
-    coarse, fine = found
-    change = {name: abs(fine.found[name] - coarse.found[name]) + fine.position_uncertainty[name] for name in QUANTITIES}
-    return Values(fine.model, fine.found, change), sector
+        per_grid.append(_averaged(_of_model(reference), deviations, factors))
+    coarse, fine = per_grid
+    change = {
+        name: abs(fine.elements[name] - coarse.elements[name]) + fine.position_uncertainty[name] for name in QUANTITIES
+    }
+    return Values(fine.model, fine.elements, change), sector
 
 
 def _averaged(reference: dict[str, float], deviations: list[Array], factors: Array) -> Values:
     """Deviations at all positions as one value at the point itself."""
     values = np.array(list(reference.values()))
     table = np.column_stack([np.ones(len(factors)), np.log(factors)])
-    found = np.array(deviations)
-    fit = np.linalg.lstsq(table, found, rcond=None)[0]
+    at_positions = np.array(deviations)
+    fit = np.linalg.lstsq(table, at_positions, rcond=None)[0]
     # Positions are spread evenly, not drawn: the scatter of evenly spread parts of them tells how well they average.
-    parts = np.array([np.linalg.lstsq(table[k::PARTS], found[k::PARTS], rcond=None)[0][0] for k in range(PARTS)])
+    parts = np.array([np.linalg.lstsq(table[k::PARTS], at_positions[k::PARTS], rcond=None)[0][0] for k in range(PARTS)])
     error = 2.0 * parts.std(axis=0, ddof=1) / np.sqrt(PARTS)
     scale = np.where(_relative(), values, 1.0)
     return Values(
@@ -299,8 +299,8 @@ def _relative() -> Array:
     return np.array([unit not in ("deg",) and name != "axial_displacement" for name, unit in QUANTITIES.items()])
 
 
-def _deviation(found: dict[str, float], reference: dict[str, float]) -> Array:
-    f, r = np.array(list(found.values())), np.array(list(reference.values()))
+def _deviation(computed: dict[str, float], reference: dict[str, float]) -> Array:
+    f, r = np.array(list(computed.values())), np.array(list(reference.values()))
     return np.where(_relative(), f / r - 1.0, f - r)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from fem_check import meshing
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.ring_sections import BORE_BELOW_PITCH, OUTSIDE_ABOVE_PITCH, WIDTH, RingSections
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
@@ -25,7 +25,7 @@ from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
 class SectorBearing:
     """What the sector needs to know of a bearing; SI units, radians."""
 
-    drawing: Drawing
+    drawing: BearingDrawing
     ball_count: int
     sections: RingSections = field(default_factory=RingSections)
 

@@ -16,14 +16,14 @@ from math import degrees, radians, sin, tan
 
 from fem_check.independent.references import hertz
 from fem_check.mechanics import boundary_element
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.solids.sector_comparison import QUANTITIES, Values
 from fem_check.solids.sector_geometry import SectorBearing
 
 ELLIPSE = ("semi_major_axis", "semi_minor_axis", "max_pressure")
 TOLERANCES = {
-    Level.QUICK: {"semi_major_axis": 0.9, "semi_minor_axis": 2.0, "max_pressure": 2.5},
-    Level.RELEASE: {"semi_major_axis": 0.6, "semi_minor_axis": 1.3, "max_pressure": 1.5},
+    MeshLevel.QUICK: {"semi_major_axis": 0.9, "semi_minor_axis": 2.0, "max_pressure": 2.5},
+    MeshLevel.RELEASE: {"semi_major_axis": 0.6, "semi_minor_axis": 1.3, "max_pressure": 1.5},
 }
 WHY_ELLIPSE = (
     "the meshes' uncertainty, and what second-order boundary elements and a load 0.7 % larger leave open (a quarter of "
@@ -42,7 +42,9 @@ WHY_DISPLACEMENT = (
 WHY_ELASTIC = "twice the size of a groove's own displacement, Q/(E t) for each ring, over the groove centres' distance"
 
 
-def of_bodies(case: str, values: Values, bearing: SectorBearing, level: Level, *, rigid: bool) -> list[Row]:
+def of_bodies(
+    case: str, values: Values, bearing: SectorBearing, level: MeshLevel, *, rigid: bool
+) -> list[AgreementRow]:
     """Meshed bodies.
 
     Args:
@@ -61,27 +63,27 @@ def _surfaces(values: Values, bearing: SectorBearing, race: str) -> dict[str, fl
     return boundary_element.over_hertz(groove, values.model[f"{race} load"], follows_surface=True).ratio
 
 
-def _ellipses(case: str, values: Values, bearing: SectorBearing, tolerances: dict[str, float]) -> list[Row]:
-    found = []
+def _ellipses(case: str, values: Values, bearing: SectorBearing, tolerances: dict[str, float]) -> list[AgreementRow]:
+    rows = []
     for race in ("inner", "outer"):
         surfaces = _surfaces(values, bearing, race)
         for kind in ELLIPSE:
             name = f"{race} {kind}"
             reference = values.model[name] * surfaces[kind]
-            found.append(
-                Row(
+            rows.append(
+                AgreementRow(
                     f"{case}: as read, against the model and boundary elements",
                     name,
                     QUANTITIES[name],
                     reference,
                     f"qsbearing.solve, Hertz at the contact's own angle; {boundary_element.ALONG_NORMALS}",
-                    values.found[name],
+                    values.elements[name],
                     100.0 * values.position_uncertainty[name] / reference,
                     tolerances[kind],
                     WHY_ELLIPSE,
                 )
             )
-    return found
+    return rows
 
 
 def turned(bearing: SectorBearing, values: Values) -> float:
@@ -96,7 +98,7 @@ def turned(bearing: SectorBearing, values: Values) -> float:
     return degrees(moved / drawing.groove_centre_distance)
 
 
-def _elastic_bodies(case: str, values: Values, bearing: SectorBearing) -> list[Row]:
+def _elastic_bodies(case: str, values: Values, bearing: SectorBearing) -> list[AgreementRow]:
     angle = 2.0 * turned(bearing, values)
     allowed = {f"{race} angle": angle for race in ("inner", "outer")}
     # Q sin(alpha) is given by the thrust.
@@ -108,9 +110,9 @@ def _elastic_bodies(case: str, values: Values, bearing: SectorBearing) -> list[R
     ]
 
 
-def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[Row]:
+def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[AgreementRow]:
     """Half-spaces in the bodies' place."""
-    found = [
+    rows = [
         _against_model(case, f"{race} {kind}", values, tolerance, WHY_HALF_SPACE)
         for race in ("inner", "outer")
         for kind, tolerance in HALF_SPACE_TOLERANCES.items()
@@ -122,14 +124,16 @@ def of_half_spaces(case: str, values: Values, bearing: SectorBearing) -> list[Ro
         part = SURFACE_PART * (hertzian.semi_major_axis / bearing.ball_radius) ** 2
         moved += part * hertzian.approach / abs(sin(angle))
     tolerance = DISPLACEMENT_GRID + 100.0 * moved / abs(values.model["axial_displacement"])
-    return [*found, _against_model(case, "axial_displacement", values, tolerance, WHY_DISPLACEMENT)]
+    return [*rows, _against_model(case, "axial_displacement", values, tolerance, WHY_DISPLACEMENT)]
 
 
-def _against_model(case: str, name: str, values: Values, tolerance: float, why: str) -> Row:
+def _against_model(case: str, name: str, values: Values, tolerance: float, why: str) -> AgreementRow:
     """A row against the model; the tolerance in per cent, of an angle in degrees."""
     reference = values.model[name]
     if QUANTITIES[name] == "deg":
         tolerance *= 100.0 / abs(reference)
     uncertainty = 100.0 * values.position_uncertainty[name] / abs(reference)
     source = "qsbearing.solve, Hertz at the contact's own angle, the ball's own orbit"
-    return Row(case, name, QUANTITIES[name], reference, source, values.found[name], uncertainty, tolerance, why)
+    return AgreementRow(
+        case, name, QUANTITIES[name], reference, source, values.elements[name], uncertainty, tolerance, why
+    )

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from fem_check.rows import row_text
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.solids.bearing_sector import OuterSupport
 from fem_check.solids.sector_comparison import QUANTITIES
 from fem_check.solids.sector_study import MOMENT_STEP, WITH_RINGS, Studied, quantity_kind
@@ -36,7 +36,7 @@ def largest_uncertainty(states: dict[str, Any]) -> dict[str, float]:
     return largest
 
 
-def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
+def uncertainty_rows(series: dict[str, Any]) -> list[AgreementRow]:
     """What the comparison with the model resolves where the outside diameter is fixed.
 
     It has a tolerance where centrifugal force acts alone. With the gyroscopic moment it is a finding: none was set
@@ -61,10 +61,10 @@ def uncertainty_rows(series: dict[str, Any]) -> list[Row]:
 
 def _uncertainties(
     case: str, states: dict[str, Any], why: str, bounds: Mapping[str, float] = MappingProxyType({})
-) -> list[Row]:
+) -> list[AgreementRow]:
     """Rows of the largest uncertainties of one series; without a bound a finding."""
     return [
-        Row(
+        AgreementRow(
             case,
             kind,
             "deg" if kind == "angle" else "1",
@@ -85,7 +85,7 @@ def keep(series: dict[str, Any], studied: Studied) -> None:
     curve = series.setdefault(studied.series, {}).setdefault(state, {"load_N": []})
     curve["load_N"].append(studied.point.axial_load)
     # At speed the displacement passes through zero as the load falls: per cents of it would mislead.
-    difference = studied.compared.found["axial_displacement"] - studied.compared.model["axial_displacement"]
+    difference = studied.compared.elements["axial_displacement"] - studied.compared.model["axial_displacement"]
     curve.setdefault("grown_um", []).append(1e6 * difference)
     for name in QUANTITIES:
         entry = curve.setdefault(name, {"deviation": [], "uncertainty": []})
@@ -121,17 +121,17 @@ def support_note(series: dict[str, Any]) -> str:
 
 
 def rings_note(series: dict[str, Any]) -> str:
-    found = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
-    if found is None:
+    with_rings = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
+    if with_rings is None:
         return ""
     return (
-        f"Against the model with the effect elastic_rings, its outer ring free: {_spans(found)} The section is "
+        f"Against the model with the effect elastic_rings, its outer ring free: {_spans(with_rings)} The section is "
         "a rectangle there, evenly loaded over its width; here it has its groove and shoulders, the load is where the "
         "contact is, and one face is held."
     )
 
 
-def uncertainty_note(series: dict[str, Any], key: str, level: Level) -> str:
+def uncertainty_note(series: dict[str, Any], key: str, level: MeshLevel) -> str:
     """What the cases of one series resolve."""
     parts = [
         f"{row_text.in_words(name)} {value:.2g}{'°' if name == 'angle' else ' %'}"
@@ -147,11 +147,11 @@ def moment_note(series: dict[str, Any]) -> str:
     """Whether the series with gyroscopic moment would meet the tolerances of that without."""
     if WITH_MOMENT not in series:
         return ""
-    found = largest_uncertainty(series[WITH_MOMENT])
+    largest = largest_uncertainty(series[WITH_MOMENT])
     more = [
-        f"{row_text.in_words(kind)} {found[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
+        f"{row_text.in_words(kind)} {largest[kind]:.2g}{'°' if kind == 'angle' else ' %'} where {bound:g} are allowed"
         for kind, bound in BOUNDS.items()
-        if found[kind] > bound
+        if largest[kind] > bound
     ]
     return (
         "The tolerances on the uncertainty are those of centrifugal force alone. No tolerance was set for the series "

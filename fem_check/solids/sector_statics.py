@@ -13,9 +13,9 @@ from math import cos, hypot, pi, sin
 import numpy as np
 
 from fem_check.independent.contact_problem import ElasticConstants
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.references import hertz
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from fem_check.solids.bearing_sector import BearingSector, Sector, SectorLoad, SectorResults
 from fem_check.solids.bodies import RingSection
 
@@ -50,7 +50,9 @@ def inertia(sector: Sector, load: SectorLoad, results: SectorResults) -> Inertia
     return _rolling(sector.geometry.bearing.drawing, inner.angle, outer.angle, outer.load, load.speed)
 
 
-def _rolling(drawing: Drawing, inner_angle: float, outer_angle: float, outer_load: float, speed: float) -> Inertia:
+def _rolling(
+    drawing: BearingDrawing, inner_angle: float, outer_angle: float, outer_load: float, speed: float
+) -> Inertia:
     """Newton's law for a ball that rolls, and does not spin, on the outer raceway, and rolls on the inner one.
 
     With no spin on the raceway at rest the ball turns about the tangent of the outer contact, by r w/R for a centre
@@ -66,15 +68,15 @@ def _rolling(drawing: Drawing, inner_angle: float, outer_angle: float, outer_loa
     return Inertia(mass * radius * orbit**2, 0.4 * mass * ball * radius * orbit**2 * abs(sin(outer_angle)))
 
 
-def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResults) -> list[Row]:
+def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResults) -> list[AgreementRow]:
     """Supports, inertia and stiffness of one solved case of meshed bodies; every row is judged."""
     held = sector.supports(results)
     per_ball = load.axial_load / sector.geometry.bearing.ball_count
     scale = max(per_ball, results.centrifugal_force)
-    found = [
+    forces = [
         force(case, "axial force of the bore on the inner ring", per_ball, float(held["inner"][0])),
         force(case, "axial force of the seat on the outer ring", per_ball, -float(held["outer"][0])),
-        Row(
+        AgreementRow(
             case, "force left on the ball, over the largest", "1", 0.0, "statics: every load on it is balanced",
             float(np.abs(held["ball"]).max()) / scale, None, BALANCE_TOLERANCE, "rounding in the linear solver, 1e-10",
         ),
@@ -82,11 +84,11 @@ def rows(case: str, sector: BearingSector, load: SectorLoad, results: SectorResu
     if load.speed:
         expected = inertia(sector, load, results).centrifugal_force
         radial = -float(held["inner"][1] + held["outer"][1])
-        found.append(force(case, "centrifugal force, from both rings' supports", expected, radial))
-    return found + inertia_rows(case, sector, load, results) + _stiffness(case, sector)
+        forces.append(force(case, "centrifugal force, from both rings' supports", expected, radial))
+    return forces + inertia_rows(case, sector, load, results) + _stiffness(case, sector)
 
 
-def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorResults) -> list[Row]:
+def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorResults) -> list[AgreementRow]:
     """Inertia of the ball from its contacts' resultants."""
     if not load.speed:
         return []
@@ -96,20 +98,20 @@ def inertia_rows(case: str, sector: Sector, load: SectorLoad, results: SectorRes
     rubbing = sector.geometry.frames[1].friction_resultants @ results.friction
     of = inertia(sector, load, results)
     balancing = float((inner + outer - rubbing)[1])
-    found = [force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
+    rows = [force(case, "centrifugal force, from the contacts", of.centrifugal_force, balancing)]
     if load.gyroscopic_moment:
         moment = sector.geometry.bearing.ball_radius * hypot(*rubbing)
-        found.append(force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
-    return found
+        rows.append(force(case, "gyroscopic moment, from the friction", of.gyroscopic_moment, moment, "N m"))
+    return rows
 
 
-def force(case: str, name: str, reference: float, found: float, unit: str = "N") -> Row:
+def force(case: str, name: str, reference: float, computed: float, unit: str = "N") -> AgreementRow:
     """A force from statics."""
     source = "statics, from the drawing"
-    return Row(case, name, unit, reference, source, found, None, FORCE_TOLERANCE, WHY_FORCE)
+    return AgreementRow(case, name, unit, reference, source, computed, None, FORCE_TOLERANCE, WHY_FORCE)
 
 
-def _stiffness(case: str, sector: BearingSector) -> list[Row]:
+def _stiffness(case: str, sector: BearingSector) -> list[AgreementRow]:
     bearing, frames = sector.geometry.bearing, sector.geometry.frames
     half_pitch = pi / bearing.ball_count
     volumes = {
@@ -123,7 +125,7 @@ def _stiffness(case: str, sector: BearingSector) -> list[Row]:
         "outer ring": (sector.outer_ring, drawing.ring, volumes["outer"]),
     }
     return [
-        Row(
+        AgreementRow(
             case,
             f"work of a uniform dilation, {name}",
             "N m",

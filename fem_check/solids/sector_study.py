@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 from fem_check.mechanics.contact import ContactError
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.solids import contact_block, sector_comparison
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport
-from fem_check.solids.sector_comparison import QUANTITIES, Compared, OperatingPoint, Values
+from fem_check.solids.sector_comparison import QUANTITIES, ComparedSector, ThrustPoint, Values
 from fem_check.solids.sector_geometry import SectorGeometry
 
-ELEMENTS = {Level.QUICK: (2, 3, 4), Level.RELEASE: (2, 3, 4, 6)}
+ELEMENTS = {MeshLevel.QUICK: (2, 3, 4), MeshLevel.RELEASE: (2, 3, 4, 6)}
 """Per semi-minor axis; six take 3 GB and 100 s. Each mesh is well apart from the next, as five and six are not, so that
 every one tells of the finest's uncertainty."""
 ORDER = 2.0
@@ -38,8 +38,8 @@ def quantity_kind(quantity: str) -> str:
 class Studied:
     """One operating point, from all meshes."""
 
-    point: OperatingPoint
-    compared: Compared
+    point: ThrustPoint
+    compared: ComparedSector
     uncertainty: dict[str, float]
     """Of each quantity found, same unit."""
     sector: BearingSector
@@ -66,7 +66,7 @@ class Studied:
 
     def deviation(self, name: str) -> float:
         """Elements less model, per cent or degrees."""
-        return (self.compared.found[name] - self.compared.model[name]) / self.scale(name)
+        return (self.compared.elements[name] - self.compared.model[name]) / self.scale(name)
 
     def uncertain(self, name: str) -> float:
         """The uncertainty, per cent or degrees."""
@@ -75,14 +75,14 @@ class Studied:
 
 def study(
     scene: str,
-    point: OperatingPoint,
-    level: Level,
+    point: ThrustPoint,
+    level: MeshLevel,
     support: OuterSupport,
     *,
     gyroscopic_moment: bool = False,
 ) -> Studied:
     """Solve a point on all meshes: ellipse and pressure of the finest, the rest extrapolated at the release level."""
-    meshes: list[Compared] = []
+    meshes: list[ComparedSector] = []
     sizes: list[float] = []
     try:
         where = sector_comparison.place(scene, point, support, gyroscopic_moment=gyroscopic_moment)
@@ -100,17 +100,17 @@ def study(
     except ContactError as problem:
         raise ContactError(f"{point.label}, outside diameter {support}: {problem}") from problem
     last = meshes[-1]
-    found, uncertainty = {}, {}
+    of_elements, uncertainty = {}, {}
     for name in QUANTITIES:
-        values = [mesh.found[name] for mesh in meshes]
-        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is Level.RELEASE:
-            found[name], of_mesh = convergence.extrapolated(sizes, values)
+        values = [mesh.elements[name] for mesh in meshes]
+        if quantity_kind(name) in FOLLOWING_APPROACH[support] and level is MeshLevel.RELEASE:
+            of_elements[name], of_mesh = convergence.extrapolated(sizes, values)
         else:
-            found[name] = values[-1]
+            of_elements[name] = values[-1]
             of_mesh = convergence.uncertainty_at_order(*convergence.well_apart(sizes, values), ORDER)
         uncertainty[name] = of_mesh + last.position_uncertainty[name]
     as_read = _finest(sizes, [mesh.as_read for mesh in meshes])
-    return Studied(point, replace(last, found=found), uncertainty, sector, as_read, gyroscopic_moment)
+    return Studied(point, replace(last, elements=of_elements), uncertainty, sector, as_read, gyroscopic_moment)
 
 
 def _finest(sizes: list[float], meshes: list[Values]) -> Values:
@@ -118,7 +118,7 @@ def _finest(sizes: list[float], meshes: list[Values]) -> Values:
     last = meshes[-1]
     both = {
         name: convergence.uncertainty_at_order(
-            *convergence.well_apart(sizes, [mesh.found[name] for mesh in meshes]), ORDER
+            *convergence.well_apart(sizes, [mesh.elements[name] for mesh in meshes]), ORDER
         )
         + last.position_uncertainty[name]
         for name in QUANTITIES

@@ -90,14 +90,14 @@ def _split_surfaces(model: Any) -> list[int]:
     for _, solid in model.getEntities(3):
         tetrahedra = keys(model.mesh.getElements(3, solid)[2][0], 4)
         faces[solid] = {tuple(face) for left in range(4) for face in np.delete(tetrahedra, left, axis=1).tolist()}
-    found = []
+    split = []
     for _, surface in model.getEntities(2):
         solids = model.getAdjacencies(2, surface)[0]
         if len(solids) == 2:
             triangles = keys(model.mesh.getElements(2, surface)[2][0], 3).tolist()
             if not all(tuple(triangle) in faces[solid] for solid in solids for triangle in triangles):
-                found.append(int(surface))
-    return found
+                split.append(int(surface))
+    return split
 
 
 def _read(model: Any) -> BodyMesh:

@@ -136,8 +136,8 @@ def _edge_nodes(mesh: MeshTet2, first: Array, second: Array) -> Array:
     count = mesh.nvertices
     keys = mesh.edges.min(axis=0).astype(np.int64) * count + mesh.edges.max(axis=0)
     order = np.argsort(keys)
-    wanted = np.minimum(first, second).astype(np.int64) * count + np.maximum(first, second)
-    return count + order[np.searchsorted(keys, wanted, sorter=order)]
+    pairs = np.minimum(first, second).astype(np.int64) * count + np.maximum(first, second)
+    return count + order[np.searchsorted(keys, pairs, sorter=order)]
 
 
 def _triangle_shapes(points: Array) -> tuple[Array, Array]:

@@ -27,7 +27,7 @@ import scipy.sparse as sp
 from fem_check import meshing
 from fem_check.elements import fields
 from fem_check.elements.elastic_body import silent
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.groove import BallInGroove
@@ -264,15 +264,15 @@ class TrueContact:
             half.solver,
         )
 
-    def fields(self, pressure: Array) -> dict[str, Field]:
+    def fields(self, pressure: Array) -> dict[str, NodalFields]:
         """Displacement, stress and pressure of both bodies under a pressure along the surfaces' normal."""
-        found = {}
+        by_body = {}
         for name, body, held in (("ball", self.ball(), self._equator), ("ring", self.ring(), self._segment)):
             on_ball = name == "ball"
             force = self.frame.loads(body, on_ball=on_ball) @ pressure
             on_contact = self.frame.pressure_on(body.nodes, pressure, on_ball=on_ball)
-            found[name] = fields.of_body(body.space, moved(body, force, *held(body)), on_contact, body.material)
-        return found
+            by_body[name] = fields.of_body(body.space, moved(body, force, *held(body)), on_contact, body.material)
+        return by_body
 
     def _equator(self, ball: TetrahedralBody) -> tuple[Array, sp.csr_matrix]:
         """Which unknowns of the ball are zero, and the directions they count in: normal, tangent, z."""
@@ -359,7 +359,7 @@ class CondensedContact:
         beside = min(self.contact.groove_beside(ellipse(self.contact.groove.problem(load)).semi_major_axis)) - 1.0
         # Semi-axes grow with the cube root of the load: from half a cell less to half a cell more.
         spread = min(1.0 / (size * self.contact.cells), max(2.0 * beside, 0.0))
-        found = []
+        at_positions = []
         start: Array | None = None
         for position in range(POSITIONS):
             part = load * (1.0 + ((position + 0.5) / POSITIONS - 0.5) * spread) ** 3
@@ -373,8 +373,8 @@ class CondensedContact:
             start = pressure > 0.0
             exact = ellipse(self.contact.groove.problem(part))
             values = (approach, *self._read(pressure))
-            found.append([value / getattr(exact, name) for name, value in zip(READ, values, strict=True)])
-        return dict(zip(READ, (float(mean) for mean in np.mean(found, axis=0)), strict=True))
+            at_positions.append([value / getattr(exact, name) for name, value in zip(READ, values, strict=True)])
+        return dict(zip(READ, (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
 
     def pressure(self, load: float) -> Array:
         """Coefficients of the true contact's pressure under a load [Pa]."""

@@ -12,7 +12,7 @@ from fem_check.independent import finite_bodies
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.references import ellipse
 from fem_check.mechanics import boundary_element
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.solids.sector_statics import (
     STIFFNESS_TOLERANCE,
     WHY_STIFFNESS,
@@ -22,7 +22,7 @@ from fem_check.solids.sector_statics import (
 )
 from fem_check.solids.true_contact import CondensedContact
 
-BODY_TOLERANCES = {Level.QUICK: 0.5, Level.RELEASE: 0.3}
+BODY_TOLERANCES = {MeshLevel.QUICK: 0.5, MeshLevel.RELEASE: 0.3}
 BODY_REASON = (
     "per cent of the whole approach, of which the bodies' size makes 1 to 3 %; set beforehand: tetrahedra of 6 (8) per "
     "semi-axis give the ball's and the ring's part within 0.3 (0.2) %"
@@ -34,12 +34,12 @@ BALL_SOURCE = "elastic sphere in Legendre polynomials (Lur'e 1964, section 6.4) 
 RING_SOURCE = "ring in a Fourier series, quadratic elements over its section, less its half-space"
 
 
-def rows(case: str, condensed: CondensedContact, load: float) -> list[Row]:
+def rows(case: str, condensed: CondensedContact, load: float) -> list[AgreementRow]:
     """Every row is judged."""
     return force_rows(case, condensed, condensed.pressure(load), load) + body_rows(case, condensed)
 
 
-def force_rows(case: str, condensed: CondensedContact, pressure: Array, load: float) -> list[Row]:
+def force_rows(case: str, condensed: CondensedContact, pressure: Array, load: float) -> list[AgreementRow]:
     """What holds each body, against the load along the contact's normal; both halves of the bodies."""
     frame = condensed.contact.frame
     ball, ring = (2.0 * (each.held @ pressure)[:2] for each in condensed.bodies)
@@ -53,7 +53,7 @@ def force_rows(case: str, condensed: CondensedContact, pressure: Array, load: fl
     return [replace(row, tolerance_percent=FORCE_TOLERANCE, why_tolerance=WHY_FORCE) for row in rows]
 
 
-def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
+def body_rows(case: str, condensed: CondensedContact) -> list[AgreementRow]:
     """Stiffness and mass of half the ball's half and of half a pitch of the ring, against the drawing."""
     contact = condensed.contact
     groove = contact.groove
@@ -61,7 +61,7 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
         np.pi / 3.0 * groove.ball_radius**3,
         section_moment(contact.section) * pi / contact.ball_count,
     )
-    found = []
+    rows = []
     for name, body, material, volume in zip(
         ("ball", "ring"), condensed.bodies, (groove.ball, groove.race), volumes, strict=True
     ):
@@ -75,8 +75,8 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
             ),
             ("mass over density", "m3", volume, body.volume, "volume of the drawn body"),
         ):
-            found.append(
-                Row(
+            rows.append(
+                AgreementRow(
                     case,
                     f"{quantity}, {name}",
                     unit,
@@ -88,7 +88,7 @@ def body_rows(case: str, condensed: CondensedContact) -> list[Row]:
                     WHY_STIFFNESS,
                 )
             )
-    return found
+    return rows
 
 
 def approach_rows(
@@ -97,8 +97,8 @@ def approach_rows(
     load: float,
     added: list[tuple[float, float]],
     approach: tuple[float, float],
-    level: Level,
-) -> list[Row]:
+    level: MeshLevel,
+) -> list[AgreementRow]:
     """What each body adds to Hertz's approach, and the whole; every row is judged.
 
     Args:
@@ -114,18 +114,18 @@ def approach_rows(
     hertzian = ellipse(groove.problem(load)).approach / load
     gap = boundary_element.over_hertz(groove, load)
 
-    def row(quantity: str, expected: float, source: str, found: float, doubt: float) -> Row:
+    def row(quantity: str, expected: float, source: str, computed: float, doubt: float) -> AgreementRow:
         uncertainty, tolerance = 100.0 * doubt / expected, BODY_TOLERANCES[level]
-        return Row(case, quantity, "m/N", expected, source, found, uncertainty, tolerance, BODY_REASON)
+        return AgreementRow(case, quantity, "m/N", expected, source, computed, uncertainty, tolerance, BODY_REASON)
 
     rows = [
-        row(f"Hertz plus what the {body} adds", hertzian + expected, source, hertzian + found, doubt)
-        for body, source, expected, (found, doubt) in zip(
+        row(f"Hertz plus what the {body} adds", hertzian + expected, source, hertzian + computed, doubt)
+        for body, source, expected, (computed, doubt) in zip(
             ("ball", "ring"), (BALL_SOURCE, RING_SOURCE), excess, added, strict=True
         )
     ]
-    found, doubt = (hertzian * each for each in approach)
+    computed, doubt = (hertzian * each for each in approach)
     expected = gap.ratio["approach"] * hertzian + sum(excess)
     doubt += 0.01 * gap.uncertainty_percent["approach"] * expected
     source = f"{boundary_element.SOURCE}; {BALL_SOURCE}; {RING_SOURCE}"
-    return [*rows, row("approach over load", expected, source, found, doubt)]
+    return [*rows, row("approach over load", expected, source, computed, doubt)]

@@ -19,7 +19,7 @@ from fem_check.solids.true_contact import CondensedContact, TrueContact, loaded_
 
 
 @dataclass(frozen=True)
-class Solved:
+class TrueContactStudy:
     """One contact at one load on each mesh, coarse to fine: every quantity over Hertz's."""
 
     groove: BallInGroove
@@ -36,7 +36,7 @@ class Solved:
     """See `CondensedContact.added_compliances`."""
     dofs: int
     solver: str
-    alike: tuple[Solved, ...] = ()
+    alike: tuple[TrueContactStudy, ...] = ()
     """All contacts of the run, over which scatter is pooled; none: this alone."""
     finest: CondensedContact | None = None
     """The bodies on the finest mesh, where asked for."""
@@ -73,9 +73,9 @@ class Solved:
 
         One ball under all loads, and far from all contacts: what its meshes do there is the same scatter at every load.
         """
-        every = [[found / sphere for found, sphere in each.bulges] for each in self.alike or (self,)]
-        found, sphere = self.bulges[-1]
-        return found / sphere, convergence.scatter(every)
+        every = [[ball / sphere for ball, sphere in each.bulges] for each in self.alike or (self,)]
+        ball, sphere = self.bulges[-1]
+        return ball / sphere, convergence.scatter(every)
 
     def between_approaches(self, above: str, below: str) -> list[float]:
         """Difference of the approaches of two results over Hertz's, on each mesh."""
@@ -118,19 +118,19 @@ def ring_doubt(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load
     return finite_bodies.ring_doubt(groove, balls, usual, others, load) / hertz(groove.problem(load)).approach
 
 
-def solve(made: list[TrueContact], loads: tuple[float, ...], progress: Progress) -> list[Solved]:
+def solve(made: list[TrueContact], loads: tuple[float, ...], progress: Progress) -> list[TrueContactStudy]:
     """A contact on a sequence of meshes, made for one load and solved at loads near it."""
-    found = []
+    per_mesh = []
     for done, contact in enumerate(made):
         stage = f"{contact.groove.race_name}, {contact.elements} elements per semi-axis"
         progress(stage, done / len(made))
         finest = contact.condensed()
-        found.append([_read(finest, load) for load in loads])  # where it fills its patch, the coarsest mesh tells
+        per_mesh.append([_read(finest, load) for load in loads])  # where it fills its patch, the coarsest mesh tells
     solved = []
-    for load, own in zip(loads, zip(*found, strict=True), strict=True):
+    for load, own in zip(loads, zip(*per_mesh, strict=True), strict=True):
         parabola, exact_gap, surface, bulges, added = (list(each) for each in zip(*own, strict=True))
         solved.append(
-            Solved(
+            TrueContactStudy(
                 contact.groove, load, parabola, exact_gap, surface, bulges, added, finest.dofs, finest.solver,
                 finest=finest,
             )
@@ -139,7 +139,7 @@ def solve(made: list[TrueContact], loads: tuple[float, ...], progress: Progress)
 
 
 def _read(condensed: CondensedContact, load: float) -> tuple[Any, ...]:
-    """What `Solved` has of each mesh."""
+    """What `TrueContactStudy` has of each mesh."""
     return (
         condensed.over_hertz(load, follows_surface=False, parabola=True),
         condensed.over_hertz(load, follows_surface=False),

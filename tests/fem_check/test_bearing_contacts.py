@@ -22,7 +22,7 @@ from fem_check.independent.ring_sections import RingProfile, RingSections, Secti
 from fem_check.mechanics import half_space_contact
 from fem_check.product import scenes
 from fem_check.product.scenes import RING_OPTIONS, drawing_at_rest, ring_sections
-from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel
 from fem_check.solids import tetrahedra
 from fem_check.solids.true_contact import TrueContact
 
@@ -102,14 +102,14 @@ def heaviest(source: str, race: str = "inner"):
 def test_an_option_goes_before_the_catalogue_and_what_nobody_gives_is_assumed(rings):
     scene = qs.load_scene("7210c")
     rings(width=24.0)
-    found = ring_sections(scene, "7210c")
+    sections = ring_sections(scene, "7210c")
     drawing = drawing_at_rest(scene, "7210c")
-    inner, outer = (found.profile(drawing, race) for race in ("inner", "outer"))
+    inner, outer = (sections.profile(drawing, race) for race in ("inner", "outer"))
     assert (inner.back_radius, outer.back_radius, inner.width) == pytest.approx((0.025, 0.045, 0.024), rel=1e-12)
     # GMN's d1 62.5 mm: that far round the groove from its bottom, by the circle's height.
     centre = 35.0 + (6.58 - 6.35) * cos(radians(15.0))
     assert inner.high_shoulder == pytest.approx(acos((centre - 31.25) / 6.58), rel=1e-12)
-    told = found.told(drawing, {"inner": inner, "outer": outer})
+    told = sections.told(drawing, {"inner": inner, "outer": outer})
     assert "bore 50, outside diameter 90" in told and "from the catalogue" in told
     assert "width 24 mm from the option" in told
     assert "assumed: inner open side" in told
@@ -119,10 +119,10 @@ def test_ring_expansion_and_readings_of_a_scene_give_dimensions():
     fitted = qs.RingExpansion(85 * qs.mm, 165 * qs.mm, shaft_interference=10 * qs.um)
     overrun = {"inner_shoulder_diameter": 112 * qs.mm}
     scene = replace(qs.load_scene("b218"), ring_effects=(fitted,), readings={"overrun": overrun})
-    found = ring_sections(scene, "b218")
-    assert found.known["bore_diameter"] == 85 * qs.mm and found.sources["bore_diameter"] == "scene"
-    assert found.known["inner_shoulder_diameter"] == 112 * qs.mm
-    assert found.sources["width"] == "catalogue"
+    sections = ring_sections(scene, "b218")
+    assert sections.known["bore_diameter"] == 85 * qs.mm and sections.sources["bore_diameter"] == "scene"
+    assert sections.known["inner_shoulder_diameter"] == 112 * qs.mm
+    assert sections.sources["width"] == "catalogue"
 
 
 def test_a_designation_gives_boundary_dimensions(tmp_path):
@@ -140,11 +140,11 @@ def test_a_designation_gives_boundary_dimensions(tmp_path):
 def test_a_bearing_of_other_size_is_not_the_catalogues():
     scene = qs.load_scene("b218")
     larger = replace(scene, bearing=replace(scene.bearing, pitch_diameter=130 * qs.mm, name="B218, modified"))
-    found = ring_sections(larger, "my")
-    assert not found.known
-    assert "assumed: bore 94.74, outside diameter 164.7, width 30" in found.told(
+    sections = ring_sections(larger, "my")
+    assert not sections.known
+    assert "assumed: bore 94.74, outside diameter 164.7, width 30" in sections.told(
         drawing_at_rest(larger, "my"),
-        {race: found.profile(drawing_at_rest(larger, "my"), race) for race in scenes.RACES},
+        {race: sections.profile(drawing_at_rest(larger, "my"), race) for race in scenes.RACES},
     )
 
 
@@ -177,7 +177,7 @@ def test_a_contact_over_its_shoulder_is_refused_and_the_other_column_stays(rings
     assert {row.verdict for row in refused} == {"refused"}
     assert all(row.found is None and row.as_dict()["deviation_percent"] is None for row in refused)
     contacts = {"inner": contact}
-    held = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, "no approach", Level.QUICK)["inner"]
+    held = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, "no approach", MeshLevel.QUICK)["inner"]
     assert [(row.quantity, row.verdict, row.why_tolerance) for row in held] == [
         ("load", "refused", "no approach"), ("angle", "refused", "no approach"),
     ]  # fmt: skip
@@ -192,7 +192,7 @@ def test_true_geometry_refuses_a_contact_by_its_rows(rings):
     # Where no contact is left the check was not run.
     rings(inner_shoulder_diameter=58.0)
     with pytest.raises(meshing.MeshError, match=r"no contact was solved: a contact at .* does not fit a groove"):
-        true_geometry.run(Level.QUICK, silent, "7210c")
+        true_geometry.run(MeshLevel.QUICK, silent, "7210c")
 
 
 def test_slender_elements_over_a_curved_groove_are_not_folded(tmp_path, monkeypatch):
@@ -236,12 +236,12 @@ def test_angle_follows_from_the_approaches(tmp_path):
     source = str(path)
     contacts = {race: heaviest(source, race) for race in scenes.RACES}
     same = bearing_contacts.equilibrium_rows(
-        contacts, HALF_SPACES, {"inner": (1.0, 0.0), "outer": (1.0, 0.0)}, Level.QUICK
+        contacts, HALF_SPACES, {"inner": (1.0, 0.0), "outer": (1.0, 0.0)}, MeshLevel.QUICK
     )
     assert all(row.verdict == "pass" and row.reach_percent < 1e-5 for row in same["inner"] + same["outer"])
     ratios = {"inner": (1.05, 0.0), "outer": (0.9, 0.0)}
-    found = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, Level.QUICK)["inner"]
-    load, angle = (row.found for row in found)
+    rows = bearing_contacts.equilibrium_rows(contacts, TRUE_BODIES, ratios, MeshLevel.QUICK)["inner"]
+    load, angle = (row.found for row in rows)
     # At rest, under thrust: the groove centres' distance across the bearing stays (Harris & Kotzalas).
     drawing = contacts["inner"].drawing
     distance = drawing.groove_centre_distance
@@ -252,10 +252,10 @@ def test_angle_follows_from_the_approaches(tmp_path):
     assert load * np.sin(radians(angle)) == pytest.approx(contacts["inner"].solution.load[0] / 16, rel=1e-9)
     # An approach that is off by its uncertainty turns the contact by the angle's.
     doubtful = bearing_contacts.equilibrium_rows(
-        contacts, TRUE_BODIES, {"inner": (1.05, 0.01), "outer": (0.9, 0.0)}, Level.QUICK
+        contacts, TRUE_BODIES, {"inner": (1.05, 0.01), "outer": (0.9, 0.0)}, MeshLevel.QUICK
     )["inner"][1]
     moved = bearing_contacts.equilibrium_rows(
-        contacts, TRUE_BODIES, {"inner": (1.06, 0.0), "outer": (0.9, 0.0)}, Level.QUICK
+        contacts, TRUE_BODIES, {"inner": (1.06, 0.0), "outer": (0.9, 0.0)}, MeshLevel.QUICK
     )["inner"][1]
     assert doubtful.uncertainty_percent == pytest.approx(100.0 * abs(moved.found - angle) / moved.reference, rel=1e-6)
 
@@ -283,9 +283,9 @@ rigid_N = 3000
     # The load presses the row that carries in its direction.
     assert contacts["inner"].point.label == "row 1" and "row 1, ball 1" in contacts["inner"].case
     ratios = dict.fromkeys(scenes.RACES, (1.0, 0.0))
-    found = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, Level.QUICK)
-    assert all(row.reach_percent < 1e-5 for rows in found.values() for row in rows)
-    softer = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, {**ratios, "outer": (1.2, 0.0)}, Level.QUICK)
+    by_race = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, ratios, MeshLevel.QUICK)
+    assert all(row.reach_percent < 1e-5 for rows in by_race.values() for row in rows)
+    softer = bearing_contacts.equilibrium_rows(contacts, HALF_SPACES, {**ratios, "outer": (1.2, 0.0)}, MeshLevel.QUICK)
     assert "fail" in {row.verdict for rows in softer.values() for row in rows}
 
 
@@ -299,12 +299,14 @@ def printed(rows) -> str:
     return console.export_text()
 
 
-def rows_of(true: float | None, half_space: float = 3.0001e-6) -> list[Row]:
+def rows_of(true: float | None, half_space: float = 3.0001e-6) -> list[AgreementRow]:
     made = []
-    for method, found, tolerance in ((HALF_SPACES, half_space, 0.3), (TRUE_BODIES, true, None)):
-        doubt, why = (0.05, "why") if found else (None, "a contact at 61 deg does not fit a groove to 55 deg")
-        made.append(Row(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", found, doubt, tolerance, why))
-        made.append(Row(f"B1 inner: ball 1; {method}", "angle", "deg", 40.0, "solve", 40.01, 0.01, 1.0, why))
+    for method, approach, tolerance in ((HALF_SPACES, half_space, 0.3), (TRUE_BODIES, true, None)):
+        doubt, why = (0.05, "why") if approach else (None, "a contact at 61 deg does not fit a groove to 55 deg")
+        made.append(
+            AgreementRow(f"B1 inner: ball 1; {method}", "approach", "m", 3e-6, "solve", approach, doubt, tolerance, why)
+        )
+        made.append(AgreementRow(f"B1 inner: ball 1; {method}", "angle", "deg", 40.0, "solve", 40.01, 0.01, 1.0, why))
     return made
 
 
@@ -359,9 +361,9 @@ def test_any_bearing_is_verified_and_its_true_bodies_solved_or_refused(bearing, 
     path = tmp_path / "bearing.toml"
     path.write_text(scene_text(bearing))
     rings(bore_diameter=bearing[-3], outside_diameter=bearing[-2], width=bearing[-1])
-    monkeypatch.setitem(bearing_contacts.ELEMENTS, Level.QUICK, (3, 4))
-    monkeypatch.setitem(half_space_contact.SEQUENCES, Level.QUICK, (4, 6))
-    findings = bearing_contacts.run(Level.QUICK, silent, str(path))
+    monkeypatch.setitem(bearing_contacts.ELEMENTS, MeshLevel.QUICK, (3, 4))
+    monkeypatch.setitem(half_space_contact.SEQUENCES, MeshLevel.QUICK, (4, 6))
+    findings = bearing_contacts.run(MeshLevel.QUICK, silent, str(path))
     assert len(findings.rows) == 24 and findings.verdict != ""
     ideal = [row for row in findings.rows if row.case.endswith(HALF_SPACES)]
     true = [row for row in findings.rows if row.case.endswith(TRUE_BODIES)]

@@ -14,15 +14,15 @@ import qsbearing
 from fem_check import meshing
 from fem_check.checks import bearing_sector
 from fem_check.product.scenes import SceneProblemError
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.running import records_store
 from fem_check.solids import sector_comparison, sector_judgement, sector_pictures, sector_series, sector_statics
 from fem_check.solids.bearing_sector import BearingSector, OuterSupport, SectorLoad, motion
-from fem_check.solids.sector_comparison import OperatingPoint
+from fem_check.solids.sector_comparison import ThrustPoint
 from fem_check.solids.sector_geometry import SectorGeometry
 from tests.verification.benchmarks import cutaway
 
-POINT = OperatingPoint(17800.0, 10000.0 * qsbearing.rpm)
+POINT = ThrustPoint(17800.0, 10000.0 * qsbearing.rpm)
 
 
 @pytest.fixture(scope="module")
@@ -48,36 +48,36 @@ def test_orbit_under_outer_control_is_the_closed_form():
 
 
 def test_ball_and_ring_are_in_equilibrium_and_near_the_model(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
-    inner, outer = found.inner, found.outer
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    inner, outer = results.inner, results.outer
     # Statics written down anew: the ball's two equations, and the ring's.
     axial = inner.load * np.sin(inner.angle) - outer.load * np.sin(outer.angle)
-    radial = inner.load * np.cos(inner.angle) - outer.load * np.cos(outer.angle) + found.centrifugal_force
+    radial = inner.load * np.cos(inner.angle) - outer.load * np.cos(outer.angle) + results.centrifugal_force
     assert abs(axial) < 1e-5 * inner.load and abs(radial) < 1e-5 * inner.load
     assert 16 * inner.load * np.sin(inner.angle) == pytest.approx(17800.0, rel=1e-5)
     # Centrifugal force from the orbit that the elements found: m r w^2.
-    orbit = motion(0.5 * 22.225e-3 / found.ball_centre[1], inner.angle, outer.angle)[0] * POINT.speed
+    orbit = motion(0.5 * 22.225e-3 / results.ball_centre[1], inner.angle, outer.angle)[0] * POINT.speed
     mass = 7800.0 * np.pi * 22.225e-3**3 / 6.0
-    assert found.centrifugal_force == pytest.approx(mass * found.ball_centre[1] * orbit**2, rel=1e-9)
+    assert results.centrifugal_force == pytest.approx(mass * results.ball_centre[1] * orbit**2, rel=1e-9)
     model = sector_comparison.model("b218", POINT, gyroscopic_moment=False)
     # Two elements per semi-axis, one position of the edge: loads to a per cent, angles to half a degree.
     assert inner.load == pytest.approx(model.inner.load[0], rel=0.01)
     assert np.degrees(abs(outer.angle - model.outer.angle[0])) < 0.5
-    assert found.penetration < 1e-9
+    assert results.penetration < 1e-9
 
 
 def test_what_the_mesh_does_to_an_ellipse_is_known_from_a_parabola(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
     for race in ("inner", "outer"):
-        mesh = sector.parabola_over_hertz(race, getattr(found, race))
+        mesh = sector.parabola_over_hertz(race, getattr(results, race))
         # Two elements per semi-axis at one position of the edge: each quantity off by per cents, not by tens of them.
         assert set(mesh) == {"semi_major_axis", "semi_minor_axis", "max_pressure"}
         assert all(0.001 < abs(ratio - 1.0) < 0.1 for ratio in mesh.values())
 
 
 def test_the_pictures_show_the_bodies_and_their_contacts(sector):
-    found = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
-    drawn = sector_pictures.of_sector(sector, found, POINT.label)
+    results = sector.solve(SectorLoad(POINT.axial_load, POINT.speed))
+    drawn = sector_pictures.of_sector(sector, results, POINT.label)
     for name, body in drawn["bodies"].items():
         corners = np.sort(np.asarray(body["triangles"]), axis=1)
         edges = np.concatenate([corners[:, [0, 1]], corners[:, [0, 2]], corners[:, [1, 2]]])
@@ -103,7 +103,7 @@ def test_meshed_bodies_obey_statics(sector):
 
 
 def test_half_spaces_in_the_bodies_place_give_the_model():
-    values, _ = sector_comparison.half_spaces("b218", OperatingPoint(2000.0, 0.0), gyroscopic_moment=False)
+    values, _ = sector_comparison.half_spaces("b218", ThrustPoint(2000.0, 0.0), gyroscopic_moment=False)
     rows = sector_judgement.of_half_spaces("2 kN at rest", values, sector_comparison.sector_bearing("b218"))
     assert len(rows) == 5
     assert {row.verdict for row in rows} == {"pass"}
@@ -120,7 +120,7 @@ def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
     judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
     assert len(judged) >= 25
     for entry in judged:
-        row = Row(**{field.name: entry[field.name] for field in dataclasses.fields(Row)})
+        row = AgreementRow(**{field.name: entry[field.name] for field in dataclasses.fields(AgreementRow)})
         other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
         assert (row.verdict, other.verdict) == ("pass", "fail"), (row.case, row.quantity)
 
@@ -131,7 +131,7 @@ def test_the_limit_of_light_loads_can_fail():
 
     def studied(index, more):
         return SimpleNamespace(
-            point=OperatingPoint(curve["load_N"][index], 0.0),
+            point=ThrustPoint(curve["load_N"][index], 0.0),
             deviation=lambda name: curve[name]["deviation"][index] + more.get(bearing_sector.quantity_kind(name), 0.0),
             uncertain=lambda name: curve[name]["uncertainty"][index],
         )
@@ -153,16 +153,16 @@ def test_what_a_free_ring_adds_is_judged_against_elastic_rings(monkeypatch):
     """On the release record's displacements; then with a ring that grows 10 % less."""
     record = json.loads((records_store.FOLDER / "release" / "bearing_sector.json").read_text())
     name = "axial_displacement"
-    found = {row["case"]: row for row in record["rows"] if row["quantity"] == name}
+    by_case = {row["case"]: row for row in record["rows"] if row["quantity"] == name}
 
     def studied(point, support, model):
-        row = found[f"{point.label}, outside diameter {support}"]
+        row = by_case[f"{point.label}, outside diameter {support}"]
         uncertainty = {name: abs(row["uncertainty_percent"] / 100.0 * row["reference"])}
-        compared = SimpleNamespace(model=model, found={name: row["found"]})
+        compared = SimpleNamespace(model=model, elements={name: row["found"]})
         return SimpleNamespace(point=point, compared=compared, uncertainty=uncertainty)
 
     def rows():
-        for point in bearing_sector.POINTS[Level.RELEASE]:
+        for point in bearing_sector.POINTS[MeshLevel.RELEASE]:
             rigid = {name: float(sector_comparison.model("b218", point, gyroscopic_moment=False).displacement[0])}
             grown = sector_comparison.with_free_ring("b218", point)
             yield bearing_sector.grown_row(
@@ -197,7 +197,7 @@ def test_a_free_outside_diameter_softens_the_bearing():
             POINT,
             BearingSector(SectorGeometry(bearing, sector_comparison.place("b218", POINT, support), 2), support),
             positions=4,
-        ).found["axial_displacement"]
+        ).elements["axial_displacement"]
         for support in OuterSupport
     )
     assert 1.2 * rigid < free < 1.5 * rigid
@@ -205,7 +205,7 @@ def test_a_free_outside_diameter_softens_the_bearing():
 
 @pytest.mark.heavy
 def test_the_quick_level_passes():
-    findings = bearing_sector.run(Level.QUICK, lambda stage, part: None)
+    findings = bearing_sector.run(MeshLevel.QUICK, lambda stage, part: None)
     assert findings.verdict == "pass"
     assert all(row.uncertainty_percent is not None for row in findings.rows if row.tolerance_percent is None)
     # Physical rows are judged at speed: ellipses and pressures, loads and angles, of both raceways.
@@ -241,12 +241,12 @@ def cut_open(sector):
 def test_stress_below_a_contact_is_hertz(sector, cut_open):
     """Von Mises' stress of a slender ellipse is largest below the surface, 0.55 to 0.63 of p0 (Johnson, section 4.3),
     and falls off: at the ball's centre it is that of a point load's far field, a small part."""
-    record, found = cut_open
+    record, bodies = cut_open
     assert cutaway.geometry_of(record) == sector.geometry
-    for body in found.values():
+    for body in bodies.values():
         p0 = body.pressure.max()
         assert 0.5 < body.von_mises.max() / p0 < 0.7
-    ball = found["ball"]
+    ball = bodies["ball"]
     centre = 1e3 * np.array([*sector.geometry.expected.ball_centre, 0.0])
     depth = np.linalg.norm(ball.nodes - centre[:, None], axis=0)
     assert ball.von_mises[depth < 2.0].max() < 0.05 * ball.pressure.max()
@@ -257,9 +257,9 @@ def test_stress_below_a_contact_is_hertz(sector, cut_open):
 
 
 def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
-    record, found = cut_open
+    record, bodies = cut_open
     _, contact, major, minor = cutaway.hertz_ellipse(record, sector.geometry)
-    ball = found["ball"]
+    ball = bodies["ball"]
     offset = ball.nodes - contact[:, None]
     along = offset.T @ major / (major @ major), offset.T @ minor / (minor @ minor)
     near = np.linalg.norm(offset, axis=0) < 2.0 * np.linalg.norm(major)
@@ -270,7 +270,7 @@ def test_the_ellipse_of_the_picture_holds_the_pressure(sector, cut_open):
 
 def test_the_picture_is_drawn(sector, cut_open, tmp_path, drawn):
     pytest.importorskip("pyvista")
-    record, found = cut_open
-    files = cutaway.files(found, tmp_path / "cut.png")
+    record, bodies = cut_open
+    files = cutaway.files(bodies, tmp_path / "cut.png")
     cutaway.draw(files, cutaway.hertz_ellipse(record, sector.geometry), tmp_path / "cut.png", (320, 160))
     assert matplotlib.pyplot.imread(tmp_path / "cut.png").std() > 0.05

@@ -19,7 +19,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from fem_check.book import UnknownCaseError, picture, records, run_book
-from fem_check.book.case import Case, Result, plain
+from fem_check.book.case import Case, CaseResult, plain
 from fem_check.book.cases import ALL
 from fem_check.book.not_yet import NOT_YET
 from fem_check.cli import cli
@@ -131,8 +131,8 @@ def zero_angle(monkeypatch: pytest.MonkeyPatch) -> None:
     right = pass_frequencies.frequencies
 
     def blind(solution: Any) -> Any:
-        found = right(solution)
-        return type(found)(found.nominal, found.nominal, found.orbit_spread)
+        frequencies = right(solution)
+        return type(frequencies)(frequencies.nominal, frequencies.nominal, frequencies.orbit_spread)
 
     monkeypatch.setattr("qsbearing.readings.frequencies", blind)
 
@@ -173,8 +173,10 @@ def slow_cage(monkeypatch: pytest.MonkeyPatch) -> None:
     right = pass_frequencies.frequencies
 
     def slipping(solution: Any) -> Any:
-        found = right(solution)
-        return replace(found, solved=replace(found.solved, ball_pass_inner=1.0001 * found.solved.ball_pass_inner))
+        frequencies = right(solution)
+        return replace(
+            frequencies, solved=replace(frequencies.solved, ball_pass_inner=1.0001 * frequencies.solved.ball_pass_inner)
+        )
 
     monkeypatch.setattr("qsbearing.readings.frequencies", slipping)
 
@@ -228,7 +230,7 @@ def heavier_rings(monkeypatch: pytest.MonkeyPatch) -> None:
     right = ring_expansion.stress_by_rotation
 
     def heavier(*arguments: Any) -> Any:
-        return type(found := right(*arguments))(*(1.05 * each for each in found))
+        return type(masses := right(*arguments))(*(1.05 * each for each in masses))
 
     monkeypatch.setattr(ring_expansion, "stress_by_rotation", heavier)
 
@@ -402,4 +404,4 @@ def test_numbers_that_are_none_stay_none() -> None:
 
 def test_a_case_without_texts_is_an_error() -> None:
     with pytest.raises(FileNotFoundError):
-        Case("nothing", lambda: Result("", [], [])).texts  # noqa: B018
+        Case("nothing", lambda: CaseResult("", [], [])).texts  # noqa: B018

@@ -29,12 +29,12 @@ def test_exact_gap_as_another_code_has_it(race, coefficient, load):
     groove = groove_contact("b218", race)
     if coefficient is not None:
         groove = replace(groove, groove_radius=coefficient * groove.ball_diameter)
-    found = boundary_element.over_hertz(groove, load)
-    percent = {name: 100.0 * (value - 1.0) for name, value in found.ratio.items()}
+    over_hertz = boundary_element.over_hertz(groove, load)
+    percent = {name: 100.0 * (value - 1.0) for name, value in over_hertz.ratio.items()}
     # 0.0005 is tamaas's own; the rest must be owned up to.
     for (name, value), reference in zip(percent.items(), TAMAAS[race, coefficient, load], strict=True):
-        assert abs(value - reference) <= found.uncertainty_percent[name] + 0.0005, name
-        assert found.uncertainty_percent[name] < 0.01
+        assert abs(value - reference) <= over_hertz.uncertainty_percent[name] + 0.0005, name
+        assert over_hertz.uncertainty_percent[name] < 0.01
 
 
 def test_parabola_is_hertz():
@@ -115,9 +115,9 @@ def test_pressure_along_the_normals_as_true_bodies_have_it():
     points = 33
     parabola = boundary_element.quantities(problem, problem.parabolic_gap, points)
     for slope, most in ((groove.shared_slope, 0.12), (None, 0.35)):
-        found = boundary_element.quantities(problem, groove.gap, points, slope)
+        inclined = boundary_element.quantities(problem, groove.gap, points, slope)
         for name in ("semi_major_axis", "semi_minor_axis", "max_pressure"):
-            off = 100.0 * (found[name] / parabola[name] - 1.0) - rows[name]["deviation_percent"]
+            off = 100.0 * (inclined[name] / parabola[name] - 1.0) - rows[name]["deviation_percent"]
             assert abs(off) < most, name
             assert slope is not None or abs(off) > 0.2, name
 

@@ -21,7 +21,7 @@ from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.meshing import MeshError
 from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from fem_check.solids import true_contact
 from fem_check.solids.true_contact import NoRoomError, loaded_angle
 
@@ -158,12 +158,12 @@ def test_the_angle_is_free_for_loads_given_and_loaded_for_the_scene_s_own():
 
     solution = qsbearing.solve(qsbearing.load_scene("b218"))
     own = choose("b218", "both", [], None)
-    found = {(each.groove.race_name, ball): each for each in own for ball in _balls(each)}
+    by_ball = {(each.groove.race_name, ball): each for each in own for ball in _balls(each)}
     for race in ("inner", "outer"):
         contacts = getattr(solution, race)
         for ball, (load, angle) in enumerate(zip(contacts.load, contacts.angle, strict=True), 1):
-            assert found[race, ball].load == pytest.approx(float(load), rel=1e-5)
-            assert found[race, ball].groove.contact_angle == pytest.approx(float(angle), abs=1e-6)
+            assert by_ball[race, ball].load == pytest.approx(float(load), rel=1e-5)
+            assert by_ball[race, ball].groove.contact_angle == pytest.approx(float(angle), abs=1e-6)
     assert {each.angle for each in own} == {"loaded"}
     assert {each.groove.contact_angle for each in choose("b218", "inner", [], "free")} == {
         drawing.groove("inner").contact_angle
@@ -218,8 +218,10 @@ def test_numbers_of_a_map_are_over_hertz():
     assert p[np.hypot(x, y) > 1.2].max() == 0.0
 
 
-def row(deviation: float, uncertainty: float) -> Row:
-    return Row("case", "max_pressure over Hertz", "1", 1.0, "", 1.0 + 0.01 * deviation, uncertainty, 0.05, "why")
+def row(deviation: float, uncertainty: float) -> AgreementRow:
+    return AgreementRow(
+        "case", "max_pressure over Hertz", "1", 1.0, "", 1.0 + 0.01 * deviation, uncertainty, 0.05, "why"
+    )
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 from fem_check import meshing
 from fem_check.checks import ALL
 from fem_check.cli import cli
-from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel
 from fem_check.running import memory, records_store, runner
 
 
@@ -48,7 +48,7 @@ def test_run_keeps_and_prints_one_record(tmp_path):
 
 
 def test_a_row_out_of_tolerance_is_exit_1(tmp_path, monkeypatch):
-    bad = Row("case", "approach", "m", 1.0, "source", 1.1, None, 1.0, "why")
+    bad = AgreementRow("case", "approach", "m", 1.0, "source", 1.1, None, 1.0, "why")
     monkeypatch.setitem(ALL, "patch_test", _replaced(Findings([bad], {"dofs": 1}, "none")))
     result = call("run", "patch_test", "--out", str(tmp_path))
     assert result.exit_code == 1
@@ -166,7 +166,7 @@ def test_an_interrupted_run_leaves_the_earlier_records(tmp_path, monkeypatch):
     checks = [ALL["patch_test"], _interrupting()]
     done = []
     with pytest.raises(KeyboardInterrupt):
-        for entry in runner.run(checks, Level.QUICK, tmp_path, lambda check: lambda stage, part: None):
+        for entry in runner.run(checks, MeshLevel.QUICK, tmp_path, lambda check: lambda stage, part: None):
             done.append(entry["check"])
     assert done == ["patch_test"]
     assert [path.name for path in (tmp_path / "quick").iterdir()] == ["patch_test.json"]

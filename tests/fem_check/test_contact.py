@@ -15,7 +15,7 @@ from fem_check.product.scenes import groove_contact
 from fem_check.rows import agreement
 
 STEEL = ElasticConstants(208e9, 0.3)
-LEVEL = agreement.Level.QUICK
+LEVEL = agreement.MeshLevel.QUICK
 STRETCHES = half_space_contact.STRETCHES
 CHECK = "half_space_contacts"
 
@@ -58,10 +58,10 @@ def test_a_stiffer_ball_gives_less(inner):
     problem = inner.problem(1000.0)
     ceramic = replace(problem, ball=ElasticConstants(310e9, 0.27))
     bodies, hybrid = half_space_contact.condensed_bodies(problem, 4), half_space_contact.condensed_bodies(ceramic, 4)
-    found = half_space_contact.solve_on(ceramic, hybrid)[1].mean
-    assert found.approach < half_space_contact.solve_on(problem, bodies)[1].mean.approach
+    measured = half_space_contact.solve_on(ceramic, hybrid)[1].mean
+    assert measured.approach < half_space_contact.solve_on(problem, bodies)[1].mean.approach
     # Four elements per semi-axis: 0.5 % is what that mesh gives for steel too.
-    assert found.approach == pytest.approx(hertz(ceramic).approach, rel=5e-3)
+    assert measured.approach == pytest.approx(hertz(ceramic).approach, rel=5e-3)
 
 
 def test_a_patch_too_small_is_said(inner):
@@ -83,9 +83,9 @@ def verdict_of(name: str) -> str:
 def one_load(monkeypatch):
     """One contact stands for all of the check."""
     from fem_check.checks import half_space_contacts
-    from fem_check.checks.half_space_contacts import Contact
+    from fem_check.checks.half_space_contacts import HalfSpaceContact
 
-    of = Contact("B218 inner", groove_contact("b218", "inner").problem(1000.0))
+    of = HalfSpaceContact("B218 inner", groove_contact("b218", "inner").problem(1000.0))
     monkeypatch.setattr(half_space_contacts, "contacts", lambda level, scene: [of])
 
 
@@ -160,7 +160,7 @@ def test_planted_missing_far_field(monkeypatch):
 
 
 @pytest.mark.heavy
-@pytest.mark.parametrize("level", list(agreement.Level))
+@pytest.mark.parametrize("level", list(agreement.MeshLevel))
 @pytest.mark.parametrize("name", list(ALL))
 def test_every_check_at_every_level(name, level, monkeypatch):
     monkeypatch.setattr(half_space_contact, "STRETCHES", STRETCHES)
@@ -174,6 +174,6 @@ def test_release_level_other_shapes(k):
     from fem_check.checks.half_space_contacts import ellipse_of
 
     problem: ContactProblem = ellipse_of(k)
-    found = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.Level.RELEASE])
-    rows = half_space_contact.rows("case", found, agreement.Level.RELEASE, "Hertz")
+    study = half_space_contact.mesh_study(problem, half_space_contact.SEQUENCES[agreement.MeshLevel.RELEASE])
+    rows = half_space_contact.rows("case", study, agreement.MeshLevel.RELEASE, "Hertz")
     assert [row for row in rows if row.verdict != "pass"] == []

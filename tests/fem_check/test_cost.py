@@ -16,7 +16,7 @@ from fem_check.elements.elastic_body import DisplacementSpace, stiffness
 from fem_check.elements.element_family import FAMILIES, SERENDIPITY
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 from fem_check.running import memory, records_store
 
 
@@ -75,9 +75,9 @@ def test_families_agree_on_the_contact():
         if family.name in ("hex8", "tet4"):
             continue
         bodies = half_space_contact.condensed_bodies(problem, 3, family=family)
-        found = half_space_contact.solve_on(problem, bodies)[1].mean
-        assert found.approach == pytest.approx(exact.approach, rel=3e-3), family.name
-        assert found.semi_major_axis == pytest.approx(exact.semi_major_axis, rel=1e-2), family.name
+        measured = half_space_contact.solve_on(problem, bodies)[1].mean
+        assert measured.approach == pytest.approx(exact.approach, rel=3e-3), family.name
+        assert measured.semi_major_axis == pytest.approx(exact.semi_major_axis, rel=1e-2), family.name
 
 
 # --- the record, measured on a few coarse meshes ----------------------------------------------------------------------
@@ -86,7 +86,7 @@ def test_families_agree_on_the_contact():
 @pytest.fixture
 def few(monkeypatch):
     """`fem-check cost` measures four configurations, once, in this process."""
-    monkeypatch.setitem(measurement.MESHES, Level.QUICK, {SERENDIPITY.name: (4, 5, 6), "tet4": (4,)})
+    monkeypatch.setitem(measurement.MESHES, MeshLevel.QUICK, {SERENDIPITY.name: (4, 5, 6), "tet4": (4,)})
     monkeypatch.setattr(measurement, "REPEATS", 1)
     monkeypatch.setattr(measurement, "in_fresh_process", lambda function, argument: function(argument))
 
@@ -166,10 +166,10 @@ def test_the_kept_record_shows_what_it_should(kept):
 
 def test_the_errors_kept_are_those_made_here(kept):
     # Errors do not depend on the machine: the second mesh's are found again, to rounding in the linear solver.
-    found = measurement.solve(measurement.Configuration(4, SERENDIPITY.name))
+    solved = measurement.solve(measurement.Configuration(4, SERENDIPITY.name))
     entry = of_family(kept, SERENDIPITY)[1]
     for name in ("error", "position_uncertainty"):
-        assert found[name] == pytest.approx(entry[name], abs=1e-9)
+        assert solved[name] == pytest.approx(entry[name], abs=1e-9)
 
 
 def test_no_number_of_the_picture_is_crossed_by_a_line(kept):
@@ -235,8 +235,8 @@ def test_the_accuracy_of_a_choice_includes_its_uncertainty():
 
 
 def test_what_is_reached_is_deviation_and_uncertainty_together():
-    def row(quantity, found, uncertainty, tolerance):
-        return Row("case", quantity, "m", 1.0, "", found, uncertainty, tolerance, "")
+    def row(quantity, value, uncertainty, tolerance):
+        return AgreementRow("case", quantity, "m", 1.0, "", value, uncertainty, tolerance, "")
 
     good, worst = row("approach", 1.001, 0.02, 1.0), row("semi_major_axis", 0.998, 0.3, 1.0)
     not_judged = row("max_shear_depth", 1.5, 9.0, None)

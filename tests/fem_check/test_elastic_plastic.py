@@ -60,4 +60,4 @@ def test_stresses_lie_on_the_hardened_yield_surface_and_dents_fall_with_it():
 
 def test_unlike_materials_are_refused():
     with pytest.raises(SceneProblemError, match="unlike materials"):
-        permanent_dent.run(permanent_dent.Level.QUICK, lambda stage, part: None, "7210c_hybrid")
+        permanent_dent.run(permanent_dent.MeshLevel.QUICK, lambda stage, part: None, "7210c_hybrid")

@@ -74,15 +74,15 @@ def volumes(path) -> np.ndarray:
 
 def test_bricks_of_the_half_space_have_positive_volumes_that_fill_the_block(block, tmp_path):
     block.write(tmp_path / "block.vtu")
-    found = volumes(tmp_path / "block.vtu")
-    assert found.min() > 0.0
-    assert found.sum() == pytest.approx(np.prod(np.ptp(block.nodes, axis=1)), rel=1e-9)
+    of_bricks = volumes(tmp_path / "block.vtu")
+    assert of_bricks.min() > 0.0
+    assert of_bricks.sum() == pytest.approx(np.prod(np.ptp(block.nodes, axis=1)), rel=1e-9)
 
 
 def test_tetrahedra_of_the_true_bodies_have_positive_volumes_that_fill_them(bodies, tmp_path):
-    found, contact = bodies
-    found["ball"].write(tmp_path / "ball.vtu")
-    found["ring"].write(tmp_path / "ring.vtu")
+    by_name, contact = bodies
+    by_name["ball"].write(tmp_path / "ball.vtu")
+    by_name["ring"].write(tmp_path / "ring.vtu")
     ball = volumes(tmp_path / "ball.vtu")
     assert ball.min() > 0.0 and volumes(tmp_path / "ring.vtu").min() > 0.0
     # Half a ball, of which half is modelled; elements away from the contact are coarse, their curved faces are not.
@@ -90,7 +90,7 @@ def test_tetrahedra_of_the_true_bodies_have_positive_volumes_that_fill_them(bodi
     assert ball.sum() == pytest.approx(np.pi / 3.0 * radius**3, rel=2e-4)
     # The pressure that was put on, and the stress below it: Johnson, section 4.3.
     p0 = 1e-6 * references.hertz(contact.groove.problem(2000.0)).max_pressure
-    for body in found.values():
+    for body in by_name.values():
         assert body.pressure.max() == pytest.approx(p0, rel=1e-6)  # meshes are kept in single precision
         assert 0.45 * p0 < body.von_mises.max() < 0.7 * p0
 
@@ -103,9 +103,9 @@ def test_stress_of_an_even_strain_is_hooke_s():
         [[0.0, 0.6, -0.1], [-0.6, 0.0, 0.2], [0.1, -0.2, 0.0]]
     )  # a rotation strains nothing
     expected = STEEL.elastic_modulus / 1.3 * (strain + 0.3 / 0.4 * np.trace(strain) * np.identity(3))
-    found = fields.stress(space, space.nodes.T @ turned, STEEL)
+    stress = fields.stress(space, space.nodes.T @ turned, STEEL)
     components = [expected[each] for each in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))]
-    np.testing.assert_allclose(found, np.broadcast_to(np.array(components)[:, None], found.shape), rtol=1e-9)
+    np.testing.assert_allclose(stress, np.broadcast_to(np.array(components)[:, None], stress.shape), rtol=1e-9)
 
 
 def test_the_file_of_a_half_space_holds_hertz(block, tmp_path):

@@ -33,8 +33,8 @@ def test_the_sphere_s_kernel_is_the_series_of_the_equator():
 @pytest.mark.parametrize("excess", [finite_bodies.ball_excess, None])
 def test_under_a_small_load_every_body_is_a_half_space(excess, coarse):
     def part(load):
-        found = excess(GROOVE, load) if excess else finite_bodies.ring_excess(GROOVE, 16, PROFILE, load)
-        return load * found / references.ellipse(GROOVE.problem(load)).approach
+        compliance = excess(GROOVE, load) if excess else finite_bodies.ring_excess(GROOVE, 16, PROFILE, load)
+        return load * compliance / references.ellipse(GROOVE.problem(load)).approach
 
     # As the ellipse's size over the body's, but for a logarithm; with the ring it is the mesh of its section that is
     # seen.

@@ -52,8 +52,8 @@ def test_without_an_ellipse_nothing_is_read_but_the_approach():
     )
     assert basis.forces @ pressures[:, 0] > 0.0
     body = SimpleNamespace(asymmetry=0.0, reaction=-basis.forces)
-    found = measuring.measure(of, body, body).each
-    assert {name for name, values in found.items() if np.isnan(values).all()} == set(QUANTITIES) - {"approach"}
+    by_quantity = measuring.measure(of, body, body).each
+    assert {name for name, values in by_quantity.items() if np.isnan(values).all()} == set(QUANTITIES) - {"approach"}
 
 
 @pytest.mark.parametrize("elements", [6, 12])
@@ -64,8 +64,8 @@ def test_hertz_pressure_sampled_on_the_mesh(elements):
     basis = PressureBasis(lines, lines)
     (x, y), area = basis.samples
     nodal = np.sqrt(np.maximum(1.0 - (basis.points**2).sum(axis=0), 0.0))
-    found = measuring.central_pressure(x, y, area, basis.values(x, y) @ nodal)
-    assert abs(found - 1.0) < 2.0 * 2.0 / (12.0 * elements**2)
+    central = measuring.central_pressure(x, y, area, basis.values(x, y) @ nodal)
+    assert abs(central - 1.0) < 2.0 * 2.0 / (12.0 * elements**2)
 
 
 def test_a_close_groove_is_read_within_the_gate():

@@ -29,23 +29,23 @@ def shipped() -> Evidence:
     return evidence.read()
 
 
-def text_of(found: Evidence) -> str:
+def text_of(records: Evidence) -> str:
     """All of page 1; what it links to is empty here."""
-    asked = questions.all_of(found)
+    asked = questions.all_of(records)
     places = [Section("Place", [], name) for name in dict.fromkeys(each.see for each in asked)]
-    document = Document("Title", "Kind", places, head=page_one.blocks(found, asked, None))
+    document = Document("Title", "Kind", places, head=page_one.blocks(records, asked, None))
     return re.sub(r"\s+", " ", Page.of(html(document)).text)
 
 
-def verdict(found: Evidence) -> Remark:
-    return page_one.verdict(found, questions.all_of(found))
+def verdict(records: Evidence) -> Remark:
+    return page_one.verdict(records, questions.all_of(records))
 
 
 def altered(kept: Kept, **changes: Any) -> Kept:
     return dataclasses.replace(kept, data=json.loads(json.dumps(kept.data)) | changes)
 
 
-def at_one_commit(found: Evidence, commit: str) -> Evidence:
+def at_one_commit(records: Evidence, commit: str) -> Evidence:
     """The same evidence, every record made at one commit by this version."""
     made = {"commit": commit, "dirty": False, "qsbearing": __version__}
 
@@ -53,21 +53,21 @@ def at_one_commit(found: Evidence, commit: str) -> Evidence:
         return altered(kept, provenance={**(kept.provenance or {"date": "2026-01-01"}), **made})
 
     changes: dict[str, Any] = {}
-    for field in dataclasses.fields(found):
-        value = getattr(found, field.name)
+    for field in dataclasses.fields(records):
+        value = getattr(records, field.name)
         if isinstance(value, Kept):
             changes[field.name] = moved(value)
         elif isinstance(value, dict):
             changes[field.name] = {name: moved(each) for name, each in value.items()}
         elif isinstance(value, list):
             changes[field.name] = list(map(moved, value))
-    return dataclasses.replace(found, **changes)
+    return dataclasses.replace(records, **changes)
 
 
-def sector_rows(found: Evidence, end: str, quantity: str) -> list[dict[str, Any]]:
+def sector_rows(records: Evidence, end: str, quantity: str) -> list[dict[str, Any]]:
     return [
         row
-        for row in found.checks["bearing_sector"].data["rows"]
+        for row in records.checks["bearing_sector"].data["rows"]
         if row["verdict"] == "finding" and row["reference"]
         if row["case"].endswith(end) and row["quantity"].endswith(quantity)
     ]
@@ -193,9 +193,9 @@ def whole(shipped: Evidence, monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """Every record of one commit, which differs from that checked out by records alone, after a gate that passed."""
     monkeypatch.setattr(kept_files, "others", lambda tested: [])
     monkeypatch.setattr(provenance, "is_dirty", lambda: False)
-    found = at_one_commit(shipped, COMMIT)
-    assert found.gate is not None
-    return dataclasses.replace(found, gate=altered(found.gate, verdicts={"clean tree": [], "benchmarks": []}))
+    records = at_one_commit(shipped, COMMIT)
+    assert records.gate is not None
+    return dataclasses.replace(records, gate=altered(records.gate, verdicts={"clean tree": [], "benchmarks": []}))
 
 
 def test_page_one_calls_records_of_one_commit_a_release(whole: Evidence) -> None:
@@ -219,27 +219,27 @@ def test_page_one_calls_records_of_one_commit_a_release(whole: Evidence) -> None
 def test_page_one_names_what_makes_it_no_release(whole: Evidence, spoilt: str, said: str, monkeypatch: Any) -> None:
     assert whole.gate is not None
     assert whole.relations is not None
-    found = whole
+    records = whole
     if spoilt == "code":
         monkeypatch.setattr(kept_files, "others", lambda tested: ["a.py"])
     elif spoilt == "dirty":
         monkeypatch.setattr(provenance, "is_dirty", lambda: True)
     elif spoilt == "version":
         made = whole.relations.provenance | {"qsbearing": "0.0.1"}
-        found = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
+        records = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
     elif spoilt == "gate":
         failed = altered(whole.gate, verdicts={"clean tree": [], "benchmarks": ["slow"]})
-        found = dataclasses.replace(whole, gate=failed)
+        records = dataclasses.replace(whole, gate=failed)
     elif spoilt == "running":
         kept = {key: value for key, value in whole.gate.data.items() if key != "verdicts"}
-        found = dataclasses.replace(whole, gate=dataclasses.replace(whole.gate, data=kept))
+        records = dataclasses.replace(whole, gate=dataclasses.replace(whole.gate, data=kept))
     else:
         made = whole.relations.provenance | {"commit": "b" * 40}
-        found = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
-    text = verdict(found).text
+        records = dataclasses.replace(whole, relations=altered(whole.relations, provenance=made))
+    text = verdict(records).text
     assert said in text
     assert "not a release" in text
-    assert verdict(found).status == "warning"
+    assert verdict(records).status == "warning"
 
 
 def test_a_span_of_one_number_is_that_number() -> None:

@@ -12,7 +12,7 @@ from fem_check.elements import boussinesq, elastic_body, linear_solver
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.mechanics import contact
 from fem_check.rows import convergence
-from fem_check.rows.agreement import Row, collapsed, covered
+from fem_check.rows.agreement import AgreementRow, collapsed, covered
 
 
 def test_point_load_on_the_surface_and_below():
@@ -28,8 +28,8 @@ def test_point_load_on_the_surface_and_below():
 def test_far_field_of_the_hats_is_that_of_their_force():
     basis = PressureBasis(np.linspace(0, 1, 4), np.linspace(0, 1, 4))
     points = np.array([[30.0, 0.0], [40.0, 0.0], [0.0, 50.0]])
-    found = boussinesq.pressure_displacement(points, basis.samples[0], basis.loads, 0.3)
-    whole = found.sum(axis=2)
+    displacement = boussinesq.pressure_displacement(points, basis.samples[0], basis.loads, 0.3)
+    whole = displacement.sum(axis=2)
     force = 4.0 * basis.forces.sum()
     single = np.stack(boussinesq.point_load_displacement(points[0], points[1], points[2], 0.3)) * force
     # The quadrupole of a patch of size 1 at distance 50: (1/50)^2.
@@ -93,8 +93,8 @@ def test_a_pattern_is_analysed_once(monkeypatch):
     np.testing.assert_array_equal(one.indptr, other.indptr)
 
 
-def row(found: float, tolerance: float | None) -> Row:
-    return Row("case", "approach", "m", 2.0, "source", found, None, tolerance, "why")
+def row(value: float, tolerance: float | None) -> AgreementRow:
+    return AgreementRow("case", "approach", "m", 2.0, "source", value, None, tolerance, "why")
 
 
 def test_a_deviation_passes_only_with_its_uncertainty():
@@ -105,7 +105,7 @@ def test_a_deviation_passes_only_with_its_uncertainty():
 
 
 def test_similar_rows_collapse_into_their_worst():
-    light, heavy = (replace(row(found, 0.2), case=case) for found, case in ((2.001, "50 N"), (1.998, "500 N")))
+    light, heavy = (replace(row(value, 0.2), case=case) for value, case in ((2.001, "50 N"), (1.998, "500 N")))
     other = replace(row(2.0, 0.2), quantity="load")
     approach, load = collapsed([light, heavy, other], "50 to 500 N")
     assert (approach.found, approach.case, approach.worst_at) == (1.998, "50 to 500 N", "500 N")

@@ -24,23 +24,23 @@ def b218(race: str) -> BallInGroove:
     [("inner", 1.738585, 0.213182, 1288.233, 8.397011), ("outer", 1.700768, 0.246577, 1138.529, 8.179344)],
 )
 def test_b218(race, a, b, p0, delta):
-    found = hertz(b218(race).problem(1000.0))
-    assert found.semi_major_axis * 1e3 == pytest.approx(a, abs=6e-7)
-    assert found.semi_minor_axis * 1e3 == pytest.approx(b, abs=6e-7)
-    assert found.max_pressure * 1e-6 == pytest.approx(p0, abs=6e-4)
-    assert found.approach * 1e6 == pytest.approx(delta, abs=6e-7)
+    ellipse = hertz(b218(race).problem(1000.0))
+    assert ellipse.semi_major_axis * 1e3 == pytest.approx(a, abs=6e-7)
+    assert ellipse.semi_minor_axis * 1e3 == pytest.approx(b, abs=6e-7)
+    assert ellipse.max_pressure * 1e-6 == pytest.approx(p0, abs=6e-4)
+    assert ellipse.approach * 1e6 == pytest.approx(delta, abs=6e-7)
 
 
 def test_circle_is_the_textbooks():
     radius, load = 10e-3, 100.0
-    found = hertz(ContactProblem("sphere", 1.0 / radius, 1.0 / radius, STEEL, STEEL, load))
+    ellipse = hertz(ContactProblem("sphere", 1.0 / radius, 1.0 / radius, STEEL, STEEL, load))
     modulus = 1.0 / (2.0 * STEEL.compliance)
     a = (0.75 * load * radius / modulus) ** (1.0 / 3.0)
     # Closed forms both: rounding only.
-    assert found.semi_major_axis == pytest.approx(a, rel=1e-12)
-    assert found.semi_minor_axis == pytest.approx(a, rel=1e-12)
-    assert found.approach == pytest.approx(a * a / radius, rel=1e-12)
-    assert found.max_pressure == pytest.approx(1.5 * load / (pi * a * a), rel=1e-12)
+    assert ellipse.semi_major_axis == pytest.approx(a, rel=1e-12)
+    assert ellipse.semi_minor_axis == pytest.approx(a, rel=1e-12)
+    assert ellipse.approach == pytest.approx(a * a / radius, rel=1e-12)
+    assert ellipse.max_pressure == pytest.approx(1.5 * load / (pi * a * a), rel=1e-12)
 
 
 def test_shear_of_the_circle():
@@ -99,8 +99,8 @@ TOLERANCES = {"max_shear_stress": 1e-10, "max_shear_depth": 1e-6}
 def against_carlson(ellipticity: float) -> dict[str, float]:
     """How far qsbearing's contact of a shape is from that in Carlson's integrals, over it."""
     problem = ellipse_of(ellipticity)
-    exact, found = hertz(problem), of_qsbearing(problem)
-    return {name: abs(value / getattr(exact, name) - 1.0) for name, value in found.items()}
+    exact, ours = hertz(problem), of_qsbearing(problem)
+    return {name: abs(value / getattr(exact, name) - 1.0) for name, value in ours.items()}
 
 
 @pytest.mark.parametrize("ellipticity", SHAPES)

@@ -20,8 +20,8 @@ from click.testing import CliRunner, Result
 from fem_check.checks import ALL
 from fem_check.cli import cli
 from fem_check.release import drift, gate, manifest, steps, tree
-from fem_check.release.steps import Place, Step, StepError
-from fem_check.rows.agreement import Findings, Level, Row
+from fem_check.release.steps import GateFolders, Step, StepError
+from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel
 from fem_check.running import kept_files, known
 from qsbearing.documents.numbers import plain
 from qsbearing.results import provenance
@@ -47,15 +47,15 @@ def kept_in(folder: Path) -> None:
     manifest.write(folder)
 
 
-def formula(level: Level, progress: Any, scene: str = "") -> Findings:
+def formula(level: MeshLevel, progress: Any, scene: str = "") -> Findings:
     """A check of one row."""
-    return Findings([Row("a circle", "approach", "m", 2e-6, "closed form", 2e-6, None, 1e-6, "rounding")])
+    return Findings([AgreementRow("a circle", "approach", "m", 2e-6, "closed form", 2e-6, None, 1e-6, "rounding")])
 
 
 run_patch_test = cache(partial(ALL["patch_test"].run, progress=lambda stage, part: None))
 
 
-def patch_test(level: Level, progress: Any, scene: str = "") -> Findings:
+def patch_test(level: MeshLevel, progress: Any, scene: str = "") -> Findings:
     """A real check, which finds the same each time: run once."""
     return deepcopy(run_patch_test(level))
 
@@ -128,10 +128,10 @@ def place(made, tmp_path, monkeypatch):
 def change(path: Path, **values: Any) -> None:
     """Change the first row of a record, or, of the whole, what is no field of a row."""
     record = json.loads(path.read_text())
-    names = {field.name for field in fields(Row)}
+    names = {field.name for field in fields(AgreementRow)}
     row = record["rows"][0] | {name: value for name, value in values.items() if name in names}
     if "deviation_percent" not in values:
-        row = Row(**{name: row[name] for name in names}).as_dict()
+        row = AgreementRow(**{name: row[name] for name in names}).as_dict()
     record["rows"][0] = row
     path.write_text(json.dumps(record | {k: v for k, v in values.items() if k not in row}))
 
@@ -150,7 +150,7 @@ def test_a_gate_that_passes_has_records_of_its_commit(place):
 
 
 def test_it_needs_every_check_and_all_the_rest():
-    for level in Level:
+    for level in MeshLevel:
         names = {step.name for step in every_step(level)}
         assert {f"check {name}" for name in ALL} < names
         campaigns = (*ENVELOPES, *steps.RECOMPUTED[level])
@@ -161,7 +161,7 @@ def test_it_needs_every_check_and_all_the_rest():
 def test_the_programs_and_records_of_every_step_exist():
     """At the release level all of its records are in the repository, but those of a campaign that is new."""
     missing = {f"{CAMPAIGNS}/sets/summary.json", f"{RECORDS}/release/formula.json"}  # the latter: of these tests alone
-    for step in every_step(Level.RELEASE):
+    for step in every_step(MeshLevel.RELEASE):
         words = step.command.split()
         if words[:2] == ["python", "-m"]:
             assert find_spec(words[2]), step.name
@@ -192,7 +192,7 @@ def test_a_dirty_tree_is_refused_before_anything_is_run(place):
 
 
 def test_a_commit_during_the_gate_is_seen(place, monkeypatch):
-    def run(where: Place) -> None:
+    def run(where: GateFolders) -> None:
         (where.root / "late.py").write_text("")
         commit(where.root)
 
@@ -283,9 +283,9 @@ def drifted(place: Path, **values: Any) -> list[str]:
     commit(repository)
     result = release(place / "new", "--json")
     assert result.exit_code == 1
-    found = verdicts(result)
-    assert [name for name, reasons in found.items() if reasons] == ["check formula"]
-    return found["check formula"]
+    by_step = verdicts(result)
+    assert [name for name, reasons in by_step.items() if reasons] == ["check formula"]
+    return by_step["check formula"]
 
 
 def test_drift_within_the_tolerance_is_named(place):
@@ -321,15 +321,15 @@ def test_a_check_that_is_no_longer_made_is_named(place):
 
 
 def test_a_step_that_raises_is_a_failure_and_the_others_are_run(place, monkeypatch):
-    def broken(level: Level, progress: Any, scene: str = "") -> Any:
+    def broken(level: MeshLevel, progress: Any, scene: str = "") -> Any:
         raise ZeroDivisionError("planted")
 
     monkeypatch.setitem(ALL, "patch_test", replace(ALL["patch_test"], run=broken))
     result = release(place / "new", "--json")
     assert result.exit_code == 1
-    found = verdicts(result)
-    assert found["check patch_test"] == ["ZeroDivisionError: planted"]
-    assert found["check formula"] == []
+    reasons = verdicts(result)
+    assert reasons["check patch_test"] == ["ZeroDivisionError: planted"]
+    assert reasons["check formula"] == []
 
 
 def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeypatch):
@@ -337,7 +337,7 @@ def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeyp
     ran.mkdir()
 
     def noted(step: Step) -> Step:
-        def run(where: Place) -> None:
+        def run(where: GateFolders) -> None:
             time.sleep(0.5)  # so that one process cannot take both
             (ran / step.name).write_text(f"{os.getpid()} {time.monotonic()}")
             step.run(where)
@@ -346,7 +346,7 @@ def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeyp
 
     monkeypatch.setattr(steps, "all_steps", lambda level: [*map(noted, reports_and_checks(level))])
 
-    def reports_and_checks(level: Level) -> list[Step]:
+    def reports_and_checks(level: MeshLevel) -> list[Step]:
         alone = Step("reports", "nothing", lambda where: None)
         return [alone, *(step for step in every_step(level) if step.name in CHECKS)]
 
@@ -359,13 +359,15 @@ def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeyp
 
 
 def test_a_step_whose_process_is_killed_has_failed(place, monkeypatch):
-    def killed(where: Place) -> None:
+    def killed(where: GateFolders) -> None:
         os.kill(os.getpid(), signal.SIGKILL)
 
     listed = [Step("check formula", "nothing", killed, is_alone=False)]
     monkeypatch.setattr(steps, "all_steps", lambda level: listed)
     journal: dict[str, Any] = {}
-    gate.run(listed, Place(place / "repository", Level.QUICK, place / "new", ""), journal, lambda said: None, 2)
+    gate.run(
+        listed, GateFolders(place / "repository", MeshLevel.QUICK, place / "new", ""), journal, lambda said: None, 2
+    )
     assert journal["check formula"]["error"].startswith("BrokenProcessPool")
 
 
@@ -373,7 +375,7 @@ def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
     ran, stop = [], [True]
 
     def counted(step: Step) -> Step:
-        def run(where: Place) -> None:
+        def run(where: GateFolders) -> None:
             ran.append(step.name)
             if stop and step.name == CHECKS[1]:
                 raise KeyboardInterrupt
@@ -395,7 +397,7 @@ def test_an_interrupted_gate_runs_only_what_is_left(place, monkeypatch):
 
 
 def test_a_process_that_fails_is_told_with_its_last_words(tmp_path):
-    where = Place(ROOT, Level.QUICK, tmp_path, "0" * 40)
+    where = GateFolders(ROOT, MeshLevel.QUICK, tmp_path, "0" * 40)
     with pytest.raises(StepError, match=r"no_such_module ended with exit code 1: .*No module named"):
         steps._python(where, "log", "no_such_module", accept=0)
     with pytest.raises(StepError, match="ZeroDivisionError"):  # a traceback is not "a row is out of tolerance"
@@ -409,8 +411,8 @@ def test_another_folder_or_a_tag_can_be_the_previous_release(place):
     provenance.git("tag", "v1", folder=place / "repository")
     change(place / "out" / PATCH, found=1.0)
     for previous, moved in ((str(place / "out"), 1), ("v1", 0)):
-        found = verdicts(release(place / "new", "--json", "--previous", previous))
-        assert len(found["check patch_test"]) == moved
+        reasons = verdicts(release(place / "new", "--json", "--previous", previous))
+        assert len(reasons["check patch_test"]) == moved
     result = release(place / "new", "--previous", "v2")
     assert result.exit_code == 2
     assert "neither a folder nor a tag" in result.stderr
@@ -426,8 +428,8 @@ def test_records_without_provenance_serve_as_values_only(place):
     commit(repository)
     result = release(place / "new", "--json")
     assert result.exit_code == 0, result.output
-    (found,) = [each for each in json.loads(result.stdout) if each["step"] == "previous release"]
-    assert "; 1 of 2 do not say from what: values only" in found["said"]
+    (step,) = [each for each in json.loads(result.stdout) if each["step"] == "previous release"]
+    assert "; 1 of 2 do not say from what: values only" in step["said"]
 
 
 def test_it_does_not_write_into_the_tree(place):
@@ -471,7 +473,7 @@ def test_drift_of_hard_cases():
 def test_drift_of_a_campaign():
     old, new = (record_of(f"{CAMPAIGNS}/wild/summary.json") for _ in range(2))
     for record in (old, new):
-        record["count"] = steps.SCENES[Level.RELEASE]["wild"]
+        record["count"] = steps.SCENES[MeshLevel.RELEASE]["wild"]
         record["classes"] = {"converged": record["count"] - 22, "not_converged": 22}
     limit = round(drift.CAMPAIGN_SCENES * old["count"])
     assert drift.of_campaign(new, old) == []
@@ -502,7 +504,7 @@ def test_a_recomputed_campaign_of_another_number_or_with_a_wrong_case_fails():
 def test_known_scenes_pass_by_name_and_only_while_they_are_not_solved():
     record = record_of(f"{CAMPAIGNS}/realistic/summary.json")
     count = record["count"]
-    wrong = steps._campaign(Level.RELEASE, "realistic", count).wrong
+    wrong = steps._campaign(MeshLevel.RELEASE, "realistic", count).wrong
     numbers = {name: 1000 * int(name.split("/")[2]) + int(name.split("/")[3]) for name in known.NOT_CONVERGED}
     assert set(record["not_converged"]) == {name for name, number in numbers.items() if number < count} != set()
     assert wrong(record) == []
@@ -527,12 +529,12 @@ def test_drift_of_benchmarks():
 
 
 def _step(name: str) -> Step:
-    return next(step for step in every_step(Level.RELEASE) if step.name == name)
+    return next(step for step in every_step(MeshLevel.RELEASE) if step.name == name)
 
 
 def test_drift_on_another_mesh_is_limited_by_both_uncertainties():
-    row = Row("c", "approach", "m", 1.0, "s", 1.0, 0.01, 1.0, "w").as_dict()
-    moved = Row("c", "approach", "m", 1.0, "s", 1.00019, 0.01, 1.0, "w").as_dict()
+    row = AgreementRow("c", "approach", "m", 1.0, "s", 1.0, 0.01, 1.0, "w").as_dict()
+    moved = AgreementRow("c", "approach", "m", 1.0, "s", 1.00019, 0.01, 1.0, "w").as_dict()
     old = {"mesh": {"dofs": 1}, "rows": [row]}
     assert drift.of_check({"mesh": {"dofs": 2}, "rows": [moved]}, old) == []
     (reason,) = drift.of_check({"mesh": {"dofs": 1}, "rows": [moved]}, old)
@@ -549,4 +551,4 @@ def test_gate_verdicts_need_no_terminal_and_say_how_to_run_again(place):
     table = release(place / "out", "--resume").stdout
     assert "fem-check run patch_test --level quick" in table
     assert table.rstrip().endswith("pass")
-    assert gate.Verdict("x", ["bad"]).passes is False
+    assert gate.StepVerdict("x", ["bad"]).passes is False

@@ -22,8 +22,8 @@ from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import as_read, quantity, table, worst
-from fem_check.report.sections import tolerances
-from fem_check.rows.agreement import Row
+from fem_check.report.sections import previous, tolerances
+from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document
@@ -37,7 +37,7 @@ ROOT = Path(__file__).parents[2]
 PAGES = 22
 """At most, on paper."""
 SCREENS = 60
-"""Likewise, of 1280 x 900."""
+"""At most, of 1280 x 900."""
 SMALL = ("patch_test", "manufactured_solution", "body_size")
 
 
@@ -66,9 +66,9 @@ def records(tmp_path: Path) -> Path:
     return folder
 
 
-def without_the_rest(found: Evidence) -> Evidence:
+def without_the_rest(whole: Evidence) -> Evidence:
     """Only the checks, to be quick."""
-    return dataclasses.replace(found, book={}, cost=None, model_cost=None, campaigns=[], hard_cases=None)
+    return dataclasses.replace(whole, book={}, cost=None, model_cost=None, campaigns=[], hard_cases=None)
 
 
 def change(folder: Path, name: str, spoil: Callable[[dict[str, Any]], object]) -> None:
@@ -128,29 +128,37 @@ def test_the_pdf_holds_its_fonts_and_says_the_verdict(shipped: Document) -> None
 
 def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:
     """As JSON and as CSV, with reason and source; one count of them."""
-    found = evidence.read()
-    told = files.as_data(found)
-    kept = [row for each in (found.checks, found.book) for k in each.values() for row in k.data["rows"]]
+    whole = evidence.read()
+    told = files.as_data(whole)
+    kept = [row for each in (whole.checks, whole.book) for k in each.values() for row in k.data["rows"]]
     assert [{key: value for key, value in row.items() if key != "check"} for row in told["rows"]] == kept
     table = list(csv.DictReader(StringIO(files.csv_of(told["rows"]).decode())))
     assert [row["why_tolerance"] for row in table] == [row["why_tolerance"] for row in kept]
     assert float(table[0]["found"]) == kept[0]["found"]
 
 
-def row(name: str, found: float, tolerance: float | None, case: str = "case", **others: Any) -> dict[str, Any]:
-    return Row(case, name, "1", 1.0, "a reference", found, 0.01, tolerance, "a reason", **others).as_dict()
+def row(name: str, value: float, tolerance: float | None, case: str = "case", **others: Any) -> dict[str, Any]:
+    return AgreementRow(case, name, "1", 1.0, "a reference", value, 0.01, tolerance, "a reason", **others).as_dict()
 
 
 def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
     rows = [row(name, 1.0 + 1e-4 * n, 5.0, f"case {n}") for name in "abcdef" for n in range(3)]
     rows += [row("g", 1.01, 0.5), row("h", 1.2, None), row("h", 0.7, None)]
-    found = worst(rows)
-    assert [(count, each["quantity"]) for count, each in found[:2]] == [(1, "g"), (2, "h")]
-    assert found[1][1]["found"] == 0.7
-    assert len(found) == 5
-    assert {each["case"] for _, each in found[2:]} == {"case 2"}
-    shown = table(found).rows[0]
+    counted = worst(rows)
+    assert [(count, each["quantity"]) for count, each in counted[:2]] == [(1, "g"), (2, "h")]
+    assert counted[1][1]["found"] == 0.7
+    assert len(counted) == 5
+    assert {each["case"] for _, each in counted[2:]} == {"case 2"}
+    shown = table(counted).rows[0]
     assert shown[:4] == ["g", "1", "+1.000 ± 0.010 %", "0.5 %"]
+
+
+def test_a_refused_row_is_compared_with_the_earlier_release() -> None:
+    """It has no number: nothing moved where it was refused before too, else everything."""
+    refused = row("a", 1.0, None) | {"found": None, "deviation_percent": None, "verdict": "refused"}
+    assert previous._change(refused, refused) == 0.0
+    assert previous._change(row("a", 1.0, None), refused) == float("inf")
+    assert previous._change(refused, row("a", 1.0, None)) == float("inf")
 
 
 def test_an_angle_is_no_per_cent() -> None:
@@ -177,9 +185,9 @@ def test_thousands_and_owners_are_read_in_one_style() -> None:
 
 def test_the_same_records_are_the_same_report(drawn: None) -> None:
     """Pictures too, but for those of the book and of costs."""
-    found = without_the_rest(evidence.read())
-    found = dataclasses.replace(found, checks={name: found.checks[name] for name in SMALL})
-    first, second = (html(validation.document(found)) for _ in range(2))
+    few = without_the_rest(evidence.read())
+    few = dataclasses.replace(few, checks={name: few.checks[name] for name in SMALL})
+    first, second = (html(validation.document(few)) for _ in range(2))
     assert first == second
 
 
@@ -220,11 +228,11 @@ def test_a_failing_row_is_the_verdict(records: Path) -> None:
 
 
 def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> None:
-    found = evidence.read(records)
-    missed = json.loads(json.dumps(found.campaigns[0].data))
+    whole = evidence.read(records)
+    missed = json.loads(json.dumps(whole.campaigns[0].data))
     missed |= {"bar": missed["bar"] | {"allowed": missed["classes"]["not_converged"] - 1}, "not_converged": []}
-    campaigns = [dataclasses.replace(found.campaigns[0], data=missed)]
-    text = Page.of(html(validation.document(dataclasses.replace(without_the_rest(found), campaigns=campaigns)))).text
+    campaigns = [dataclasses.replace(whole.campaigns[0], data=missed)]
+    text = Page.of(html(validation.document(dataclasses.replace(without_the_rest(whole), campaigns=campaigns)))).text
     lost = missed["classes"]["not_converged"]
     assert f"Missed: {lost} of {missed['count']:,} {missed['envelope']} random scenes did not converge" in text
 
@@ -255,9 +263,9 @@ def test_commits_that_differ_are_said(records: Path) -> None:
     at["machine"] = {"processor": "x", "cores": 2, "memory_GB": 8.0, "system": "Linux 6", "python": "3.11.7"}
     for name, commit in zip(SMALL, ("a", "b", "a"), strict=True):
         change(records, name, lambda entry, commit=commit: entry.update(provenance=at | {"commit": commit * 40}))
-    found = without_the_rest(evidence.read(records))
-    found = dataclasses.replace(
-        found,
+    few = without_the_rest(evidence.read(records))
+    few = dataclasses.replace(
+        few,
         reference=None,
         relations=None,
         errata=None,
@@ -266,7 +274,7 @@ def test_commits_that_differ_are_said(records: Path) -> None:
         mutations=None,
         recomputed=[],
     )
-    text = Page.of(html(validation.document(found))).text
+    text = Page.of(html(validation.document(few))).text
     assert "the records come from 2 commits" in text
     assert "a" * 12 in text
     assert "b" * 12 in text
@@ -322,8 +330,10 @@ def test_the_records_that_the_wheel_leaves_out_are_none_of_the_report(tmp_path: 
     """As an installed package has them: without the quick level's."""
     shutil.copytree(records_store.FOLDER, tmp_path / "records", ignore=shutil.ignore_patterns("quick"))
     carried, whole = evidence.read(tmp_path / "records"), evidence.read()
-    for found, expected in ((carried.checks, whole.checks), (carried.book, whole.book)):
-        assert {name: kept.data for name, kept in found.items()} == {name: kept.data for name, kept in expected.items()}
+    for shipped, expected in ((carried.checks, whole.checks), (carried.book, whole.book)):
+        assert {name: kept.data for name, kept in shipped.items()} == {
+            name: kept.data for name, kept in expected.items()
+        }
 
 
 def test_a_folder_without_records_is_refused(tmp_path: Path) -> None:
@@ -366,12 +376,12 @@ def test_a_release_run_is_shown_and_its_records_count(records: Path) -> None:
     (beside / "table.json").write_text(json.dumps(kept.hard_cases.data | {"made": "here"}))
     steps = {"check patch_test": {"seconds": 1.5, "error": None}, "benchmarks": {"seconds": 2.0, "error": "no time"}}
     (gate / "steps.json").write_text(json.dumps({"commit": "c" * 40, "level": "quick", "steps": steps}))
-    found = dataclasses.replace(evidence.read(records), book={}, cost=None, model_cost=None)
-    page = Page.of(html(validation.document(found)))
+    of_gate = dataclasses.replace(evidence.read(records), book={}, cost=None, model_cost=None)
+    page = Page.of(html(validation.document(of_gate)))
     assert page.faults == []
     assert "4,321" in page.text
-    assert found.hard_cases is not None
-    assert found.hard_cases.data["made"] == "here"
+    assert of_gate.hard_cases is not None
+    assert of_gate.hard_cases.data["made"] == "here"
     assert "benchmarks: no time" in page.text
     assert "1 of 2 steps made their records" in page.text
 

@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 
 from fem_check.rows import row_text
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 
 
 def row(
-    reference: float, found: float, unit: str, uncertainty: float | None, tolerance: float | None
+    reference: float, value: float, unit: str, uncertainty: float | None, tolerance: float | None
 ) -> dict[str, Any]:
-    return Row("case", "quantity", unit, reference, "source", found, uncertainty, tolerance, "why").as_dict()
+    return AgreementRow("case", "quantity", unit, reference, "source", value, uncertainty, tolerance, "why").as_dict()
 
 
 @pytest.mark.parametrize(

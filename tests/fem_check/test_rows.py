@@ -13,13 +13,13 @@ import pytest
 from fem_check.independent.references import HERTZ_SOURCE
 from fem_check.mechanics.measuring import Soundness
 from fem_check.rows import row_text
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from tests.fem_check import test_planted_errors as planted
 
 RECORDS = sorted((planted.ROOT / "fem_check/records").glob("*/*.json"))
 CHECKS = [path for path in RECORDS if path.parent.name in ("quick", "release")]
-FIELDS = [field.name for field in dataclasses.fields(Row)]
+FIELDS = [field.name for field in dataclasses.fields(AgreementRow)]
 
 OF_ANOTHER_LENGTH = {"change of axial displacement"}
 """Quantities whose tolerance is a part of another length: of twice the reference it is half as many per cent."""
@@ -28,7 +28,7 @@ OF_ANOTHER_LENGTH = {"change of axial displacement"}
 @pytest.mark.parametrize("path", CHECKS, ids=lambda path: f"{path.parent.name}-{path.stem}")
 @pytest.mark.parametrize("side", ["reference", "found"])
 def test_twice_one_side_fails(path, side):
-    rows = [Row(**{name: each[name] for name in FIELDS}) for each in json.loads(path.read_text())["rows"]]
+    rows = [AgreementRow(**{name: each[name] for name in FIELDS}) for each in json.loads(path.read_text())["rows"]]
     judged = [row for row in rows if row.tolerance_percent is not None]
     assert judged
     # An exact zero has no double; what it judges is planted for in `test_planted_errors.py`.
@@ -43,7 +43,7 @@ def test_twice_one_side_fails(path, side):
 @pytest.mark.parametrize("name", ["found", "uncertainty_percent"])
 def test_what_is_no_number_fails_and_is_recorded_as_none(name, number):
     row = dataclasses.replace(
-        Row("a contact", "max_pressure", "1", 1.0, "exact", 1.0, 0.1, 2.0, "why"), **{name: number}
+        AgreementRow("a contact", "max_pressure", "1", 1.0, "exact", 1.0, 0.1, 2.0, "why"), **{name: number}
     )
     entry = json.loads(records_store.text({"rows": [row.as_dict()]}))["rows"][0]
     assert (entry[name], entry["verdict"]) == (None, "fail")

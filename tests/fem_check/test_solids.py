@@ -138,11 +138,11 @@ def test_pressures_satisfy_the_contact_condition():
     root = rng.normal(size=(40, 40))
     flexibility = root @ root.T + 0.1 * np.eye(40)
     gaps = rng.normal(size=40)
-    found = normal_contact.solve(flexibility, gaps)
-    left = flexibility @ found.pressures + gaps
-    assert found.pressures.min() >= 0.0 and left.min() > -1e-10
-    assert np.abs(found.pressures * left).max() < 1e-9
-    assert 0 < found.active.sum() < 40
+    contact = normal_contact.solve(flexibility, gaps)
+    left = flexibility @ contact.pressures + gaps
+    assert contact.pressures.min() >= 0.0 and left.min() > -1e-10
+    assert np.abs(contact.pressures * left).max() < 1e-9
+    assert 0 < contact.active.sum() < 40
 
 
 def test_hertz_pressure_is_read_back(frame):
@@ -152,14 +152,14 @@ def test_hertz_pressure_is_read_back(frame):
     )
     x, y = fine.basis.points
     inside = 1.0 - (x / exact.semi_major_axis) ** 2 - (y / exact.semi_minor_axis) ** 2
-    found = contact_results.read(fine, exact.max_pressure * np.sqrt(np.maximum(inside, 0.0)))
+    contact = contact_results.read(fine, exact.max_pressure * np.sqrt(np.maximum(inside, 0.0)))
     # Linear interpolation of a pressure with an upright edge: 12 cells per semi-axis leave a third of a per cent.
-    assert found.semi_major_axis == pytest.approx(exact.semi_major_axis, rel=4e-3)
-    assert found.semi_minor_axis == pytest.approx(exact.semi_minor_axis, rel=4e-3)
-    assert found.max_pressure == pytest.approx(exact.max_pressure, rel=4e-3)
+    assert contact.semi_major_axis == pytest.approx(exact.semi_major_axis, rel=4e-3)
+    assert contact.semi_minor_axis == pytest.approx(exact.semi_minor_axis, rel=4e-3)
+    assert contact.max_pressure == pytest.approx(exact.max_pressure, rel=4e-3)
     # The normals turn with the surfaces, so the resultant is a little less than the sum of the pressure.
-    assert found.load == pytest.approx(1500.0, rel=6e-3)
-    assert found.angle == pytest.approx(ANGLE, abs=2e-4)
+    assert contact.load == pytest.approx(1500.0, rel=6e-3)
+    assert contact.angle == pytest.approx(ANGLE, abs=2e-4)
 
 
 @needs_gmsh

@@ -24,9 +24,9 @@ from fem_check.checks.solution_contacts import (
 )
 from fem_check.independent import catalogue_sources, equilibrium, quasi_static, references, ring_growth
 from fem_check.independent.contact_problem import ElasticConstants
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.product import problems, scenes, solution_equilibrium
-from fem_check.product.scenes import SceneProblemError, Solved
+from fem_check.product.scenes import SceneProblemError, SolvedPoint
 
 POINTS = scenes.solved("b218")
 DRAWING = scenes.drawing_of(POINTS[0].solution.scene, "b218")
@@ -87,7 +87,7 @@ def test_another_bearing_is_seen(wrong, caught, monkeypatch):
 @cache
 def rows_of(label):
     """Of one of the product's scenes, judged once."""
-    return judged((Solved(label, scenes.solve("", label, product_scenes.scenes()[label])),))
+    return judged((SolvedPoint(label, scenes.solve("", label, product_scenes.scenes()[label])),))
 
 
 @pytest.mark.heavy  # the release gate judges these rows at each level
@@ -100,7 +100,7 @@ def test_every_effect_and_choice_is_judged_and_right(label):
         assert passing(rows) >= MOTION | INERTIA
 
 
-@pytest.mark.heavy  # likewise
+@pytest.mark.heavy
 @pytest.mark.parametrize("label", product_scenes.sets())
 def test_sets_are_judged_and_right(label):
     rows = list(set_rows(label, scenes.solve_set(label, product_scenes.sets()[label]), label))
@@ -147,7 +147,7 @@ def test_every_choice_of_the_model_is_followed(i, j):
             speed=3000.0 * qs.rpm, outer_speed=-1000.0 * qs.rpm, axial_load=20e3, radial_load_z=3e3, moment_y=0.0
         ),
     )
-    assert failing(judged((Solved("choice", scenes.solve("b218", "choice", scene)),))) == set()
+    assert failing(judged((SolvedPoint("choice", scenes.solve("b218", "choice", scene)),))) == set()
 
 
 def test_catalogue_and_clearance_stand():
@@ -211,9 +211,9 @@ EVERY_QUANTITY = (
 
 def test_a_few_scenes_have_rows_of_every_quantity():
     """The other scenes add no kind of row: what doubling does to one it does to all."""
-    found = {row.quantity for label in EVERY_QUANTITY for row in rows_of(label)}
+    quantities = {row.quantity for label in EVERY_QUANTITY for row in rows_of(label)}
     others = ("unequal balls, 6000 rpm", "displaced orbit, 10000 rpm", "stiffness of each contact's angle, 8000 rpm")
-    assert {row.quantity for label in others for row in rows_of(label)} <= found
+    assert {row.quantity for label in others for row in rows_of(label)} <= quantities
 
 
 @pytest.mark.parametrize("label", [*EVERY_QUANTITY, next(iter(product_scenes.sets()))])
@@ -221,7 +221,7 @@ def test_every_row_hangs_on_the_solution(label):
     """Twice what `solve` reports, the reference as it is: every judged row is red."""
     if label in product_scenes.scenes():
         solution = scenes.solve("", label, product_scenes.scenes()[label])
-        rows = judged((Solved(label, FoundDoubled(solution)),))
+        rows = judged((SolvedPoint(label, FoundDoubled(solution)),))
     else:
         solution = scenes.solve_set(label, product_scenes.sets()[label])
         rows = list(
@@ -245,20 +245,20 @@ class FoundDoubled(Doubled):
 @pytest.mark.parametrize("label", EVERY_QUANTITY)
 def test_every_row_hangs_on_the_reference(label, monkeypatch):
     """The reference doubled where it is computed, the solution as it is: every judged row is red."""
-    point = Solved(label, scenes.solve("", label, product_scenes.scenes()[label]))
+    point = SolvedPoint(label, scenes.solve("", label, product_scenes.scenes()[label]))
     ellipse, hertz, stiffness = references.ellipse, references.hertz, quasi_static.stiffness
     near = solution_equilibrium.reference_near
 
-    def found_doubled(*given):
-        found = near(*given)
-        states = [twice(each) for each in found.states]
+    def equilibrium_doubled(*given):
+        equilibrium = near(*given)
+        states = [twice(each) for each in equilibrium.states]
         return SimpleNamespace(
-            problem=found.problem, shaft=2.0 * found.shaft, load=2.0 * found.load, states=states, of=found,
-            controls=found.controls,
+            problem=equilibrium.problem, shaft=2.0 * equilibrium.shaft, load=2.0 * equilibrium.load, states=states,
+            of=equilibrium, controls=equilibrium.controls,
         )  # fmt: skip
 
-    monkeypatch.setattr(solution_equilibrium, "reference_near", found_doubled)
-    monkeypatch.setattr(quasi_static, "stiffness", lambda found: 2.0 * stiffness(found.of))
+    monkeypatch.setattr(solution_equilibrium, "reference_near", equilibrium_doubled)
+    monkeypatch.setattr(quasi_static, "stiffness", lambda equilibrium: 2.0 * stiffness(equilibrium.of))
     monkeypatch.setattr(references, "ellipse", lambda *given: replace(twice(ellipse(*given))))
     monkeypatch.setattr(references, "hertz", lambda *given: replace(twice(hertz(*given))))
     rows = list(mechanics_rows((point,), "x"))
@@ -306,21 +306,21 @@ def test_rolling_is_the_textbooks():
 @pytest.mark.parametrize("form", ["exact", "brewe_hamrock_1977", "hamrock_brewe_1983"])
 def test_hertz_stiffness_of_b218_is_the_books(form):
     # theory: Ki = 4.1097262e10 N/m^1.5; the fits are known to be 0.3 to 0.7 % off in approach, 1 % in stiffness.
-    found = references.ellipse(DRAWING.groove("inner").problem(1.0), form).approach ** -1.5
-    assert found == pytest.approx(4.1097262e10, rel=1e-7 if form == "exact" else 1.2e-2)
+    stiffness = references.ellipse(DRAWING.groove("inner").problem(1.0), form).approach ** -1.5
+    assert stiffness == pytest.approx(4.1097262e10, rel=1e-7 if form == "exact" else 1.2e-2)
 
 
 def test_a_solid_disk_grows_as_the_books_say():
     # Timoshenko & Goodier: u(b) = (1 - nu) rho w^2 b^3/(4 E) of a solid disk at its rim.
-    disk = ring_growth.Annulus(0.0, 0.1, 208e9, 0.3, 7800.0, 1000.0, 0.0)
+    disk = ring_growth.LameRing(0.0, 0.1, 208e9, 0.3, 7800.0, 1000.0, 0.0)
     expected = 0.7 * 7800.0 * 1e6 * 1e-3 / (4.0 * 208e9)
     assert ring_growth.elastic_growth(disk, 0.1) == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_shrink_fit_is_lames():
     # A hub 50/100 mm on a solid shaft of the same steel: p = E s (b^2 - a^2)/(4 a b^2), s the diametral interference.
-    shaft = ring_growth.Annulus(0.0, 0.05, 208e9, 0.3, 7800.0, 0.0, 0.0)
-    hub = ring_growth.Annulus(0.05, 0.1, 208e9, 0.3, 7800.0, 0.0, 0.0)
+    shaft = ring_growth.LameRing(0.0, 0.05, 208e9, 0.3, 7800.0, 0.0, 0.0)
+    hub = ring_growth.LameRing(0.05, 0.1, 208e9, 0.3, 7800.0, 0.0, 0.0)
     pressure = 208e9 * 20e-6 * (0.1**2 - 0.05**2) / (4.0 * 0.05 * 0.1**2)
     expected = 2.0 * pressure * 0.05**2 * 0.1 / (208e9 * (0.1**2 - 0.05**2))
     assert ring_growth.elastic_growth(hub, 0.1, shaft, 20e-6) == pytest.approx(expected, rel=1e-12)
@@ -329,7 +329,7 @@ def test_a_shrink_fit_is_lames():
 
 def test_clearance_is_the_books():
     # Harris & Kotzalas's 218 bearing: Pd = 0.4826 mm, 40 degrees; its groove radii in Wang et al. make 40.004.
-    drawn = Drawing(
+    drawn = BearingDrawing(
         "218", 22.225e-3, 125.26e-3, 11.6281e-3, 11.6281e-3, 40.004 * qs.deg, DRAWING.ball, DRAWING.ring, 1.0
     )
     assert drawn.diametral_clearance == pytest.approx(0.4826e-3, rel=1e-4)

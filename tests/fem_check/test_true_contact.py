@@ -14,7 +14,7 @@ from fem_check.independent.groove import BallInGroove
 from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.solids import bodies, contact_block, true_contact, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
@@ -55,14 +55,16 @@ def test_what_the_bodies_add_to_both_approaches_is_no_part_of_the_gap_s(bodies):
     half_spaces = {"approach": 1.008, "semi_major_axis": 0.98}
     parabola = [{"approach": 1.0 + bodies, "semi_major_axis": 1.0}] * 3
     exact_gap = [half_spaces | {"approach": half_spaces["approach"] + bodies}] * 3
-    solved = true_geometry.Solved(groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, "")
+    solved = true_geometry.TrueContactStudy(
+        groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, ""
+    )
     for name, expected in half_spaces.items():
         assert solved.ratio("exact_gap", "parabola", name)[0] == pytest.approx(expected, rel=1e-12)
 
 
 def test_ball_moves_out_at_its_equator_like_an_elastic_sphere(condensed):
-    found, exact = condensed.bulges(LOAD)
-    assert found == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
+    ball, exact = condensed.bulges(LOAD)
+    assert ball == pytest.approx(exact, rel=0.01 * true_geometry.BULGE_TOLERANCE)
 
 
 def test_angle_is_that_of_the_model_at_rest():
@@ -79,8 +81,8 @@ def test_sphere_under_pressure_all_round():
     # Each force stands for two: p = 2F/(4 pi R^2), and the sphere shrinks by (1 - 2 nu) p R/E.
     cosines, forces = np.linspace(-0.9999, 0.9999, 10_000), np.full(10_000, 0.5)
     pressure = 2.0 * forces.sum() / (4.0 * np.pi * 0.01**2)
-    found = references.pressed_sphere(cosines, forces, 0.01, STEEL)
-    assert found == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
+    displacement = references.pressed_sphere(cosines, forces, 0.01, STEEL)
+    assert displacement == pytest.approx(-0.4 * pressure * 0.01 / 208e9, rel=1e-4)
 
 
 def test_a_sphere_s_equator_changes_smoothly_with_the_patch_that_presses_it():
@@ -97,7 +99,7 @@ def test_scatter_of_the_approach_is_pooled_over_the_loads():
     # Meshes of one load that chance has brought together say nothing of their scatter.
     def solved(*parts):
         exact_gap = [{"approach": 1.0 + part} for part in parts]
-        return true_geometry.Solved(
+        return true_geometry.TrueContactStudy(
             groove_contact("b218", "inner"), LOAD, [{"approach": 1.0}] * 3, exact_gap, [], [], [], 0, ""
         )
 
@@ -116,16 +118,16 @@ def test_the_equator_s_uncertainty_holds_the_direction_of_the_forces():
     small = true_geometry.lean(groove, 158.1139)
     assert true_geometry.lean(groove, 5000.0) == pytest.approx(10.0 * small, rel=1e-4)
     parabola, exact = ([dict.fromkeys(true_contact.READ, value)] * 3 for value in (1.0, 1.01))
-    solved = true_geometry.Solved(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
+    solved = true_geometry.TrueContactStudy(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
     equator = next(row for row in true_geometry.gap_rows(solved) if row.quantity == "equator moves out")
     assert equator.uncertainty_percent > 0.03 > equator.deviation_percent - 1e-9
 
 
 def test_hertz_s_gap_on_the_true_bodies_gives_his_ellipse_but_for_the_mesh(condensed):
     # With three elements per semi-axis a is 0.2, b 1.0 and p0 1.8 % off; the ratios of the checks keep that out.
-    found = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
+    over_hertz = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
     for name, within in (("semi_major_axis", 0.005), ("semi_minor_axis", 0.02), ("max_pressure", 0.03)):
-        assert found[name] == pytest.approx(1.0, abs=within)
+        assert over_hertz[name] == pytest.approx(1.0, abs=within)
 
 
 def test_normals_that_follow_the_surface_matter(condensed):
@@ -195,8 +197,8 @@ def test_planted_ball_clamped_at_its_equator(contact, monkeypatch):
         return fixed, axes
 
     monkeypatch.setattr(TrueContact, "_equator", clamped)
-    found, exact = contact.condensed().bulges(LOAD)
-    assert abs(found / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
+    equator, exact = contact.condensed().bulges(LOAD)
+    assert abs(equator / exact - 1.0) > 0.01 * true_geometry.BULGE_TOLERANCE
 
 
 def test_another_scene_is_checked_at_its_own_loads(tmp_path):
@@ -205,10 +207,10 @@ def test_another_scene_is_checked_at_its_own_loads(tmp_path):
         '[bearing]\nname = "7210c"\n[operation]\naxial_load_N = 1500\nradial_load_y_N = 800\nmoment_z_Nm = 0\n'
     )
     inner = qsbearing.solve(qsbearing.load_scene(str(file))).inner.load
-    ((race, mesh_load, loads),) = true_geometry.loads_of(str(file), Level.QUICK)
+    ((race, mesh_load, loads),) = true_geometry.loads_of(str(file), MeshLevel.QUICK)
     # Four digits, so that every machine takes the same mesh.
     assert race == "inner" and loads == (mesh_load,) and mesh_load == pytest.approx(inner.max(), rel=1e-3)
-    release = true_geometry.loads_of(str(file), Level.RELEASE)
+    release = true_geometry.loads_of(str(file), MeshLevel.RELEASE)
     assert {race for race, _, _ in release} == {"inner", "outer"}
     assert len({load for race, load, _ in release if race == "inner"}) == 3
 
@@ -227,7 +229,7 @@ def rows_of_the_bodies(condensed, factor=1.0):
     approach = condensed.over_hertz(LOAD, follows_surface=True)["approach"]
     return [
         *true_statics.rows("a case", condensed, LOAD),
-        *true_statics.approach_rows("a case", condensed, LOAD, added, (approach, 0.0), Level.QUICK),
+        *true_statics.approach_rows("a case", condensed, LOAD, added, (approach, 0.0), MeshLevel.QUICK),
     ]
 
 

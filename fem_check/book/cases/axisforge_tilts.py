@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.published import columns_of
 from fem_check.rows.row_text import scientific, short_exponents
 from qsbearing.readings.dynamic_rating import rating_ratio
@@ -26,7 +26,7 @@ EXACT, ROUNDED = np.pi * np.sqrt(2.0) / 3.0, 1.48
 COLUMNS = ("radial_mm", "axial_mm", "moment_Nmm", "largest_load_N", "life_Mrev")
 
 
-class Found(NamedTuple):
+class SolvedTilts(NamedTuple):
     """Results at every point, in the units of COLUMNS."""
 
     values: dict[str, NDArray]
@@ -34,7 +34,7 @@ class Found(NamedTuple):
     solution: qs.Solution
 
 
-def solved(points: dict[str, NDArray], as_theirs: bool) -> Found:
+def solved(points: dict[str, NDArray], as_theirs: bool) -> SolvedTilts:
     """All points; with the other program's constant, lever of moments and angle of its ratings, or as here."""
     steel = qs.Material(210e9 * (ROUNDED / EXACT if as_theirs else 1.0), 0.3, 7800.0)
     bearing = qs.BallBearing.from_diametral_clearance(
@@ -58,7 +58,7 @@ def solved(points: dict[str, NDArray], as_theirs: bool) -> Found:
         values["life_Mrev"] = 1e-6 * (
             (np.asarray(life.inner_life) * inner) ** (-10 / 9) + (np.asarray(life.outer_life) * outer) ** (-10 / 9)
         ) ** (-9 / 10)
-    return Found(values, bearing, solution)
+    return SolvedTilts(values, bearing, solution)
 
 
 def with_clearance_angle(bearing: qs.BallBearing) -> tuple[NDArray, NDArray]:
@@ -68,7 +68,7 @@ def with_clearance_angle(bearing: qs.BallBearing) -> tuple[NDArray, NDArray]:
     return cosine**-3 * ((1 + there) / (1 + here)) ** 0.9, cosine**-3 * ((1 + 1 / there) / (1 + 1 / here)) ** 0.9
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """As it is, and with the other program's choices."""
     points = columns_of("axisforge_deep_groove")
     here, theirs = solved(points, False), solved(points, True)
@@ -81,10 +81,10 @@ def run() -> Result:
     way = f"tilts of up to 5 mrad as angles here, as sines there: {1e9 * moved:.2f} nm on the groove centres' circle"
     turning = 1e3 * float((np.abs(theirs.solution.stiffness[:, 4, 4]) * turned).max())
 
-    def worst(column: str, found: Found, unit: str, some: NDArray | None = None) -> tuple[float, str]:
+    def worst(column: str, tilts: SolvedTilts, unit: str, some: NDArray | None = None) -> tuple[float, str]:
         """The largest difference, relative or in its unit, and where."""
         printed = points[column]
-        apart = found.values[column] - printed
+        apart = tilts.values[column] - printed
         if unit == "relative":
             apart = np.where(printed == 0.0, 0.0, apart / np.where(printed == 0.0, 1.0, printed))
         apart = np.where(True if some is None else some, apart, 0.0)
@@ -125,7 +125,7 @@ def run() -> Result:
     ratio = points["life_Mrev"] / here.values["life_Mrev"]
     order = np.argsort(points["clearance_mm"])
     by_angle = theirs.values["life_Mrev"] / here.values["life_Mrev"]
-    return Result(
+    return CaseResult(
         f"As it is, displacements differ by up to {100 * abs(off['radial displacement']):.3f} %, moments by "
         f"{100 * abs(off['moment']):.1f} %, lives with clearance by up to {100 * abs(off['life with clearance']):.0f} "
         "%; with the other program's 1.48, lever and angle put in, displacements agree within "
@@ -133,23 +133,23 @@ def run() -> Result:
         f"lives within {scientific(abs(off['life as theirs']), 1)}.",
         rows,
         [
-            Panel(
+            Diagram(
                 "", "largest relative difference",
                 [
-                    Series(label, style, np.arange(len(shown)), [abs(worst(each, of, "relative")[0]) for each in shown])
+                    Curve(label, style, np.arange(len(shown)), [abs(worst(each, of, "relative")[0]) for each in shown])
                     for label, style, of in (("as it is", "squares", here), ("its choices put in", "dots", theirs))
                 ],
                 y_scale="log", x_names=names,
             ),
-            Panel(
+            Diagram(
                 "diametral clearance, µm", "its life over ours",
                 [
-                    Series("life", "dots", 1e3 * points["clearance_mm"], ratio),
-                    Series("the clearance's angle", "line", 1e3 * points["clearance_mm"][order], by_angle[order]),
+                    Curve("life", "dots", 1e3 * points["clearance_mm"], ratio),
+                    Curve("the clearance's angle", "line", 1e3 * points["clearance_mm"][order], by_angle[order]),
                 ],
             ),
         ],
-        Points(
+        ValueTable(
             "Every operating point: values of the other program, and what ours are off by with its choices put in.",
             ["clearance, µm", "tilt, mrad", "radial, µm", "off by, µm", "moment, N mm", "off by, N mm", "life, 10⁶ rev",
              "ours as it is"],

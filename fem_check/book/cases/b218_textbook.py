@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 
 SOURCE = "Harris & Kotzalas, Rolling Bearing Analysis, example of the 218 bearing"
 THRUST = 17.8e3
@@ -37,7 +37,7 @@ def constant(bearing: qs.BallBearing, solution: qs.Solution) -> float:
     return 1e-6 * float(solution.inner.load[0] / relative / np.asarray(bearing.ball_diameter) ** 2)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """With the chart's constant as the book, and with exact Hertz."""
     b218 = qs.load_scene("b218").bearing
     exact = solved(b218)
@@ -108,12 +108,12 @@ def run() -> Result:
         "the chart's constant": ("dashed", solved(charted, thrust)),
     }
     panels = [
-        Panel(
+        Diagram(
             "axial load, kN",
             label,
             [
-                *(Series(name, style, thrust / 1e3, pick(solution)) for name, (style, solution) in curves.items()),
-                Series("printed", "circles", [THRUST / 1e3], [PRINTED[key]]),
+                *(Curve(name, style, thrust / 1e3, pick(solution)) for name, (style, solution) in curves.items()),
+                Curve("printed", "circles", [THRUST / 1e3], [PRINTED[key]]),
             ],
         )
         for key, label, pick in (
@@ -121,7 +121,7 @@ def run() -> Result:
             ("displacement", "axial displacement, mm", lambda solution: solution.displacement[:, 0] / qs.mm),
         )
     ]
-    return Result(
+    return CaseResult(
         f"With the book's chart constant {with_chart['angle']:.3f} degrees, {with_chart['load']:.1f} N, "
         f"{with_chart['displacement']:.4f} mm; exact Hertz {without['angle']:.3f} degrees, {without['load']:.2f} N, "
         f"{without['displacement']:.5f} mm.",

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from qsbearing.studies.design.optimum import search
 from qsbearing.studies.design.wanted import Condition, Variable, Wanted
 
@@ -45,7 +45,7 @@ def capacity(x: NDArray) -> NDArray:
         37.91 * (1 + ratio ** (10 / 3)) ** -0.3
         * gamma**0.3 * (1 - gamma) ** 1.39 / (1 + gamma) ** (1 / 3) * (2 * fi / (2 * fi - 1)) ** 0.41
     )  # fmt: skip
-    found = np.where(Db <= 25.4, fc * Z ** (2 / 3) * Db**1.8, 3.647 * fc * Z ** (2 / 3) * Db**1.4)
+    dynamic_capacity = np.where(Db <= 25.4, fc * Z ** (2 / 3) * Db**1.8, 3.647 * fc * Z ** (2 / 3) * Db**1.4)
     T = D - d - 2 * Db
     inside, outside = (D - d) / 2 - 3 * T / 4, D / 2 - T / 4 - Db
     cosine = (inside**2 + outside**2 - (d / 2 + T / 4) ** 2) / (2 * inside * outside)
@@ -54,7 +54,7 @@ def capacity(x: NDArray) -> NDArray:
         filled / (2 * np.arcsin(np.clip(gamma, 0, 1))) + 1 - Z, 2 * Db - k_min * (D - d), k_max * (D - d) - 2 * Db,
         zeta * BW - Db, Dm - 0.5 * (D + d), (0.5 + e) * (D + d) - Dm, 0.5 * (D - Dm - Db) - eps * Db,
     )  # fmt: skip
-    return np.column_stack([*limits, found])
+    return np.column_stack([*limits, dynamic_capacity])
 
 
 def best_with(count: int) -> tuple[float, bool]:
@@ -64,12 +64,12 @@ def best_with(count: int) -> tuple[float, bool]:
     return float(best.results[-1]), best.is_feasible
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """The printed design by its own formula, and the search for the best."""
     printed = capacity(np.array([[PRINTED[each.key] for each in PROBLEM.variables]]))[0, -1]
     best = search(PROBLEM, capacity, 1 << 14)
     values = dict(zip((each.key for each in PROBLEM.variables), map(float, best.values), strict=True))
-    found = float(best.results[-1])
+    largest = float(best.results[-1])
     by_count = {count: best_with(count) for count in COUNTS}
     rows = [
         compared(
@@ -77,31 +77,31 @@ def run() -> Result:
             "one decimal is printed",
         ),
         compared(
-            "the design found", "Cd", "N", PRINTED_CAPACITY, found, SOURCE, 0.3,
+            "the design found", "Cd", "N", PRINTED_CAPACITY, largest, SOURCE, 0.3,
             "one decimal is printed; limits met to 1e-6 of their spread move it by up to 0.2 N",
         ),
         compared("the design found", "ball diameter", "mm", PRINTED["Db"], values["Db"], SOURCE, 1e-4, "as above"),
         compared("the design found", "ball count", "balls", PRINTED["Z"], values["Z"], SOURCE, 0.0, "a whole number"),
         *(
-            compared("the design found", f"Cd, {words}", "N", other, found, "printed elsewhere", None, "a finding")
+            compared("the design found", f"Cd, {words}", "N", other, largest, "printed elsewhere", None, "a finding")
             for words, other in ELSEWHERE.items()
         ),
     ]  # fmt: skip
     counts = [count for count, (_, is_feasible) in by_count.items() if is_feasible]
     curve = [by_count[count][0] / 1e3 for count in counts]
-    panel = Panel(
+    panel = Diagram(
         "number of balls", "largest dynamic capacity, kN",
         [
-            Series("found", "line", counts, curve),
-            Series("printed design", "circles", [PRINTED["Z"]], [PRINTED_CAPACITY / 1e3]),
+            Curve("found", "line", counts, curve),
+            Curve("printed design", "circles", [PRINTED["Z"]], [PRINTED_CAPACITY / 1e3]),
         ],
     )  # fmt: skip
-    return Result(
-        f"The search finds {found:.1f} N with {values['Z']:.0f} balls of {values['Db']:.4f} mm; printed are "
+    return CaseResult(
+        f"The search finds {largest:.1f} N with {values['Z']:.0f} balls of {values['Db']:.4f} mm; printed are "
         f"{PRINTED_CAPACITY} N with {PRINTED['Z']:.0f} balls of {PRINTED['Db']} mm.",
         rows,
         [panel],
-        Points(
+        ValueTable(
             "The largest capacity with each number of balls.", ["balls", "Cd, N"],
             [[count, by_count[count][0]] for count in counts],
         ),

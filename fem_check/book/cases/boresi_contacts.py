@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
 from fem_check.product.hertz import of_qsbearing
@@ -82,7 +82,7 @@ UNITS = {
 }
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Both examples: against exact integrals, and against the book's charts."""
     rows, panels = [], []
     for example in EXAMPLES:
@@ -108,20 +108,20 @@ def run() -> Result:
         x = np.sin(np.linspace(0.0, 0.5 * np.pi, 60))
         a, b, p0 = (1e3 * here["semi_major_axis"], 1e3 * here["semi_minor_axis"], 1e-6 * here["max_pressure"])
         panels.append(
-            Panel(
+            Diagram(
                 "distance from the centre, mm",
                 "pressure, MPa",
                 [
-                    Series("long axis", "line", a * x, p0 * np.sqrt(1.0 - x**2)),
-                    Series("short axis", "dashed", b * x, p0 * np.sqrt(1.0 - x**2)),
-                    Series("largest pressure as printed", "crosses", [0.0], [example.printed["max_pressure"][1]]),
+                    Curve("long axis", "line", a * x, p0 * np.sqrt(1.0 - x**2)),
+                    Curve("short axis", "dashed", b * x, p0 * np.sqrt(1.0 - x**2)),
+                    Curve("largest pressure as printed", "crosses", [0.0], [example.printed["max_pressure"][1]]),
                 ],
                 title=example.name.partition(":")[0].partition(",")[0],
             )
         )
     limit = max(row.tolerance_percent or 0.0 for row in rows if row.unit == "MPa" and "shear" not in row.quantity)
     charts = max(abs(row.deviation_percent) for row in rows if row.quantity == "largest pressure, as printed")
-    return Result(
+    return CaseResult(
         f"Both contacts agree with exact integrals within {scientific(limit, 1)} %; the book's charts are up to "
         f"{charts:.1f} % off in the largest pressure.",
         rows,

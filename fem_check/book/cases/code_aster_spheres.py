@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.independent.contact_problem import ContactProblem, ElasticConstants
 from fem_check.mechanics import half_space_contact
 from fem_check.product.hertz import of_qsbearing
-from fem_check.rows.agreement import Level, Row
+from fem_check.rows.agreement import AgreementRow, MeshLevel
 
 SOURCE = "code_aster V6.04.104 (SSNV104), section 2.1"
 RADIUS, CRUSHED = 50e-3, 4e-3
@@ -21,7 +21,7 @@ COUNTS = (6, 8, 10)
 NEEDS = ("skfem", "meshio")
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Solved under the load of Hertz, and taken from there to the approach that the test prescribes."""
     modulus = 1.0 / (2.0 * MATERIAL.compliance)
     load = 4.0 / 3.0 * modulus * np.sqrt(0.5 * RADIUS) * CRUSHED**1.5
@@ -35,10 +35,12 @@ def run() -> Result:
     for name, (label, unit, factor, printed) in PRINTED.items():
         value = factor * study.value(name) * to_approach
         uncertainty = study.uncertainty(name) / study.value(name) + 0.5 * of_approach
-        tolerance = half_space_contact.TOLERANCES[Level.QUICK][name]
-        why = half_space_contact.WHY[Level.QUICK]
+        tolerance = half_space_contact.TOLERANCES[MeshLevel.QUICK][name]
+        why = half_space_contact.WHY[MeshLevel.QUICK]
         finite = f"{label}, finite elements"
-        rows.append(Row("two spheres", finite, unit, printed, SOURCE, value, 100.0 * uncertainty, tolerance, why))
+        rows.append(
+            AgreementRow("two spheres", finite, unit, printed, SOURCE, value, 100.0 * uncertainty, tolerance, why)
+        )
         rows.append(
             compared(
                 "two spheres",
@@ -59,12 +61,12 @@ def run() -> Result:
     shown = distance < 12.0
     order = np.argsort(distance[shown])
     radii = 10.0 * np.sin(np.linspace(0.0, 0.5 * np.pi, 60))
-    panel = Panel(
+    panel = Diagram(
         "distance from the centre, mm",
         "pressure, MPa",
         [
-            Series("finite elements", "dots", distance[shown][order], pressure[shown][order]),
-            Series("as printed: 2798.3 MPa over 10 mm", "line", radii, 2798.3 * np.sqrt(1.0 - (radii / 10.0) ** 2)),
+            Curve("finite elements", "dots", distance[shown][order], pressure[shown][order]),
+            Curve("as printed: 2798.3 MPa over 10 mm", "line", radii, 2798.3 * np.sqrt(1.0 - (radii / 10.0) ** 2)),
         ],
     )
-    return Result(f"Finite elements: {'; '.join(said)}.", rows, [panel])
+    return CaseResult(f"Finite elements: {'; '.join(said)}.", rows, [panel])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import bearing
 from fem_check.rows.row_text import scientific
 
@@ -28,7 +28,7 @@ def solved(rpm: float | np.ndarray) -> qs.Solution:
     return qs.solve(qs.Scene(bearing(16, 12.7, 70.0, 40.0, **STEEL), operation, effects, qs.RacewayControl.OUTER))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Constants, angle, and the sphere."""
     solution, case = solved(RPM), f"7210B, {THRUST / 1e3:.0f} kN, {RPM:.0f} rpm"
     rows, constants = [], {}
@@ -51,17 +51,17 @@ def run() -> Result:
     )  # fmt: skip
     speeds = np.linspace(0.0, 15000.0, 31)[1:]
     curve = solved(speeds)
-    return Result(
+    return CaseResult(
         f"Constants {scientific(constants['inner'], 6)} and {scientific(constants['outer'], 6)} N/m^1.5, inner "
         f"angle {angle:.4f} degrees (printed {ANGLE}); contact radius of the sphere {contact:.4f} mm.",
         rows,
         [
-            Panel(
+            Diagram(
                 "speed, rpm", "contact angle, degrees",
                 [
-                    Series("inner", "line", speeds, curve.inner.angle[:, 0] / qs.deg),
-                    Series("outer", "dashed", speeds, curve.outer.angle[:, 0] / qs.deg),
-                    Series("the other program, inner", "circles", [RPM], [ANGLE]),
+                    Curve("inner", "line", speeds, curve.inner.angle[:, 0] / qs.deg),
+                    Curve("outer", "dashed", speeds, curve.outer.angle[:, 0] / qs.deg),
+                    Curve("the other program, inner", "circles", [RPM], [ANGLE]),
                 ],
             )
         ],

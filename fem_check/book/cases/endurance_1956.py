@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.published import endurance_groups
 from qsbearing.readings import dynamic_rating
 
@@ -13,7 +13,7 @@ GAMMA = 0.2
 COMPANIES = {1: "A", 2: "B", 3: "C"}
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Measured over computed L10 of every group, and how it goes with load."""
     company, count, load, Z, D, measured = endurance_groups().T
     rating = dynamic_rating.tabulated_factor(GAMMA) * Z ** (2.0 / 3.0) * dynamic_rating.size_factor(D * 1e-3)
@@ -63,25 +63,25 @@ def run() -> Result:
     ]  # fmt: skip
     reach = np.array([computed.min(), computed.max()])
     styles = {1: "dots", 2: "squares", 3: "crosses"}
-    return Result(
+    return CaseResult(
         f"Measured over computed L10 of {int(count.sum())} bearings: {mean:.2f} on average; single groups scatter by a "
         f"factor of {np.exp(relative.std()):.1f}.",
         rows,
         [
-                Panel(
+                Diagram(
                     "computed L10, 10⁶ revolutions", "tested L10, 10⁶ revolutions",
                     [
                         *(
-                            Series(f"company {name}", styles[key], computed[company == key], measured[company == key])
+                            Curve(f"company {name}", styles[key], computed[company == key], measured[company == key])
                             for key, name in COMPANIES.items()
                         ),
-                        Series("equal", "line", reach, reach),
-                        Series("factor of 3", "dashed", [*reach, np.nan, *reach], [*(3 * reach), np.nan, *(reach / 3)]),
+                        Curve("equal", "line", reach, reach),
+                        Curve("factor of 3", "dashed", [*reach, np.nan, *reach], [*(3 * reach), np.nan, *(reach / 3)]),
                     ],
                     x_scale="log", y_scale="log",
                 )
             ],
-        Points(
+        ValueTable(
             "Every group.", ["company", "bearings", "load N", "Z", "D mm", "tested L10 Mrev", "computed L10 Mrev"],
             [
                 [COMPANIES[int(a)], int(b), float(c), int(d), float(e), float(f), float(g)]

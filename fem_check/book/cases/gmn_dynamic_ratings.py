@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.cases.gmn_rigidities import STEEL, column, fitted_groove
 from fem_check.book.published import bearing, gmn
 from qsbearing.readings import Rating, dynamic_load_rating
@@ -14,9 +14,9 @@ ANGLES = (15.0, 25.0)
 LEVEL, SCATTER = 1.03, 0.015
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Printed over computed ratings, with and without the groove radii."""
-    rows, panels, points, found = [], [], [], []
+    rows, panels, points, deviations = [], [], [], []
     for angle in ANGLES:
         catalogue = [row for row in gmn("S", angle) if row["CaxS"] >= 40.0]
         f = fitted_groove(catalogue)
@@ -24,7 +24,7 @@ def run() -> Result:
         by_groove = C / dynamic_load_rating(bearing(Z, D, dm, angle, f, f, **STEEL))
         by_table = C / dynamic_load_rating(bearing(Z, D, dm, angle), Rating.ISO_281)
         case = f"series S, {angle:.0f} degrees, {len(catalogue)} bearings: printed over computed"
-        found.append((by_groove.std(), by_table.std()))
+        deviations.append((by_groove.std(), by_table.std()))
         rows += [
             compared(
                 case,
@@ -78,12 +78,12 @@ def run() -> Result:
             ),
         ]
         panels.append(
-            Panel(
+            Diagram(
                 "f fitted to the rigidities",
                 "printed C over computed",
                 [
-                    Series("by the formula, with f", "dots", f, by_groove),
-                    Series("by the table of fc", "squares", f, by_table),
+                    Curve("by the formula, with f", "dots", f, by_groove),
+                    Curve("by the table of fc", "squares", f, by_table),
                 ],
                 title=f"series S, {angle:.0f}°",
                 levels=[1.0],
@@ -93,13 +93,13 @@ def run() -> Result:
             [row["name"].removesuffix(" TA"), row["C"], *map(float, rest)]
             for row, *rest in zip(catalogue, f, by_groove, by_table, strict=True)
         ]
-    (groove, table), (groove_25, table_25) = found
-    return Result(
+    (groove, table), (groove_25, table_25) = deviations
+    return CaseResult(
         f"With groove radii from the stiffness the scatter of printed over computed falls from {100 * table:.1f}"
         f" and {100 * table_25:.1f} % (15 and 25 degrees) to {100 * groove:.1f} and {100 * groove_25:.1f} %.",
         rows,
         panels,
-        Points(
+        ValueTable(
             "Every bearing.",
             ["bearing", "C printed N", "f fitted", "printed over formula", "printed over table"],
             points,

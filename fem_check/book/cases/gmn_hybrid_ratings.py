@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.cases.gmn_rigidities import column
 from fem_check.book.published import bearing, gmn_rows
 from qsbearing.readings import static_load_rating
@@ -14,7 +14,7 @@ SOURCE = "GMN, catalogue 4000 0813 EN, columns C_0 and C_0 of hybrid bearings"
 CATALOGUE_STEEL = qs.Material(210e9, 0.3, 7800.0, name="100Cr6")
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """The ratio that Hertz demands, and the printed ones."""
     rows = [row for row in gmn_rows() if "C0_HY" in row]
     printed = column(rows, "C0_HY") / column(rows, "C0")
@@ -40,21 +40,21 @@ def run() -> Result:
         ),
     ]  # fmt: skip
     order = column(rows, "C0")
-    return Result(
+    return CaseResult(
         f"Printed ratio {printed.mean():.4f} ± {printed.std():.4f} over {printed.size} bearings, computed {ratio:.4f}.",
         table,
         [
-            Panel(
+            Diagram(
                 "C₀ with steel balls, N", "C₀ hybrid over C₀ steel",
                 [
-                    Series("printed", "circles", order, printed),
-                    Series("computed, steel of 208 GPa", "line", [order.min(), order.max()], [ratio, ratio]),
-                    Series("210 GPa", "dashed", [order.min(), order.max()], [computed[CATALOGUE_STEEL.name]] * 2),
+                    Curve("printed", "circles", order, printed),
+                    Curve("computed, steel of 208 GPa", "line", [order.min(), order.max()], [ratio, ratio]),
+                    Curve("210 GPa", "dashed", [order.min(), order.max()], [computed[CATALOGUE_STEEL.name]] * 2),
                 ],
                 x_scale="log",
             )
         ],
-        Points(
+        ValueTable(
             "Every bearing.", ["bearing", "C_0 N", "C_0 hybrid N", "ratio"],
             [[row["name"].removesuffix(" TA"), row["C0"], row["C0_HY"], row["C0_HY"] / row["C0"]] for row in rows],
         ),

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.matched_sets import pair_rigidities
 from fem_check.book.published import bearing, gmn_rows
 from qsbearing.readings import static_load_rating
@@ -74,7 +74,7 @@ def rounding(printed: NDArray) -> NDArray:
     return np.asarray(50.0 * step / printed)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Fit the flat rows, predict the steep ones."""
     every = gmn_rows()
     steep = {row["name"]: row for row in every if row["alpha_deg"] == 25.0}
@@ -137,31 +137,31 @@ def run() -> Result:
         for i, one in enumerate(flat)
     ]  # fmt: skip
     kh = deviation[judged & ~is_s]
-    return Result(
+    return CaseResult(
         f"{int((judged & is_s).sum())} bearings of series S, {best.size} rigidities predicted: mean {best.mean():+.2f} "
         f"%, rms {np.sqrt((best**2).mean()):.2f} %, largest {np.abs(best).max():.2f} %. Series KH: {len(kh)} bearings, "
         f"rms {np.sqrt((kh**2).mean()):.2f} %.",
         rows,
         [
-                Panel(
+                Diagram(
                     "printed rigidity, N/µm", "predicted over printed minus 1, %",
                     [
-                        Series("series S", "dots", printed[is_s].ravel(), deviation[is_s].ravel()),
-                        Series("series KH", "squares", printed[~is_s].ravel(), deviation[~is_s].ravel()),
+                        Curve("series S", "dots", printed[is_s].ravel(), deviation[is_s].ravel()),
+                        Curve("series KH", "squares", printed[~is_s].ravel(), deviation[~is_s].ravel()),
                     ],
                     title="rigidities predicted at 25°", x_scale="log", levels=[0.0],
                 ),
-                Panel(
+                Diagram(
                     "f from the printed static rating", "f from the rigidities",
                     [
-                        Series("series S", "dots", f0[is_s], f[is_s]),
-                        Series("series KH", "squares", f0[~is_s], f[~is_s]),
-                        Series("equal", "dashed", [0.512, 0.565], [0.512, 0.565]),
+                        Curve("series S", "dots", f0[is_s], f[is_s]),
+                        Curve("series KH", "squares", f0[~is_s], f[~is_s]),
+                        Curve("equal", "dashed", [0.512, 0.565], [0.512, 0.565]),
                     ],
                     title="groove radii over D",
                 ),
             ],
-        Points(
+        ValueTable(
             "All bearings with C_ax of at least 40 N/µm at the flat angle and heavy preload. The three rigidities at "
             "25 degrees are printed ones, at light, medium and heavy preload; judged: those of the "
             "rows above that have a tolerance.",

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import bearing
 
 SOURCE = "NSK, technical report E728, chapter 5"
@@ -23,7 +23,7 @@ def half_loaded(angle: float, radial: NDArray) -> qs.Solution:
     return qs.solve(qs.Scene(ring, operation))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Both numbers of the half-loaded ring, and the ball load under thrust."""
     rows, distribution, drift = [], [], []
     pushes = np.geomspace(1e-8, 3e-5, 15)
@@ -79,15 +79,15 @@ def run() -> Result:
                 "the change of the angle under 0.01 N",
             )
         )
-        drift.append(Series(f"{angle:.0f}°", next(styles), Fr, ratio))
+        drift.append(Curve(f"{angle:.0f}°", next(styles), Fr, ratio))
         if angle == 40.0:
             psi = np.degrees(solution.azimuth[0])
             psi = np.where(psi > 180.0, psi - 360.0, psi)
             order = np.argsort(psi)
             shown = np.cos(np.radians(psi[order])).clip(0.0) ** 1.5
             distribution = [
-                Series("solved", "dots", psi[order], Q[0][order] / Q[0].max()),
-                Series("cos ψ to the power 1.5", "dashed", psi[order], shown),
+                Curve("solved", "dots", psi[order], Q[0][order] / Q[0].max()),
+                Curve("cos ψ to the power 1.5", "dashed", psi[order], shown),
             ]
             apart = float(np.abs(Q[0][order] / Q[0].max() - shown).max())
             rows.append(
@@ -102,13 +102,13 @@ def run() -> Result:
                     "the change of the angle under load",
                 )
             )
-    return Result(
+    return CaseResult(
         f"F_a/(F_r tan α) = {rows[0].found:.4f} and Q_max Z cos α/F_r = {rows[1].found:.3f} at {ANGLES[0]:.0f} degrees;"
         " the other angles likewise.",
         rows,
         [
-            Panel("azimuth, degrees", "ball load over the largest", distribution, title="half-loaded ring, 40°"),
-            Panel(
+            Diagram("azimuth, degrees", "ball load over the largest", distribution, title="half-loaded ring, 40°"),
+            Diagram(
                 "radial load, N",
                 "Fa / (Fr tan α)",
                 drift,

@@ -7,7 +7,7 @@ from math import sqrt
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.film_reference import (
     BALL_ROUGHNESS,
     CLEARANCE,
@@ -51,11 +51,11 @@ def solved() -> qs.Solution:
     return qs.solve(qs.Scene(bearing, operation, hertz_angle=qs.HertzAngle.ZERO))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Largest ball load and films of both raceways."""
     solution = solved()
     oil = OilState(VISCOSITY, PRESSURE_VISCOSITY)
-    found = qs.readings.film(solution, oil, ball_roughness=BALL_ROUGHNESS, raceway_roughness=RACEWAY_ROUGHNESS)
+    films = qs.readings.film(solution, oil, ball_roughness=BALL_ROUGHNESS, raceway_roughness=RACEWAY_ROUGHNESS)
     exact = {"inner": contact(-1.0, True), "outer": contact(1.0, True)}
     simple = {"inner": contact(-1.0, False), "outer": contact(1.0, False)}
     load, simple_load = largest_load(*exact.values()), largest_load(*simple.values())
@@ -75,7 +75,7 @@ def run() -> Result:
             forms,
         ),
     ]
-    for name, raceway in (("inner", found.inner), ("outer", found.outer)):
+    for name, raceway in (("inner", films.inner), ("outer", films.outer)):
         least, central = (1e6 * each for each in film(exact[name], load))
         by_simple, _ = (1e6 * each for each in film(simple[name], simple_load))
         here = 1e6 * raceway.minimum_thickness[0], 1e6 * raceway.central_thickness[0]
@@ -97,7 +97,7 @@ def run() -> Result:
     motion = qs.readings.kinematics(solution)
     entrainment = entrainment_speed()
     Lambda = film(exact["inner"], load)[0] / sqrt(BALL_ROUGHNESS**2 + RACEWAY_ROUGHNESS**2)
-    parameter = float(np.asarray(found.inner.film_parameter)[0])
+    parameter = float(np.asarray(films.inner.film_parameter)[0])
     rows += [
         compared(
             "inner raceway, heaviest ball",
@@ -117,26 +117,26 @@ def run() -> Result:
     shown = np.where(azimuth > 180.0, azimuth - 360.0, azimuth)
     order = np.argsort(shown)
     pressed = order[solution.inner.load[order] > 0.0]
-    return Result(
-        f"Heaviest ball {Q:.1f} N; minimum film {1e6 * found.inner.minimum_thickness[0]:.4f} µm inside and "
-        f"{1e6 * found.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
+    return CaseResult(
+        f"Heaviest ball {Q:.1f} N; minimum film {1e6 * films.inner.minimum_thickness[0]:.4f} µm inside and "
+        f"{1e6 * films.outer.minimum_thickness[0]:.4f} µm outside, the same as in a second evaluation.",
         rows,
         [
-            Panel(
+            Diagram(
                 "azimuth from the load line, degrees",
                 "ball load, N",
                 [
-                    Series("solved", "dots", shown[order], solution.inner.load[order]),
-                    Series("second evaluation, heaviest ball", "circles", [0.0], [load]),
+                    Curve("solved", "dots", shown[order], solution.inner.load[order]),
+                    Curve("second evaluation, heaviest ball", "circles", [0.0], [load]),
                 ],
                 title="load distribution",
             ),
-            Panel(
+            Diagram(
                 "azimuth from the load line, degrees",
                 "minimum film, µm",
                 [
-                    Series("inner raceway", "dots", shown[pressed], 1e6 * found.inner.minimum_thickness[pressed]),
-                    Series("outer raceway", "squares", shown[pressed], 1e6 * found.outer.minimum_thickness[pressed]),
+                    Curve("inner raceway", "dots", shown[pressed], 1e6 * films.inner.minimum_thickness[pressed]),
+                    Curve("outer raceway", "squares", shown[pressed], 1e6 * films.outer.minimum_thickness[pressed]),
                 ],
                 title="films of loaded balls",
             ),

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.rows.row_text import scientific
 
 SOURCE = "github.com/minzhun/ISO16281, Test_BallBearing.py (attributed to MASTA)"
@@ -22,7 +22,7 @@ LIMIT = 1e-5
 LIFE_LIMIT = 1e-3
 
 
-class Load(NamedTuple):
+class PublishedLoad(NamedTuple):
     """One published load: what is prescribed, printed displacements [um, mrad], L10r [10^6 revolutions]."""
 
     name: str
@@ -38,19 +38,21 @@ class Load(NamedTuple):
 UPRIGHT = {"tilt_y": 0.0, "tilt_z": 0.0}
 GAP = 10e-6
 LOADS = (
-    Load("1 kN radial, no clearance", 0.0, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 15.1101}, 13163.019, True),
-    Load("1 kN axial, no clearance", 0.0, {"axial_load": 1e3}, {"axial": 133.5381}, 2222.7318),
-    Load("1 kN radial, 10 µm", GAP, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 21.223}, 10795.7948, True),
-    Load("1 kN axial, 10 µm", GAP, {"axial_load": 1e3}, {"axial": 149.1717}, 3115.8781),
-    Load(
+    PublishedLoad(
+        "1 kN radial, no clearance", 0.0, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 15.1101}, 13163.019, True
+    ),
+    PublishedLoad("1 kN axial, no clearance", 0.0, {"axial_load": 1e3}, {"axial": 133.5381}, 2222.7318),
+    PublishedLoad("1 kN radial, 10 µm", GAP, {"radial_load_y": 1e3, **UPRIGHT}, {"radial": 21.223}, 10795.7948, True),
+    PublishedLoad("1 kN axial, 10 µm", GAP, {"axial_load": 1e3}, {"axial": 149.1717}, 3115.8781),
+    PublishedLoad(
         "1 kN radial and axial, 10 µm",
         GAP,
         {"axial_load": 1e3, "radial_load_y": 1e3, "moment_z": 0.0},
         {"radial": 19.5923, "axial": 146.4603, "tilt": 2.6872},
         1630.5367,
     ),
-    Load("1000 N mm, no clearance", 0.0, {"axial_load": 0.0, "moment_y": 1.0}, {"tilt": 3.6957}, 785144.7521),
-    Load(
+    PublishedLoad("1000 N mm, no clearance", 0.0, {"axial_load": 0.0, "moment_y": 1.0}, {"tilt": 3.6957}, 785144.7521),
+    PublishedLoad(
         "1 kN radial and axial, 1000 N mm across, 10 µm",
         GAP,
         {"axial_load": 1e3, "radial_load_y": 1e3, "moment_y": 1.0, "moment_z": 0.0},
@@ -75,7 +77,9 @@ def half_endplay(bearing: qs.BallBearing) -> float:
     return float(bearing.groove_centre_distance * np.sin(bearing.free_contact_angle))
 
 
-def solved(load: Load, lever: qs.TiltLever = qs.TiltLever.PITCH_CIRCLE) -> tuple[qs.Solution, dict[str, float]]:
+def solved(
+    load: PublishedLoad, lever: qs.TiltLever = qs.TiltLever.PITCH_CIRCLE
+) -> tuple[qs.Solution, dict[str, float]]:
     """A load by the standard's choices: Hertz's curvature at angle zero, d_m/2 as the lever of a tilt."""
     b = bearing(load.clearance)
     operation: dict[str, Any] = dict(load.operation)
@@ -84,12 +88,12 @@ def solved(load: Load, lever: qs.TiltLever = qs.TiltLever.PITCH_CIRCLE) -> tuple
     scene = qs.Scene(b, qs.Operation(**operation), hertz_angle=qs.HertzAngle.ZERO, tilt_lever=lever)
     solution = qs.solve(scene)
     x, y, z, tilt_y, tilt_z = solution.displacement
-    found = {
+    values = {
         "radial": 1e6 * float(np.hypot(y, z)),
         "axial": 1e6 * (float(x) + half_endplay(b)),
         "tilt": 1e3 * float(np.hypot(tilt_y, tilt_z)),
     }
-    return solution, found
+    return solution, values
 
 
 def second_order(tilt_mrad: float) -> float:
@@ -98,11 +102,11 @@ def second_order(tilt_mrad: float) -> float:
     return (1e-3 * tilt_mrad) ** 2 * float(np.asarray(b.pitch_diameter)) / 4.0 / float(b.groove_centre_distance)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """All displacements and lives."""
     rows, deviations, life_deviations = [], [], []
     for load in LOADS:
-        solution, found = solved(load)
+        solution, values = solved(load)
         tilt = load.printed.get("tilt", 0.0)
         limit = LIMIT if tilt == 0.0 else second_order(tilt)
         why = (
@@ -117,13 +121,13 @@ def run() -> Result:
                     f"{name} displacement" if name != "tilt" else "tilt",
                     UNITS[name],
                     printed,
-                    found[name],
+                    values[name],
                     SOURCE,
                     limit * printed,
                     why,
                 )
             )
-            deviations.append(found[name] / printed - 1.0)
+            deviations.append(values[name] / printed - 1.0)
         life = float(qs.readings.life(solution, dynamic_load_rating=RATING).basic_reference_rating_life) / 1e6
         rows.append(
             compared(
@@ -140,17 +144,17 @@ def run() -> Result:
         life_deviations.append(life / load.life - 1.0)
     names = [load.name for load in LOADS]
     at = np.concatenate([[i] * len(load.printed) for i, load in enumerate(LOADS)])
-    return Result(
+    return CaseResult(
         f"{len(deviations)} displacements within {scientific(max(map(abs, deviations)), 2)}, {len(life_deviations)} "
         f"lives within {scientific(max(map(abs, life_deviations)), 2)}, relative.",
         rows,
         [
-            Panel(
+            Diagram(
                 "",
                 "relative deviation",
                 [
-                    Series("displacements and tilts", "dots", at, np.abs(deviations)),
-                    Series("lives", "squares", np.arange(len(LOADS)), np.abs(life_deviations)),
+                    Curve("displacements and tilts", "dots", at, np.abs(deviations)),
+                    Curve("lives", "squares", np.arange(len(LOADS)), np.abs(life_deviations)),
                 ],
                 y_scale="log",
                 x_names=names,

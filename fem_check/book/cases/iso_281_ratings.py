@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.published import RADIAL_FACTOR, RELIABILITY, bearing
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing import readings
 from qsbearing.readings import dynamic_rating
 
@@ -29,7 +29,7 @@ def thrust_factor(ball_count: int, angle: float, gamma: ArrayLike) -> NDArray:
     return readings.dynamic_load_rating(each, readings.Rating.ISO_281, 1.0) / size
 
 
-def thrust_rows() -> list[Row]:
+def thrust_rows() -> list[AgreementRow]:
     """The axial ratings of the standard's worked examples."""
     steep, angle = thrust_factor(8, STEEP, 0.16), 60.0
     low, high = thrust_factor(BALLS, angle, np.array([0.04, 0.05]))
@@ -58,7 +58,7 @@ def thrust_rows() -> list[Row]:
     ]  # fmt: skip
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """The formula against the table, and readings against printed values."""
     gamma = np.arange(1, RADIAL_FACTOR.size + 1) / 100.0
     formula = dynamic_rating.lundberg_palmgren_factor(gamma, 0.52, 0.52)
@@ -112,16 +112,16 @@ def run() -> Result:
         ),
     ]
     rows += thrust_rows()
-    found = {S: float(readings.reliability_factor(S)) for S in RELIABILITY}
+    factors = {S: float(readings.reliability_factor(S)) for S in RELIABILITY}
     reach = {S: (0.5e-3 if a < 0.1 else 0.5e-2) for S, a in RELIABILITY.items()}
-    S = max(RELIABILITY, key=lambda each: abs(found[each] - RELIABILITY[each]) / reach[each])
+    S = max(RELIABILITY, key=lambda each: abs(factors[each] - RELIABILITY[each]) / reach[each])
     rows.append(
         compared(
             f"all {len(RELIABILITY)} reliability factors",
             "a1, worst of them",
             "1",
             RELIABILITY[S],
-            found[S],
+            factors[S],
             "ISO 281:2007, table 12, p. 21 of GOST 18855-2013",
             1.02 * reach[S],
             "two digits are printed",
@@ -129,31 +129,31 @@ def run() -> Result:
         )
     )
     wider = dynamic_rating.lundberg_palmgren_factor(gamma, 0.52, 0.53) / RADIAL_FACTOR
-    return Result(
+    return CaseResult(
         f"All {gamma.size} values of f_c follow the formula within {100 * np.abs(shape).max():.2f} % once the table's "
         f"constant, which is {100 * (1 / constant - 1):.1f} % higher, is divided out.",
         rows,
         [
-            Panel(
+            Diagram(
                 "D cos α / dₘ",
                 "factor fc",
                 [
-                    Series("computed", "line", gamma, formula / constant),
-                    Series("printed", "circles", gamma, RADIAL_FACTOR),
+                    Curve("computed", "line", gamma, formula / constant),
+                    Curve("printed", "circles", gamma, RADIAL_FACTOR),
                 ],
                 title="factor of the dynamic rating",
             ),
-            Panel(
+            Diagram(
                 "D cos α / dₘ",
                 "formula over table",
                 [
-                    Series("f = 0.52 and 0.52", "dots", gamma, ratio),
-                    Series("f = 0.52 and 0.53", "squares", gamma, wider),
+                    Curve("f = 0.52 and 0.52", "dots", gamma, ratio),
+                    Curve("f = 0.52 and 0.53", "squares", gamma, wider),
                 ],
                 title="which grooves the table assumes",
             ),
         ],
-        Points(
+        ValueTable(
             "Every factor of the table.",
             ["gamma", "printed", "formula, f 0.52 and 0.52", "ratio"],
             [

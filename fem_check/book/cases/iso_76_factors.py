@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.published import STATIC_RADIAL, STATIC_THRUST, bearing
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing import readings
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.readings import bearing_numbers
@@ -26,7 +26,7 @@ def factors(gamma: NDArray, inner_f: float, outer_f: float) -> NDArray:
     )
 
 
-def axial_rows() -> list[Row]:
+def axial_rows() -> list[AgreementRow]:
     """The axial ratings of the worked examples."""
     forty = bearing(27, 7.5, 7.5 / 0.091, 40.0, 0.52, 0.53)
     sixty = bearing(27, 7.5, 7.5 / 0.091, 60.0, 0.54, 0.54)
@@ -45,7 +45,7 @@ def axial_rows() -> list[Row]:
     ]  # fmt: skip
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """All printed factors and the worked example."""
     kinds = {
         "radial": (STATIC_RADIAL, factors(np.arange(STATIC_RADIAL.size) / 100, 0.52, 0.53) / 5.0),
@@ -79,22 +79,22 @@ def run() -> Result:
     for kind, (printed, computed) in kinds.items():
         gamma = np.arange(printed.size) / 100
         panels.append(
-            Panel(
+            Diagram(
                 "D cos α / dₘ", "f₀, N/mm²",
-                [Series("computed", "line", gamma, computed), Series("printed", "circles", gamma, printed)],
+                [Curve("computed", "line", gamma, computed), Curve("printed", "circles", gamma, printed)],
                 title=f"{kind} bearings",
             )
         )  # fmt: skip
     gammas = np.concatenate([np.arange(printed.size) / 100 for printed, _ in kinds.values()])
     panels.append(
-        Panel(
-            "D cos α / dₘ", "computed minus printed, N/mm²", [Series("all factors", "dots", gammas, apart)],
+        Diagram(
+            "D cos α / dₘ", "computed minus printed, N/mm²", [Curve("all factors", "dots", gammas, apart)],
             title="difference: rounding", levels=[-PRINT, 0.0, PRINT],
         )
     )  # fmt: skip
-    return Result(
+    return CaseResult(
         f"All {apart.size} factors, largest deviation {largest:.3f} where one decimal is printed.",
         rows,
         panels,
-        Points("Every factor of the table.", ["bearings", "gamma", "printed", "computed", "difference"], points),
+        ValueTable("Every factor of the table.", ["bearings", "gamma", "printed", "computed", "difference"], points),
     )

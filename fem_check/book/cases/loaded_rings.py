@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from qsbearing.model.effects.ring_compliance import Annulus, by_load, rim_compliances
 
 THIN = "Timoshenko, Strength of Materials, part II, thin rings; Roark, circular rings, case 1"
@@ -39,7 +39,7 @@ def grown(ratio: float) -> float:
     return float(rim_compliances(ring).bore_by_bore[0]) * MODULUS
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Two and three loads, and pressure."""
     along, across = 2.0 * deflection(2, np.array([0.0, 0.5 * pi]))
     three = float(deflection(3, np.zeros(1))[0])
@@ -61,17 +61,17 @@ def run() -> Result:
         )  # fmt: skip
     angle = np.linspace(0.0, pi, 181)
     degrees = np.degrees(angle)
-    return Result(
+    return CaseResult(
         f"Two opposed loads change a thin ring's diameters by {along:.4f} and {across:.4f} P R³/(E I), three push it "
         f"out by {three:.5f} at each.",
         rows,
         [
-            Panel(
+            Diagram(
                 "angle from a load, degrees", "outward, over P R³/(E I)",
                 [
-                    Series("two loads", "line", degrees, deflection(2, angle)),
-                    Series("three loads", "dashed", degrees, deflection(3, angle)),
-                    Series("printed", "circles", [0.0, 90.0, 0.0], [0.5 * OPPOSED[0], 0.5 * OPPOSED[1], THREE]),
+                    Curve("two loads", "line", degrees, deflection(2, angle)),
+                    Curve("three loads", "dashed", degrees, deflection(3, angle)),
+                    Curve("printed", "circles", [0.0, 90.0, 0.0], [0.5 * OPPOSED[0], 0.5 * OPPOSED[1], THREE]),
                 ],
             )
         ],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 
 SOURCE = "MFPT fault data, NICE bearing, 0 to 300 lb radial; ratios at 0 and 250 lb"
 Z, D, DM = 8, 0.235 * 25.4e-3, 1.245 * 25.4e-3
@@ -35,11 +35,11 @@ def ratios(loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     operation = qs.Operation(
         speed=SHAFT * 2.0 * np.pi, radial_load_y=loads * POUND, axial_displacement=centred, tilt_y=0.0, tilt_z=0.0
     )
-    found = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation))).solved
-    return found.ball_pass_inner / SHAFT, found.ball_pass_outer / SHAFT
+    frequencies = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation))).solved
+    return frequencies.ball_pass_inner / SHAFT, frequencies.ball_pass_outer / SHAFT
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """The computed ratios, which no load changes, and the measured ones."""
     loads = np.array([10.0, 50.0, 100.0, 200.0, 300.0])
     inner, outer = ratios(loads)
@@ -114,15 +114,15 @@ def run() -> Result:
             "the sign that slip must have, in both records",
         )
     )
-    return Result(
+    return CaseResult(
         f"The measured cage is {100 * slow[0]:.1f} % slow without load and {100 * slow[1]:.1f} % at 250 lb: the error "
         "that a model without slip makes here.",
         rows,
         [
-            Panel(
+            Diagram(
                 "radial load, lb",
                 "BPFI over shaft frequency",
-                [Series("computed, no slip", "line", loads, inner), Series("measured", "circles", LOADS, INNER_RATIO)],
+                [Curve("computed, no slip", "line", loads, inner), Curve("measured", "circles", LOADS, INNER_RATIO)],
             )
         ],
     )

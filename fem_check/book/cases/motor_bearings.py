@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 
 SOURCE = "CWRU bearing data, 12 kHz records, defect and shaft frequency of one record"
 RPM = 1772.0
 REPEATABILITY = 1e-4
 
 
-class Group(NamedTuple):
+class SeededDefect(NamedTuple):
     """One seeded defect: ratios of defect to shaft frequency in records at different motor loads."""
 
     raceway: str
@@ -35,27 +35,27 @@ class Motor(NamedTuple):
     """Half of the lower spring force that the maker's catalogue recommends [N]."""
     force: tuple[float, float]
     """The recommended range [N]."""
-    groups: tuple[Group, ...]
+    groups: tuple[SeededDefect, ...]
 
 
 MOTORS = {
     "6205": Motor(9, 0.3126, 1.537, 62.5, (125.0, 250.0), (
-        Group("inner", "0.007 in", (5.40162, 5.40173, 5.40184, 5.40181)),
-        Group("inner", "0.014 in", (5.41423, 5.41419, 5.41431, 5.41394)),
-        Group("inner", "0.021 in", (5.40574, 5.40522, 5.40581)),
-        Group("outer", "0.007 in at 6 h", (3.59726, 3.59727, 3.59726)),
-        Group("outer", "0.007 in at 3 h", (3.60030, 3.60002, 3.60036)),
-        Group("outer", "0.007 in at 12 h", (3.59835,)),
-        Group("outer", "0.021 in at 6 h", (3.59310, 3.59313, 3.59303)),
-        Group("outer", "0.021 in at 3 h", (3.59370, 3.59383, 3.59389, 3.59418)),
-        Group("outer", "0.021 in at 12 h", (3.59487, 3.59373, 3.59510, 3.59476)),
+        SeededDefect("inner", "0.007 in", (5.40162, 5.40173, 5.40184, 5.40181)),
+        SeededDefect("inner", "0.014 in", (5.41423, 5.41419, 5.41431, 5.41394)),
+        SeededDefect("inner", "0.021 in", (5.40574, 5.40522, 5.40581)),
+        SeededDefect("outer", "0.007 in at 6 h", (3.59726, 3.59727, 3.59726)),
+        SeededDefect("outer", "0.007 in at 3 h", (3.60030, 3.60002, 3.60036)),
+        SeededDefect("outer", "0.007 in at 12 h", (3.59835,)),
+        SeededDefect("outer", "0.021 in at 6 h", (3.59310, 3.59313, 3.59303)),
+        SeededDefect("outer", "0.021 in at 3 h", (3.59370, 3.59383, 3.59389, 3.59418)),
+        SeededDefect("outer", "0.021 in at 12 h", (3.59487, 3.59373, 3.59510, 3.59476)),
     )),
     "6203": Motor(8, 0.2656, 1.122, 42.5, (85.0, 170.0), (
-        Group("inner", "0.007 in", (4.93313, 4.93315)),
-        Group("inner", "0.014 in", (4.93192, 4.92913, 4.92902, 4.92900)),
-        Group("outer", "0.007 in at 6 h", (3.06601, 3.06668, 3.06679, 3.06681)),
-        Group("outer", "0.014 in at 3 h", (3.06411, 3.06365, 3.06308, 3.06364)),
-        Group("outer", "0.021 in at 3 h", (3.06574, 3.06474)),
+        SeededDefect("inner", "0.007 in", (4.93313, 4.93315)),
+        SeededDefect("inner", "0.014 in", (4.93192, 4.92913, 4.92902, 4.92900)),
+        SeededDefect("outer", "0.007 in at 6 h", (3.06601, 3.06668, 3.06679, 3.06681)),
+        SeededDefect("outer", "0.014 in at 3 h", (3.06411, 3.06365, 3.06308, 3.06364)),
+        SeededDefect("outer", "0.021 in at 3 h", (3.06574, 3.06474)),
     )),
 }  # fmt: skip
 OUTSIDE = ("6205", "inner", "0.014 in")
@@ -87,8 +87,8 @@ def outer_ratio(motor: Motor, force: ArrayLike, f: ArrayLike, clearance: ArrayLi
     )  # fmt: skip
     operation = qs.Operation(speed=RPM * qs.rpm, axial_load=force)
     effects = (qs.CentrifugalForce(), qs.GyroscopicMoment())
-    found = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation, effects, qs.RacewayControl.OUTER)))
-    solved, nominal = (each.ball_pass_outer * 60.0 / RPM for each in (found.solved, found.nominal))
+    frequencies = qs.readings.frequencies(qs.solve(qs.Scene(bearing, operation, effects, qs.RacewayControl.OUTER)))
+    solved, nominal = (each.ball_pass_outer * 60.0 / RPM for each in (frequencies.solved, frequencies.nominal))
     return solved, nominal
 
 
@@ -99,13 +99,13 @@ def reach(motor: Motor, least: float) -> tuple[float, float]:
     return float(solved.min()), float(solved.max())
 
 
-def as_outer(motor: Motor, group: Group) -> NDArray:
+def as_outer(motor: Motor, group: SeededDefect) -> NDArray:
     """A group's ratios as those of the outer raceway: both ratios add up to Z."""
     ratios = np.array(group.ratios)
     return np.asarray(motor.Z - ratios if group.raceway == "inner" else ratios)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Brackets of both bearings, and each group beside them."""
     rows, points, panels, inside, narrow_inside, total = [], [], [], 0, 0, 0
     for name, motor in MOTORS.items():
@@ -151,13 +151,13 @@ def run() -> Result:
         at = np.concatenate([np.full(values.size, i) for i, values in enumerate(measured.values())])
         across = np.array([-0.5, len(labels) - 0.5])
         panels.append(
-            Panel(
+            Diagram(
                 "", "defect over shaft frequency",
                 [
-                    Series("computed, plausible inputs", "band", across, low=[low, low], high=[high, high]),
-                    Series("computed, the picked point", "line", across, [picked, picked]),
-                    Series("textbook, zero angle", "dashed", across, [nominal, nominal]),
-                    Series("measured", "circles", at, np.concatenate(list(measured.values()))),
+                    Curve("computed, plausible inputs", "band", across, low=[low, low], high=[high, high]),
+                    Curve("computed, the picked point", "line", across, [picked, picked]),
+                    Curve("textbook, zero angle", "dashed", across, [nominal, nominal]),
+                    Curve("measured", "circles", at, np.concatenate(list(measured.values()))),
                 ],
                 title=f"{name}, {motor.Z} balls", x_names=labels,
             )
@@ -174,13 +174,13 @@ def run() -> Result:
         compared(case, quantity, "relative", 0.0, value, OTHER_ESTIMATOR, None, why)
         for case, quantity, value, why in ELSEWHERE
     ]
-    return Result(
+    return CaseResult(
         f"{inside} of {total} groups lie in the range that plausible inputs leave open; with the recommended spring "
         f"force {narrow_inside}. The textbook's zero angle is outside all of these. Counter-evidence: another author's "
         f"estimator is {-100 * ELSEWHERE[1][2]:.2f} % off on a rig whose contact angle is zero.",
         rows,
         panels,
-        Points(
+        ValueTable(
             "Every record; for inner ratios also Z minus the ratio.",
             ["bearing", "defect", "measured", "as of the outer raceway", "computed, least", "computed, largest"],
             points,

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import ground_set, pair_rigidities
 from fem_check.book.published import bearing
 
@@ -24,7 +24,7 @@ TWICE = 1.2707
 """IBC's rigidity at twice the preload over that at the preload."""
 
 
-class Printed(NamedTuple):
+class PrintedRange(NamedTuple):
     """A printed range of a factor, and the set that it is of: rows that carry in one direction and in the other."""
 
     case: str
@@ -42,40 +42,40 @@ class Printed(NamedTuple):
 
 PRELOAD, RIGIDITY = "preload over that of the pair", "axial rigidity over that of the pair"
 FACTORS = (
-    Printed("DBT, 15°", PRELOAD, TPI, 1.35, 1.36, 0.01, ROW_15, PRELOADS_15, (2, 1)),
-    Printed("DTTB, three against one, 15°", PRELOAD, TPI, 1.60, 1.60, 0.01, ROW_15, PRELOADS_15, (3, 1)),
-    Printed("DBB, two against two, 15°", PRELOAD, TPI, 2.0, 2.0, 0.01, ROW_15, PRELOADS_15, (2, 2)),
-    Printed("three rows, 60°", PRELOAD, NSK, 1.360, 1.370, 0.001, ROW_60, PRELOADS_60, (2, 1)),
-    Printed("three rows, 60°", RIGIDITY, NSK, 1.430, 1.443, 0.001, ROW_60, PRELOADS_60, (2, 1), True),
-    Printed("four rows, 60°", PRELOAD, NSK, 2.0, 2.0, 0.01, ROW_60, PRELOADS_60, (2, 2)),
+    PrintedRange("DBT, 15°", PRELOAD, TPI, 1.35, 1.36, 0.01, ROW_15, PRELOADS_15, (2, 1)),
+    PrintedRange("DTTB, three against one, 15°", PRELOAD, TPI, 1.60, 1.60, 0.01, ROW_15, PRELOADS_15, (3, 1)),
+    PrintedRange("DBB, two against two, 15°", PRELOAD, TPI, 2.0, 2.0, 0.01, ROW_15, PRELOADS_15, (2, 2)),
+    PrintedRange("three rows, 60°", PRELOAD, NSK, 1.360, 1.370, 0.001, ROW_60, PRELOADS_60, (2, 1)),
+    PrintedRange("three rows, 60°", RIGIDITY, NSK, 1.430, 1.443, 0.001, ROW_60, PRELOADS_60, (2, 1), True),
+    PrintedRange("four rows, 60°", PRELOAD, NSK, 2.0, 2.0, 0.01, ROW_60, PRELOADS_60, (2, 2)),
 )
 
 
-def factors(of: Printed) -> NDArray:
+def factors(of: PrintedRange) -> NDArray:
     """The factor at each preload."""
-    found = []
+    ratios = []
     for preload in of.preloads:
         pair = ground_set(1, 1, of.row, float(preload))
         several = ground_set(*of.rows, of.row, float(preload))
-        found.append(several[1] / pair[1] if of.is_rigidity else several[0] / float(preload))
-    return np.array(found)
+        ratios.append(several[1] / pair[1] if of.is_rigidity else several[0] / float(preload))
+    return np.array(ratios)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Every printed factor, and how the preload moves it."""
     rows, summary = [], []
     for each in FACTORS:
-        found = factors(each)
-        outside = np.abs(found - np.clip(found, each.low, each.high))
+        ratios = factors(each)
+        outside = np.abs(ratios - np.clip(ratios, each.low, each.high))
         printed = f"{each.low:g}" if each.low == each.high else f"{each.low:g} to {each.high:g}"
         rows += [
             compared(each.case, f"{each.quantity}, printed {printed}: how far the nearest preload is outside", "1", 0.0,
                      outside.min(), each.source, each.step / 2.0, "half a step of the printed numbers"),
-            compared(each.case, each.quantity, "1", 0.5 * (each.low + each.high), found[outside.argmin()], each.source,
-                     None, f"a finding: {found.min():.4f} to {found.max():.4f} over the preloads"),
+            compared(each.case, each.quantity, "1", 0.5 * (each.low + each.high), ratios[outside.argmin()], each.source,
+                     None, f"a finding: {ratios.min():.4f} to {ratios.max():.4f} over the preloads"),
         ]  # fmt: skip
         if each.rows == (2, 1):
-            summary.append(f"{each.case}: {each.quantity} {found.min():.3f} to {found.max():.3f}, printed {printed}")
+            summary.append(f"{each.case}: {each.quantity} {ratios.min():.3f} to {ratios.max():.3f}, printed {printed}")
     twice = np.array([pair_rigidities(ROW_60, 2.0 * P)[0] / pair_rigidities(ROW_60, P)[0] for P in PRELOADS_60])
     rows.append(
         compared("pair, 60°", "axial rigidity at twice the preload over that at the preload", "1", TWICE, twice[0], IBC,
@@ -87,13 +87,13 @@ def run() -> Result:
         "60°": (ROW_60, np.geomspace(50.0, 4000.0, 8), "dashed"),
     }
     curves = [
-        Series(f"three rows, {name}", style, P, [ground_set(2, 1, row, float(each))[0] / each for each in P])
+        Curve(f"three rows, {name}", style, P, [ground_set(2, 1, row, float(each))[0] / each for each in P])
         for name, (row, P, style) in shown.items()
     ]
     ends = np.array([50.0, 4000.0])
-    bands = [Series("printed, NSK 60°", "band", ends, low=[1.36, 1.36], high=[1.37, 1.37])]
-    return Result(
+    bands = [Curve("printed, NSK 60°", "band", ends, low=[1.36, 1.36], high=[1.37, 1.37])]
+    return CaseResult(
         f"{'; '.join(summary)}.",
         rows,
-        [Panel("preload of the pair, N", "preload of the set over it", [*bands, *curves], x_scale="log")],
+        [Diagram("preload of the pair, N", "preload of the set over it", [*bands, *curves], x_scale="log")],
     )

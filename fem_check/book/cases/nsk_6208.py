@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import ISO_STEEL
 
 LIVES = "NSK, General Catalogue, section 5.7"
@@ -40,9 +40,9 @@ def lives(thrust: float) -> tuple[NDArray, NDArray]:
         middle = {"axial_displacement": -float(own.groove_centre_distance * np.sin(own.free_contact_angle))}
         axial = {"axial_load": thrust} if thrust else middle
         operation = qs.Operation(speed=RPM * qs.rpm, radial_load_y=RADIAL, tilt_y=0.0, tilt_z=0.0, **axial)
-        found = qs.readings.life(qs.solve(qs.Scene(own, operation)), dynamic_load_rating=C)
-        basic.append(float(found.basic_rating_life) / RPM / 60.0)
-        reference.append(float(found.basic_reference_rating_life) / RPM / 60.0)
+        life = qs.readings.life(qs.solve(qs.Scene(own, operation)), dynamic_load_rating=C)
+        basic.append(float(life.basic_rating_life) / RPM / 60.0)
+        reference.append(float(life.basic_reference_rating_life) / RPM / 60.0)
     return np.array(basic), np.array(reference)
 
 
@@ -55,12 +55,12 @@ def clearance_lost() -> float:
     return 20.0 - 1e6 * float(np.asarray(scene.operating_bearing.diametral_clearance))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Lives as printed, the reference life beside them, and the clearance."""
-    rows, curves, found = [], [], {}
+    rows, curves, by_load = [], [], {}
     for thrust, printed in PRINTED.items():
         basic, reference = lives(thrust)
-        found[thrust] = basic[0], reference
+        by_load[thrust] = basic[0], reference
         name = f"6208: C 29.1 kN, {RPM:.0f} rpm, {RADIAL:.0f} N radial, {thrust:.0f} N axial"
         hundred = 50.0 if printed < 2e4 else 500.0
         rows.append(
@@ -73,17 +73,17 @@ def run() -> Result:
             for clearance, hours in zip(CLEARANCES[[0, -1]], reference[[0, -1]], strict=True)
         ]  # fmt: skip
         curves.append(
-            Series(f"{thrust:.0f} N axial", "dots" if thrust else "squares", 1e6 * CLEARANCES, reference / basic[0])
+            Curve(f"{thrust:.0f} N axial", "dots" if thrust else "squares", 1e6 * CLEARANCES, reference / basic[0])
         )
     lost = clearance_lost()
     rows.append(
         compared("6208: inner ring and balls 10 K warmer", "clearance lost", "µm", LOST, lost, CLEARANCE, 0.05,
                  "one decimal is printed")
     )  # fmt: skip
-    both = [f"{hours:.0f} h, {reference.min():.0f} to {reference.max():.0f} h" for hours, reference in found.values()]
-    return Result(
+    both = [f"{hours:.0f} h, {reference.min():.0f} to {reference.max():.0f} h" for hours, reference in by_load.values()]
+    return CaseResult(
         f"Life by ISO 281 and reference life over the clearances: {both[0]} under radial load; {both[1]} with thrust. "
         f"The warm inner ring takes {lost:.2f} µm.",
         rows,
-        [Panel("diametral clearance, µm", "reference life over ISO 281's", curves, levels=[1.0])],
+        [Diagram("diametral clearance, µm", "reference life over ISO 281's", curves, levels=[1.0])],
     )

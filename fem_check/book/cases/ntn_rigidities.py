@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Points, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from fem_check.book.matched_sets import grooves_that_meet, pair_rigidities
 from fem_check.book.published import bearing, columns_of
-from fem_check.rows.agreement import Row
+from fem_check.rows.agreement import AgreementRow
 from qsbearing.readings import Rating, dynamic_load_rating
 
 SOURCE = "NTN-SNR, high-precision bearings ULTAGE, pp. 5 and 7"
@@ -48,10 +48,10 @@ def rows_of(sizes: Table, angle: float, f: ArrayLike = COEFFICIENT) -> qs.BallBe
 
 def deviations(sizes: Table, angle: int) -> dict[str, NDArray]:
     """Computed over printed rigidities less one [%], axial and radial."""
-    found = pair_rigidities(rows_of(sizes, float(angle)), sizes[f"preload_{angle}_N"])
+    rigidities = pair_rigidities(rows_of(sizes, float(angle)), sizes[f"preload_{angle}_N"])
     return {
         direction: 100.0 * (each / sizes[f"{direction}_{angle}_N_um"] - 1.0)
-        for direction, each in zip(DIRECTIONS, found, strict=True)
+        for direction, each in zip(DIRECTIONS, rigidities, strict=True)
     }
 
 
@@ -63,7 +63,9 @@ def own_grooves(sizes: Table) -> tuple[NDArray, NDArray]:
     return f, np.asarray(100.0 * (radial / sizes["radial_15_N_um"] - 1.0))
 
 
-def spread(case: str, quantity: str, each: NDArray, bounds: NDArray | None, why: str, names: NDArray) -> list[Row]:
+def spread(
+    case: str, quantity: str, each: NDArray, bounds: NDArray | None, why: str, names: NDArray
+) -> list[AgreementRow]:
     """Mean, root mean square and largest of deviations [%]; bounds: of each, None where they are not met."""
     limit = None if bounds is None else 0.01 * float(np.sqrt((bounds**2).mean()))
     worst = int(np.abs(each).argmax())
@@ -77,7 +79,7 @@ def spread(case: str, quantity: str, each: NDArray, bounds: NDArray | None, why:
     ]
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """All sizes with one groove; then those that do not follow it at 15 degrees."""
     sizes = columns_of("ntn_ultage_rigidities")
     names = sizes["name"]
@@ -121,10 +123,10 @@ def run() -> Result:
                  str(names[np.abs(off).argmax()]))
     )  # fmt: skip
     panels = [
-        Panel(
+        Diagram(
             "printed rigidity, N/µm", "computed over printed minus 1, %",
             [
-                Series(direction, style, sizes[f"{direction}_{angle}_N_um"], each[direction])
+                Curve(direction, style, sizes[f"{direction}_{angle}_N_um"], each[direction])
                 for direction, style in zip(DIRECTIONS, ("dots", "squares"), strict=True)
             ],
             title=f"{angle}°", x_scale="log", levels=[0.0],
@@ -133,13 +135,13 @@ def run() -> Result:
     ]  # fmt: skip
     rms = {name: np.sqrt((each**2).mean()) for name, each in steep.items()}
     missed = flat["axial"][~follows]
-    return Result(
+    return CaseResult(
         f"With f = {COEFFICIENT} for all {names.size} sizes, {2 * names.size} rigidities at 25 degrees: axial rms "
         f"{rms['axial']:.2f} %, radial rms {rms['radial']:.2f} %. At 15 degrees {len(FOLLOWING)} sizes follow it; the "
         f"other {missed.size} are computed {-missed.max():.1f} to {-missed.min():.1f} % too soft axially: not met.",
         rows,
         panels,
-        Points(
+        ValueTable(
             "Every size: rigidities printed, and what the computed ones are off by.",
             ["size", "axial at 25°, N/µm", "off by, %", "radial at 25°, N/µm", "off by, %",
              "axial at 15°, N/µm", "off by, %", "radial at 15°, N/µm", "off by, %"],

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import pair_rigidities
 from fem_check.book.published import bearing
 
@@ -33,12 +33,12 @@ def constant_angle(angle: NDArray) -> NDArray:
     return np.asarray(0.5 / np.tan(np.radians(angle)) ** 2)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Each printed factor."""
-    found = {angle: ratios(angle) for angle in (15.0, *BY_ANGLE)}
+    by_angle = {angle: ratios(angle) for angle in (15.0, *BY_ANGLE)}
     higher = "a finding: not met, printed higher than computed"
     rows = []
-    for (name, printed), value in zip(BY_PRELOAD.items(), found[15.0], strict=True):
+    for (name, printed), value in zip(BY_PRELOAD.items(), by_angle[15.0], strict=True):
         is_met = name not in NOT_MET
         rows.append(
             compared(f"15°, preload {name}, {PRELOADS[name]:.0f} N", "radial over axial rigidity", "1", printed, value,
@@ -47,7 +47,7 @@ def run() -> Result:
                      f"{higher}; at a constant angle it would be {constant_angle(np.array(15.0)):.2f}")
         )  # fmt: skip
     for angle, printed in BY_ANGLE.items():
-        low, high = found[angle].min(), found[angle].max()
+        low, high = by_angle[angle].min(), by_angle[angle].max()
         nearest = float(np.clip(printed, low, high))
         is_met = angle not in NOT_MET
         rows.append(
@@ -58,25 +58,25 @@ def run() -> Result:
                      f"{higher} at any of these preloads, {low:.2f} to {high:.2f}")
         )  # fmt: skip
     angles = np.linspace(14.0, 41.0, 55)
-    names = list(found)
+    names = list(by_angle)
     markers = ("dots", "squares", "crosses")
     computed = [
-        Series(f"computed, {name}", marker, names, [found[angle][i] for angle in names])
+        Curve(f"computed, {name}", marker, names, [by_angle[angle][i] for angle in names])
         for i, (name, marker) in enumerate(zip(PRELOADS, markers, strict=False))
     ]
     printed_at = [15.0] * len(BY_PRELOAD) + list(BY_ANGLE)
-    return Result(
-        f"At 15 degrees {', '.join(f'{each:.2f}' for each in found[15.0])} with growing preload, printed "
+    return CaseResult(
+        f"At 15 degrees {', '.join(f'{each:.2f}' for each in by_angle[15.0])} with growing preload, printed "
         f"{', '.join(f'{each:g}' for each in BY_PRELOAD.values())}; at 40 degrees "
-        f"{found[40.0].min():.2f} to {found[40.0].max():.2f}, printed {BY_ANGLE[40.0]:g}.",
+        f"{by_angle[40.0].min():.2f} to {by_angle[40.0].max():.2f}, printed {BY_ANGLE[40.0]:g}.",
         rows,
         [
-            Panel(
+            Diagram(
                 "contact angle, degrees", "radial over axial rigidity",
                 [
-                    Series("constant angle", "line", angles, constant_angle(angles)),
+                    Curve("constant angle", "line", angles, constant_angle(angles)),
                     *computed,
-                    Series("printed", "circles", printed_at, [*BY_PRELOAD.values(), *BY_ANGLE.values()]),
+                    Curve("printed", "circles", printed_at, [*BY_PRELOAD.values(), *BY_ANGLE.values()]),
                 ],
                 y_scale="log",
             )

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 
 PROGRAM = "an open Python program of ball bearings, run by an earlier evaluation"
 HAND = "Lamé's thick rings with rotation, worked out in the case"
@@ -95,7 +95,7 @@ def pressure_by_hand() -> float:
     return overlap / (softness(seat, seat, bottom, STEEL, 1.0) - softness(seat, a, seat, SHAFT, -1.0))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Pressure and growth, then angles and loads as findings."""
     of = scene()
     solution = qs.solve(of)
@@ -122,7 +122,7 @@ def run() -> Result:
             compared(case, f"growth of the {name} groove's centre alone", "µm", GROWTH[name], centre, PROGRAM, None,
                      f"a finding: the radius's own growth, {own:.2f} µm, is not the centre's"),
         ]  # fmt: skip
-    found = read(solution)
+    values = read(solution)
     theirs = read(as_theirs(of, 1e-6 * (bars["inner"][2] - bars["outer"][2])))
     for name, printed in CONTACTS.items():
         unit = "degrees" if "angle" in name else "N"
@@ -132,23 +132,23 @@ def run() -> Result:
             if name.startswith("inner") else "a finding: its centrifugal force is less, for a reason that is not known"
         )  # fmt: skip
         rows += [
-            compared(case, quantity, unit, printed, found[name], PROGRAM, None, why),
+            compared(case, quantity, unit, printed, values[name], PROGRAM, None, why),
             compared(f"{case}; the other program's growth put in", quantity, unit, printed, theirs[name], PROGRAM, None,
                      "a finding: what is left with cold groove radii, and centres moved as the bottoms"),
         ]  # fmt: skip
     names = ["inner centre", "inner radius", "inner bottom", "outer centre", "outer radius", "outer bottom"]
-    return Result(
+    return CaseResult(
         f"Seat pressure {1e-6 * pressure:.3f} MPa, as by hand; the grooves grow by {bars['inner'][2]:.2f} and "
         f"{bars['outer'][2]:.2f} µm, their centres by {bars['inner'][0]:.2f} and {bars['outer'][0]:.2f} µm. Inner "
-        f"angle {found['inner angle']:.3f}, by the other program {CONTACTS['inner angle']} degrees, which takes one "
+        f"angle {values['inner angle']:.3f}, by the other program {CONTACTS['inner angle']} degrees, which takes one "
         f"growth for the other; with this put in {theirs['inner angle']:.3f}.",
         rows,
         [
-            Panel(
+            Diagram(
                 "", "growth, µm",
                 [
-                    Series("here", "dots", np.arange(6), [*bars["inner"], *bars["outer"]]),
-                    Series("the other program, grooves", "circles", [2, 5], list(GROWTH.values())),
+                    Curve("here", "dots", np.arange(6), [*bars["inner"], *bars["outer"]]),
+                    Curve("the other program, grooves", "circles", [2, 5], list(GROWTH.values())),
                 ],
                 x_names=names, levels=[0.0],
             )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.published import bearing
 from qsbearing.readings import film_thickness, friction_estimate, life_factors
 
@@ -22,12 +22,12 @@ def life(load: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Basic rating life of the 6309 [10^6 revolutions, hours] under a radial load [N]."""
     ball_bearing = bearing(8, 17.5, 72.5, 0.0, kind=qs.BearingKind.DEEP_GROOVE)
     operation = qs.Operation(speed=RPM * qs.rpm, radial_load_y=load, axial_displacement=0.0, tilt_y=0.0, tilt_z=0.0)
-    found = qs.readings.life(qs.solve(qs.Scene(ball_bearing, operation)), dynamic_load_rating=C)
-    millions = np.asarray(found.basic_rating_life) / 1e6
+    reading = qs.readings.life(qs.solve(qs.Scene(ball_bearing, operation)), dynamic_load_rating=C)
+    millions = np.asarray(reading.basic_rating_life) / 1e6
     return millions, millions * 1e6 / RPM / 60.0
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Printed against computed."""
     millions, hours = life(P)
     pitch = 0.5 * (BORE + OUTSIDE) * 1e-3
@@ -71,16 +71,16 @@ def run() -> Result:
         ),
     ]
     loads = np.linspace(3e3, 20e3, 40)
-    return Result(
+    return CaseResult(
         f"6309: {float(millions):.1f} million revolutions, {float(hours):.1f} h; printed 169 and 940.",
         rows,
         [
-            Panel(
+            Diagram(
                 "equivalent load, kN",
                 "L10, 10⁶ revolutions",
                 [
-                    Series("computed", "line", loads / 1e3, life(loads)[0]),
-                    Series("printed", "circles", [P / 1e3], [169.0]),
+                    Curve("computed", "line", loads / 1e3, life(loads)[0]),
+                    Curve("printed", "circles", [P / 1e3], [169.0]),
                 ],
                 x_scale="log",
                 y_scale="log",

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import grooves_that_meet, pair_rigidities, under_thrust
 from fem_check.book.published import bearing
 
@@ -39,7 +39,7 @@ def offsets(f: float, preload: ArrayLike) -> NDArray:
     return np.asarray(-2e6 * (ways[:-1] - ways[-1]))
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Rigidities and offsets with one f."""
     f = fitted(RIGIDITIES[FITTED])
     ends = [fitted(RIGIDITIES[FITTED] + each) for each in (-HALF, HALF)]
@@ -68,14 +68,14 @@ def run() -> Result:
                      HALF + of_fit[1][i] + of_preload[1][i], why)
         )  # fmt: skip
     loads = np.linspace(60.0, 1500.0, 49)
-    return Result(
+    return CaseResult(
         f"With f = {f:.4f} from one rigidity the pair has {', '.join(f'{each:.1f}' for each in rigidity)} N/µm and "
         f"offsets of {', '.join(f'{each:.1f}' for each in offset)} µm.",
         rows,
         [
-            Panel(
+            Diagram(
                 "preload, N", label,
-                [Series("computed", "line", loads, curve), Series("printed", "circles", PRELOADS, printed)],
+                [Curve("computed", "line", loads, curve), Curve("printed", "circles", PRELOADS, printed)],
             )
             for label, curve, printed in (
                 ("axial rigidity of the pair, N/µm", pair_rigidities(row(f), loads)[0], RIGIDITIES),

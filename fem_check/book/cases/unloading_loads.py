@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 import qsbearing as qs
-from fem_check.book.case import Panel, Result, Series, compared
+from fem_check.book.case import CaseResult, Curve, Diagram, compared
 from fem_check.book.matched_sets import grooves_that_meet, unloading_load
 from fem_check.book.published import bearing
 
@@ -88,7 +88,7 @@ def force(of: Pair) -> float:
     return unloading_load([set_of(f)], [set_of(f)], of.preload)
 
 
-def run() -> Result:
+def run() -> CaseResult:
     """Factors at a light preload, how they grow with it, and FAG's forces."""
     rows = []
     for each in ARRANGEMENTS:
@@ -106,10 +106,10 @@ def run() -> Result:
                  TABLE, None, "a finding: the printed factor is that of light preloads")
     )  # fmt: skip
     forces = [force(pair) for pair in PAIRS]
-    for pair, found in zip(PAIRS, forces, strict=True):
+    for pair, value in zip(PAIRS, forces, strict=True):
         case = f"{pair.name} DB, preload {pair.preload:.0f} N"
         rows += [
-            compared(case, "unloading force", "N", pair.force, found, FORCES, None,
+            compared(case, "unloading force", "N", pair.force, value, FORCES, None,
                      "a finding: below the printed force by more than its rounding"),
             compared(case, "unloading force by Hertz at a constant angle", "N", pair.force,
                      2.0**1.5 * pair.preload, FORCES, None, "a finding: the opening angle is most of the difference"),
@@ -117,17 +117,17 @@ def run() -> Result:
     preloads = np.geomspace(1.0, 1500.0, 9)
     shown = ("DB, 15°", "DBT, two against one", "one 25° against one 15°")
     chosen = [each for each in ARRANGEMENTS if each.name in shown]
-    return Result(
+    return CaseResult(
         f"{sum(each.is_met for each in ARRANGEMENTS)} of {len(ARRANGEMENTS)} printed factors are met to the digit at a "
         f"light preload; at {HEAVY:.0f} N a pair of 15 degrees has {heavy:.2f}. FAG's forces come out "
-        f"{' and '.join(f'{100 * (found / pair.force - 1):.1f}' for pair, found in zip(PAIRS, forces, strict=True))} % "
+        f"{' and '.join(f'{100 * (value / pair.force - 1):.1f}' for pair, value in zip(PAIRS, forces, strict=True))} % "
         "off.",
         rows,
         [
-            Panel(
+            Diagram(
                 "preload, N", "limiting load over preload",
                 [
-                    Series(each.name, style, preloads, [factor(each, preload) for preload in preloads])
+                    Curve(each.name, style, preloads, [factor(each, preload) for preload in preloads])
                     for each, style in zip(chosen, ("line", "dashed", "dots"), strict=True)
                 ],
                 x_scale="log", levels=[each.printed for each in chosen],

@@ -35,9 +35,9 @@ def displacement(entry: Entry) -> Figure:
         if "at speed" not in states:
             continue
         loads = states["at speed"]["load_N"]
-        found = [micrometres(entry, support, "at speed", load) for load in loads]
+        points = [micrometres(entry, support, "at speed", load) for load in loads]
         axes.errorbar(
-            loads, [each for each, _ in found], [each for _, each in found],
+            loads, [each for each, _ in points], [each for _, each in points],
             color=colour, marker="o", markersize=3, capsize=3, label=f"outside diameter {support}",
         )  # fmt: skip
         axes.set_xscale("log")

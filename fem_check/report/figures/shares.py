@@ -10,18 +10,19 @@ from matplotlib.figure import Figure
 
 from fem_check.report.figures.style import FOUND, HERTZ, Entry
 from fem_check.report.rows import as_read, quantity, used
+from fem_check.rows.record import RowRecord
 
 MOST = 8
 """Quantities shown, those nearest to their limits."""
 
 
-def drawable(rows: Sequence[Entry]) -> dict[str, list[float]]:
+def drawable(rows: Sequence[RowRecord]) -> dict[str, list[float]]:
     """Shares by quantity; of a row that takes none there is no point."""
-    found: dict[str, list[float]] = {}
+    by_quantity: dict[str, list[float]] = {}
     for row in rows:
         if 0.0 < used(row) < float("inf"):
-            found.setdefault(quantity(as_read(row["quantity"])), []).append(used(row))
-    return dict(sorted(found.items(), key=lambda each: max(each[1]))[-MOST:])
+            by_quantity.setdefault(quantity(as_read(row["quantity"])), []).append(used(row))
+    return dict(sorted(by_quantity.items(), key=lambda each: max(each[1]))[-MOST:])
 
 
 def draw(entry: Entry) -> Figure:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, cast
 
 from fem_check.book import picture
 from fem_check.book.not_yet import NOT_YET
+from fem_check.book.records import BookRecord
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures.style import INCHES
 from fem_check.report.questions import is_counter_example
@@ -49,8 +50,8 @@ def sections(evidence: Evidence, whole: bool = False) -> list[Section]:
         first = [*_overview(computed), *(_card(kept) for kept in computed if is_counter_example(kept.data))]
         last = list(map(_card, measured))
     first = [Paragraph(COMPUTED), *first] if computed else [missing("The validation book", "fem-check book")]
-    found = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
-    return [*found, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else found
+    parts = [Section("Other programs, standards, catalogues", [*first, *_scipy(evidence.scipy)], "published")]
+    return [*parts, Section("Measurements", [Paragraph(MEASURED), *last], "measurements")] if measured else parts
 
 
 def _overview(records: Sequence[Kept]) -> list[Block]:
@@ -74,16 +75,16 @@ def _overview(records: Sequence[Kept]) -> list[Block]:
 
 
 def _card(kept: Kept) -> Section:
-    entry = kept.data
+    entry = cast(BookRecord, kept.data)
     shown = [_answer(entry), *_picture(entry, 0.5), table(worst(entry["rows"]))]
     return Section(entry["title"], [*shown, *_lists(entry), kept.trace], _anchor(entry))
 
 
-def _anchor(entry: dict[str, Any]) -> str:
+def _anchor(entry: BookRecord) -> str:
     return f"book-{entry['case'].replace('_', '-')}"
 
 
-def _answer(entry: dict[str, Any]) -> Remark:
+def _answer(entry: BookRecord) -> Remark:
     """The result; of a counter-example that it is one: to meet it would be no success."""
     summary = entry["summary"]
     if is_counter_example(entry):
@@ -92,7 +93,7 @@ def _answer(entry: dict[str, Any]) -> Remark:
 
 
 def _page(kept: Kept) -> Section:
-    entry = kept.data
+    entry = cast(BookRecord, kept.data)
     blocks: list[Block] = [
         _answer(entry),
         Paragraph(entry["question"]),
@@ -121,12 +122,12 @@ def _not_yet() -> Section:
     )
 
 
-def _lists(entry: dict[str, Any]) -> list[Block]:
+def _lists(entry: Mapping[str, Any]) -> list[Block]:
     items = [f"{heading}: {'; '.join(entry[key])}" for key, heading in LISTS.items() if entry.get(key)]
     return [Bullets(items)] if items else []
 
 
-def _picture(entry: dict[str, Any], most: float) -> list[Block]:
+def _picture(entry: BookRecord, most: float) -> list[Block]:
     told = entry.get("picture")
     if not told:
         return []
@@ -144,11 +145,11 @@ def _scipy(kept: Kept | None) -> list[Block]:
     """The same equations by a library's root finder."""
     if kept is None or "against_scipy" not in kept.data:
         return []
-    found = kept.data["against_scipy"]
+    counts = kept.data["against_scipy"]
     rows = [
-        [name, f"{found[f'{key}_right']} of {found['points']}", f"{found[f'{key}_ms']['median']:g}"]
+        [name, f"{counts[f'{key}_right']} of {counts['points']}", f"{counts[f'{key}_ms']['median']:g}"]
         for name, key in (("scipy.optimize.root, all unknowns at once", "scipy"), ("qsbearing.solve", "solve"))
     ]
-    words = f"{found['points']} random operating points of B218, compared with scipy.optimize.root."
+    words = f"{counts['points']} random operating points of B218, compared with scipy.optimize.root."
     table = Table(("solved by", "right", "median time, ms"), rows)
     return [Section("scipy.optimize.root", [Paragraph(words), table, kept.trace], is_whole=True)]

@@ -9,8 +9,9 @@ from fem_check.checks import ALL, OPTIONAL
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.figures import drawn
 from fem_check.report.questions import WITH_RINGS, sector
-from fem_check.report.rows import Row, as_read, difference, largest, quantity, table, used, worst
+from fem_check.report.rows import as_read, difference, largest, quantity, table, used, worst
 from fem_check.rows import row_text
+from fem_check.rows.record import RowRecord, deviation_percent
 from qsbearing.documents.model import Block, Md, Paragraph, Remark, Section, Trace
 from qsbearing.documents.numbers import duration, plain
 
@@ -88,8 +89,8 @@ def answer(name: str, kept: Kept) -> str:
     if bad:
         return f"**{len(bad)} of {len(rows)} rows are out of their limits.** {as_read(kept.data['question'])} No."
     findings = [row for row in rows if row["verdict"] == "finding" and row["reference"]]
-    found = _OF[name](kept, findings) if name in _OF else ""
-    return " ".join(filter(None, (found and f"**{found}**", _judged(name, kept, bold=not found))))
+    sentence = _OF[name](kept, findings) if name in _OF else ""
+    return " ".join(filter(None, (sentence and f"**{sentence}**", _judged(name, kept, bold=not sentence))))
 
 
 def _judged(name: str, kept: Kept, bold: bool) -> str:
@@ -105,7 +106,7 @@ def _judged(name: str, kept: Kept, bold: bool) -> str:
     return f"{said} Nearest to its limit: {what}, {difference(near)} (limit {told.tolerance})."
 
 
-def _sector(kept: Kept, _: Sequence[Row]) -> str:
+def _sector(kept: Kept, _: Sequence[RowRecord]) -> str:
     rigid, free, mended = (sector({kept.data["check"]: kept}, each) for each in ("rigid", "free", WITH_RINGS))
     return " ".join(
         f"{outside}: {said}."
@@ -116,23 +117,23 @@ def _sector(kept: Kept, _: Sequence[Row]) -> str:
     )  # fmt: skip
 
 
-def _true_geometry(_: Kept, findings: Sequence[Row]) -> str:
-    each: dict[str, list[Row]] = {row["quantity"]: [] for row in findings if row["unit"] in ("m", "Pa")}
+def _true_geometry(_: Kept, findings: Sequence[RowRecord]) -> str:
+    each: dict[str, list[RowRecord]] = {row["quantity"]: [] for row in findings if row["unit"] in ("m", "Pa")}
     for row in findings:
         each.get(row["quantity"], []).append(row)
     said = ", ".join(f"{largest(rows)} ({quantity(name)})" for name, rows in each.items())
     return f"Hertz is off by up to {said}." if said else ""
 
 
-def _conformity(kept: Kept, _: Sequence[Row]) -> str:
+def _conformity(kept: Kept, _: Sequence[RowRecord]) -> str:
     told = kept.data["pictures"]["conformity"]
     ends = {f: max(abs(values[-1]) for values in told["curves"][f].values()) for f in told["curves"]}
     said = " and ".join(f"{plain(ends[f], '.2g')} % with f = {f}" for f in (min(ends, key=float), max(ends, key=float)))
     return f"At {told['load_N'][-1]:,.0f} N Hertz is off by up to {said}."
 
 
-def _elastic_ring(_: Kept, findings: Sequence[Row]) -> str:
-    at = max(findings, key=lambda row: abs(row["deviation_percent"]), default=None)
+def _elastic_ring(_: Kept, findings: Sequence[RowRecord]) -> str:
+    at = max(findings, key=lambda row: abs(deviation_percent(row)), default=None)
     if at is None:
         return ""
     where = f"{as_read(at['quantity'])}; {as_read(at['case'])}"

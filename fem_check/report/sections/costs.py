@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from fem_check.cost import picture as cost_picture
 from fem_check.cost import table as cost_table
+from fem_check.cost.record import CostRecord
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.rows import row_text
 from qsbearing.documents.drawing import picture
@@ -25,12 +28,12 @@ def section(evidence: Evidence) -> Section:
 def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
     blocks: list[Block] = []
     if auto is not None:
-        found, worst = auto.data, auto.data["worst"][0]
-        points = f"{found['within_tolerance']} of {found['scenes']} random operating points"
+        record, worst = auto.data, auto.data["worst"][0]
+        points = f"{record['within_tolerance']} of {record['scenes']} random operating points"
         off = f"{worst['error']:.2g} ({row_text.in_words(worst['quantity'])})"
         words = (
-            f"**Effects chosen by a tolerance of {found['tolerance']:g}: {points} stayed within it.** In "
-            f"{found['something_left_out']} an effect was left out; the worst is off by {off}."
+            f"**Effects chosen by a tolerance of {record['tolerance']:g}: {points} stayed within it.** In "
+            f"{record['something_left_out']} an effect was left out; the worst is off by {off}."
         )
         blocks += [Remark(Md(words), "finding"), auto.trace]
     if kept is None:
@@ -44,11 +47,11 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
 def _elements(kept: Kept | None) -> list[Block]:
     if kept is None:
         return [missing("The cost of the elements", "fem-check cost --level release")]
-    found = kept.data
-    figure = cost_picture.draw(found)
+    record = cast(CostRecord, kept.data)
+    figure = cost_picture.draw(record)
     drawn = picture(
         figure, "Worst error against time in double logarithms, a line for every family of elements.",
         "Error of one contact against its time, a line for each family of elements", 0.6,
     )  # fmt: skip
     cost_picture.plt.close(figure)
-    return [Paragraph(cost_table.remark(found).replace("`", "")), drawn, kept.trace]
+    return [Paragraph(cost_table.remark(record).replace("`", "")), drawn, kept.trace]

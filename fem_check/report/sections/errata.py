@@ -11,13 +11,13 @@ def section(evidence: Evidence) -> Section:
     kept = evidence.errata
     if kept is None:
         return Section("Errors of the source", [missing("What they do", "errata")], "errata")
-    found = kept.data
+    record = kept.data
     rows: list[list[Cell]] = [
-        [each[name] for name in ("place", "printed", "correct", "shows", "effect")] for each in found["errors"]
+        [each[name] for name in ("place", "printed", "correct", "shows", "effect")] for each in record["errors"]
     ]
     words = (
-        f"{found['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
-        f"solved: {found['scene']}. As corrected: {found['corrected']}."
+        f"{record['source']}. Each error was put back alone into equations written out plainly for this purpose, and "
+        f"solved: {record['scene']}. As corrected: {record['corrected']}."
     )
     table = Table(
         ("place", "printed", "correct", "evidence", "effect on the results"), rows, "lllll", "Errors", stack=True

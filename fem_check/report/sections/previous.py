@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import badge, quantity
+from fem_check.rows.record import RowRecord
 from fem_check.rows.row_text import number
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Paragraph, Section, Table
 
@@ -15,9 +15,8 @@ SAME = 1e-9
 SHOWN = 60
 """Rows shown, the largest changes first."""
 
-Row = dict[str, Any]
 Key = tuple[str, str, str]
-Rows = dict[Key, Row]
+Rows = dict[Key, RowRecord]
 
 
 def summary(now: Evidence, before: Evidence | None) -> str:
@@ -68,14 +67,16 @@ def _rows(evidence: Evidence) -> Rows:
     }
 
 
-def _change(old: Row, new: Row) -> float:
-    """Of what was found, over the larger of reference and found; differences from zero as they are."""
+def _change(old: RowRecord, new: RowRecord) -> float:
+    """Of the computed number, over the larger of it and the reference; differences from zero as they are."""
+    if old["found"] is None or new["found"] is None:  # refused, then or now
+        return 0.0 if old["found"] == new["found"] else math.inf
     size = max(abs(old["found"]), abs(old["reference"] or 0.0)) or 1.0
     change = abs(new["found"] - old["found"]) / size
     return change if math.isfinite(change) else math.inf
 
 
-def _line(key: Key, old: Row, new: Row, change: float) -> list[Cell]:
+def _line(key: Key, old: RowRecord, new: RowRecord, change: float) -> list[Cell]:
     now: Badge = badge(new["verdict"])
-    found = (number(old["found"]), number(new["found"]), f"{100.0 * change:.2g}")
-    return [key[0], key[1], quantity(key[2]), *found, badge(old["verdict"]), now]
+    numbers = (number(old["found"]), number(new["found"]), f"{100.0 * change:.2g}")
+    return [key[0], key[1], quantity(key[2]), *numbers, badge(old["verdict"]), now]

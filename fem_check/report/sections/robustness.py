@@ -56,23 +56,23 @@ def _proofs(kept: Kept) -> str:
     """How many scenes were refused, and how many of them with a proof; the others with evidence."""
     if "campaign" in kept.data:
         return f"{sum(n for ended, n in kept.data['ended'].items() if ended.startswith('no_equilibrium')):,}"
-    refused, found = kept.data["classes"].get("no_equilibrium", 0), kept.data["no_equilibrium"]
-    return f"{refused:,}" if "not asked" in found["certificates"] else f"{refused:,}, {found['proofs']:,}"
+    refused, reasons = kept.data["classes"].get("no_equilibrium", 0), kept.data["no_equilibrium"]
+    return f"{refused:,}" if "not asked" in reasons["certificates"] else f"{refused:,}, {reasons['proofs']:,}"
 
 
 def _mutations(kept: Kept | None) -> list[Block]:
     """How many of the errors planted at random are seen, and which are not."""
     if kept is None:
         return [missing("The survey of mutations", "mutations")]
-    found, survivors = kept.data["found"], kept.data["survivors"]
-    seen = sum(bool(each["seen_by"]) for each in found)
-    by_check = sum(each["seen_by"].startswith(("check", "book")) for each in found)
-    unseen = [each for each in found if not each["seen_by"]]
+    edits, survivors = kept.data["found"], kept.data["survivors"]
+    seen = sum(bool(each["seen_by"]) for each in edits)
+    by_check = sum(each["seen_by"].startswith(("check", "book")) for each in edits)
+    unseen = [each for each in edits if not each["seen_by"]]
     told = [survivors.get(f"{each['path']}:{each['line']}", {}) for each in unseen]
     same = sum(each.get("is_equivalent", False) for each in told)
-    few = "" if len(found) == kept.data["count"] else ", too few for a share"
+    few = "" if len(edits) == kept.data["count"] else ", too few for a share"
     words = (
-        f"Of {kept.data['count']} changes of one operator or digit, drawn from the code of both packages, {len(found)} "
+        f"Of {kept.data['count']} changes of one operator or digit, drawn from the code of both packages, {len(edits)} "
         f"were made{few}. The tests of the module, then "
         f"quick checks, each at most {kept.data['seconds']} s, saw {seen} of them, {by_check} by a check alone. Of the "
         f"unseen ones {same} of {len(unseen)} make no difference to any result."

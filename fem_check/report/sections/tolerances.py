@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from statistics import median
-from typing import Any
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import quantity
+from fem_check.rows.record import RowRecord, deviation_percent, tolerance_percent
 from fem_check.rows.row_text import number
 from qsbearing.documents.model import Cell, Md, Paragraph, Section, Table
 
-Row = dict[str, Any]
 WIDE = 10.0
 """Times the deviation and its uncertainty: as far as a wide tolerance is."""
 ROUNDING = 1e-4
@@ -40,40 +39,40 @@ def section(evidence: Evidence) -> Section:
     return Section("Tolerance over deviation", [Paragraph(words), table, *some], "tolerances")
 
 
-def _wide_lines(name: str, rows: list[Row]) -> list[list[Cell]]:
+def _wide_lines(name: str, rows: list[RowRecord]) -> list[list[Cell]]:
     """A line for each reason of a tolerance."""
-    reasons: dict[str, list[Row]] = {}
+    reasons: dict[str, list[RowRecord]] = {}
     for row in rows:
         if not _is_rounding(row) and _over_both(row) > WIDE:
             reasons.setdefault(row["why_tolerance"], []).append(row)
-    found: list[list[Cell]] = []
+    lines: list[list[Cell]] = []
     for why, some in reasons.items():
         widest = max(some, key=_over_both)
         place = f"{widest['case']}: {quantity(widest['quantity'])}"
-        found.append([_link(name), str(len(some)), place, number(_over_both(widest), 2), why])
-    return found
+        lines.append([_link(name), str(len(some)), place, number(_over_both(widest), 2), why])
+    return lines
 
 
-def _judged(rows: list[Row]) -> list[Row]:
+def _judged(rows: list[RowRecord]) -> list[RowRecord]:
     return [row for row in rows if row["tolerance_percent"] is not None and row["deviation_percent"] is not None]
 
 
-def _is_rounding(row: Row) -> bool:
-    return bool(row["tolerance_percent"] <= ROUNDING)
+def _is_rounding(row: RowRecord) -> bool:
+    return tolerance_percent(row) <= ROUNDING
 
 
-def _over_both(row: Row) -> float:
-    both = abs(row["deviation_percent"]) + (row["uncertainty_percent"] or 0.0)
-    return float(row["tolerance_percent"] / both) if both else float("inf")
+def _over_both(row: RowRecord) -> float:
+    both = abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0)
+    return tolerance_percent(row) / both if both else float("inf")
 
 
 def _link(name: str) -> Md:
     return Md(f"[{name}](#check-{name.replace('_', '-')})")
 
 
-def _line(name: str, rows: list[Row]) -> list[Cell]:
+def _line(name: str, rows: list[RowRecord]) -> list[Cell]:
     others = [row for row in rows if not _is_rounding(row)]
-    alone = [row["tolerance_percent"] / abs(row["deviation_percent"]) for row in others if row["deviation_percent"]]
+    alone = [tolerance_percent(row) / abs(deviation_percent(row)) for row in others if row["deviation_percent"]]
     both = [_over_both(row) for row in others if row["deviation_percent"] or row["uncertainty_percent"]]
     told = (_middle(alone), _middle(both), min(both, default=None))
     shown = ["" if each is None else number(each, 2) for each in told]

@@ -56,9 +56,9 @@ def tally(records: Iterable[Kept], tested: str) -> tuple[int, int, int]:
 
 def tested(evidence: Evidence) -> str:
     """The commit that most records are of, the last made of several that have as many; empty where none is known."""
-    found = Counter(_commit(kept) for kept in evidence.all() if _commit(kept))
+    commits = Counter(_commit(kept) for kept in evidence.all() if _commit(kept))
     last = {_commit(kept): _date(kept) for kept in sorted(evidence.all(), key=_date)}
-    return max(found, key=lambda each: (found[each], last[each]), default="")
+    return max(commits, key=lambda each: (commits[each], last[each]), default="")
 
 
 def _date(kept: Kept) -> str:
@@ -67,8 +67,8 @@ def _date(kept: Kept) -> str:
 
 def _commit(kept: Kept) -> str:
     """Empty where it is not known; one with changes that nobody committed is like no other."""
-    found = str(kept.provenance.get("commit") or "")
-    return f"{found} changed" if found and kept.provenance["dirty"] else found
+    commit = str(kept.provenance.get("commit") or "")
+    return f"{commit} changed" if commit and kept.provenance["dirty"] else commit
 
 
 def is_mixed(evidence: Evidence) -> bool:
@@ -99,28 +99,28 @@ def named(names: Sequence[str]) -> str:
 
 def objections(evidence: Evidence) -> list[str]:
     """What forbids to call records of one commit a release: code that is not theirs, a gate that did not pass."""
-    of, found = tested(evidence), []
+    of, faults = tested(evidence), []
     if provenance.commit():  # not an installed package, which holds the records that it was built with
         try:
             changed = kept_files.others(of)
-            found += (
+            faults += (
                 [f"the code is not that of the records: {named(changed)} changed since {of[:12]}"] if changed else []
             )
         except (OSError, subprocess.SubprocessError):
-            found.append(f"the commit {of[:12]} of the records is not one of this repository")
-        found += ["the source has changes that are not committed"] if provenance.is_dirty() else []
+            faults.append(f"the commit {of[:12]} of the records is not one of this repository")
+        faults += ["the source has changes that are not committed"] if provenance.is_dirty() else []
     versions = {kept.version for kept in evidence.all()} | {__version__}
     if len(versions) > 1:
-        found.append(
+        faults.append(
             f"the records are of version {listed(sorted(versions - {__version__}))}, the code is {__version__}"
         )
     verdicts = evidence.gate.data.get("verdicts") if evidence.gate else None
     if verdicts is None:
-        found.append("no release run that ended is on record")
+        faults.append("no release run that ended is on record")
     else:
         failed = [name for name, reasons in verdicts.items() if reasons]
-        found += [f"the release run failed at: {named(failed)}"] if failed else []
-    return found
+        faults += [f"the release run failed at: {named(failed)}"] if failed else []
+    return faults
 
 
 def digest(records: Iterable[Kept]) -> str:
@@ -145,14 +145,14 @@ def reproducing(evidence: Evidence) -> Section:
 def _others(evidence: Evidence) -> list[Block]:
     """The commands of the other records, by where they run; one makes all published cases."""
     commands = {re.sub("^(fem-check book) .*", r"\1", kept.command): kept.needs_checkout for kept in evidence.all()}
-    found: list[Block] = []
+    blocks: list[Block] = []
     for words, inside in (
         ("The other records:", False),
         ("In a checkout of the repository, because these need files that an installed package does not have:", True),
     ):
         lines = [each for each, needs in commands.items() if needs == inside and not each.startswith("fem-check run ")]
-        found += [Paragraph(words), Code("\n".join(lines), "sh")] if lines else []
-    return found
+        blocks += [Paragraph(words), Code("\n".join(lines), "sh")] if lines else []
+    return blocks
 
 
 def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from fem_check.elements import fields
-from fem_check.elements.fields import Field
+from fem_check.elements.fields import NodalFields
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.references import hertz
 from fem_check.running import records_store
@@ -36,7 +36,7 @@ STRESS, PRESSURE = "von_mises_MPa", "pressure_MPa"
 def geometry_of(record: dict[str, Any]) -> SectorGeometry:
     """The bodies of a record's picture: its point, with the outside diameter rigid, on its finest mesh."""
     load, speed = (float(each.split()[-2]) for each in record["pictures"]["sector"]["label"].split(","))
-    point = sector_comparison.OperatingPoint(load, speed * np.pi / 30.0)
+    point = sector_comparison.ThrustPoint(load, speed * np.pi / 30.0)
     place = sector_comparison.place(SCENE, point, OuterSupport.RIGID)
     return SectorGeometry(sector_comparison.sector_bearing(SCENE), place, record["mesh"]["elements_per_semi_axis"])
 
@@ -54,7 +54,7 @@ def hertz_ellipse(record: dict[str, Any], geometry: SectorGeometry) -> list[Arra
     return [1e3 * each for each in places]
 
 
-def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, Field]:
+def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, NodalFields]:
     """The three bodies under the pressures of a record.
 
     Args:
@@ -81,7 +81,7 @@ def bodies(record: dict[str, Any], geometry: SectorGeometry) -> dict[str, Field]
     return found
 
 
-def files(found: dict[str, Field], picture: Path) -> dict[str, Path]:
+def files(found: dict[str, NodalFields], picture: Path) -> dict[str, Path]:
     """Write the bodies as VTU files beside the picture; returns the files."""
     paths = {name: picture.with_name(f"{picture.stem}_{name}.vtu") for name in found}
     for name, path in paths.items():

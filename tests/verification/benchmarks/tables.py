@@ -15,7 +15,7 @@ from fem_check.cost import table as cost_table
 from fem_check.release.steps import RECOMPUTED, SCENES
 from fem_check.report import evidence, questions
 from fem_check.report.figures import sector as sector_figures
-from fem_check.rows.agreement import Level
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
 from tests.guide import interface
 from tests.reports import evidence_numbers
@@ -205,9 +205,9 @@ def gyroscopic_moment() -> str:
     return markdown(["", r"$\alpha_i$, deg", r"$\alpha_o$, deg"], rows)
 
 
-def campaigns_of(names: dict[Level, dict[str, int]]) -> list[Any]:
+def campaigns_of(names: dict[MeshLevel, dict[str, int]]) -> list[Any]:
     """Those of these that are on record."""
-    paths = (CAMPAIGNS / name / "summary.json" for name in sorted(names[Level.RELEASE]))
+    paths = (CAMPAIGNS / name / "summary.json" for name in sorted(names[MeshLevel.RELEASE]))
     return [read(path) for path in paths if path.is_file()]
 
 

@@ -1,0 +1,78 @@
+"""Rows and records of checks as they are kept and printed: plain data with fixed keys, from which reports are built."""
+
+from __future__ import annotations
+
+from typing import Any, NotRequired, TypedDict
+
+
+class MeshRecord(TypedDict):
+    """The finest mesh; None without one."""
+
+    elements_per_semi_axis: int | None
+    dofs: int | None
+    file: str | None
+    geometry: NotRequired[str]
+    """Of chosen contacts: parabolic or true."""
+    origin: NotRequired[str]
+    """Of chosen contacts: where the mesh comes from."""
+
+
+class RowRecord(TypedDict):
+    """An `AgreementRow` and what follows from it; what is no number is None."""
+
+    case: str
+    quantity: str
+    unit: str
+    reference: float
+    reference_source: str
+    found: float | None
+    deviation_percent: float | None
+    uncertainty_percent: float | None
+    tolerance_percent: float | None
+    why_tolerance: str
+    verdict: str
+    worst_at: str | None
+
+
+NO_MESH = MeshRecord(elements_per_semi_axis=None, dofs=None, file=None)
+
+
+class CheckRecord(TypedDict):
+    """Findings of a check, or of chosen contacts, which have no question."""
+
+    check: str
+    level: str
+    scene: str
+    verdict: str
+    seconds: float
+    cpu_seconds: float
+    peak_memory_MB: int
+    mesh: MeshRecord
+    solver: str
+    versions: dict[str, str]
+    rows: list[RowRecord]
+    question: NotRequired[str]
+    kind: NotRequired[str]
+    reference: NotRequired[str]
+    tolerance: NotRequired[str]
+    provenance: dict[str, Any]
+    notes: list[str]
+    pictures: dict[str, Any]
+
+
+def computed_value(row: RowRecord) -> float:
+    """The number that is compared with the reference, of a row that has one; SI units."""
+    assert row["found"] is not None
+    return row["found"]
+
+
+def deviation_percent(row: RowRecord) -> float:
+    """(computed - reference)/reference of a row that has one, or the difference from 0 [%]."""
+    assert row["deviation_percent"] is not None
+    return row["deviation_percent"]
+
+
+def tolerance_percent(row: RowRecord) -> float:
+    """The tolerance of a row that has one [%]."""
+    assert row["tolerance_percent"] is not None
+    return row["tolerance_percent"]
