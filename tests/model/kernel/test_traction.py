@@ -91,7 +91,7 @@ def test_forces_are_the_gradient_of_dissipation_and_slopes_their_derivatives(law
     np.testing.assert_allclose((-found.my, -found.mn, -found.mt, -found.y), gradient, rtol=1e-6)
     slopes = np.array([found.t_slopes, found.y_slopes, found.mn_slopes, found.mt_slopes, found.my_slopes])
     exact = differences(forces, (*SLIPS, LOAD), np.array([1e-7] * 4 + [1e-9]))
-    np.testing.assert_allclose(slopes, exact, rtol=2e-5, atol=1e-7 * np.abs(exact).max())
+    np.testing.assert_allclose(slopes, exact, rtol=1e-6, atol=1e-9 * np.abs(exact).max())
     hessian = -slopes[[4, 2, 3, 1], :4]
     np.testing.assert_allclose(hessian, hessian.T, atol=1e-14 * np.abs(hessian).max())
     assert found.heat == pytest.approx(np.dot((-found.my, -found.mn, -found.mt, -found.y), SLIPS), rel=1e-12)
@@ -117,7 +117,7 @@ def test_a_ball_has_exact_derivatives(kind: str) -> None:
     elif kind == "no inner contact":
         ball.ring = (ball.ring[0] - 4e-3, ball.ring[1])
     at = np.concatenate([ball.start, (1e-5, -2e-5, 3e-5, 1e-5), ball.ring])
-    at[4] = 1e-4  # wy
+    at[WX + 1] = 1e-4  # wy, without which T vanishes
 
     def equations(x: NDArray) -> NDArray:
         ball.put(x[:6], x[6:10], x[10:])
@@ -130,7 +130,7 @@ def test_a_ball_has_exact_derivatives(kind: str) -> None:
     slopes = np.vstack([of_ball, of_ring]).copy()
     exact = differences(equations, at, np.array([1e-8] * 2 + [1e-8] * 8 + [1e-8] * 2))
     scale = np.abs(exact).max(axis=0)
-    assert (np.abs(slopes - exact) <= 3e-5 * scale + 1e-12).all()
+    assert (np.abs(slopes - exact) <= 1e-6 * scale + 1e-16).all()
     assert (scale[:6] > 0.0).all()
     assert (np.abs(exact[:, 10:]).max() > 0.0) == (kind != "no inner contact")
 
