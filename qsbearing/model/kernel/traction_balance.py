@@ -23,15 +23,17 @@ from qsbearing.model.kernel.traction_ball import (
     LAW,
     MOVED_BALL,
     ORBIT,
+    RING_FORCES,
     WX,
     WY,
     WZ,
     X1,
     X2,
     drag_of,
+    moved_ball,
     read_groove,
 )
-from qsbearing.model.kernel.traction_ring import MOTION, channel_force, evaluate, weight_of
+from qsbearing.model.kernel.traction_ring import MOTION, channel_force, evaluate, set_rates, weight_of
 from qsbearing.model.kernel.traction_step import allowed_fraction, keep_state, move, step_of_motion
 
 TOLERANCE = 1e-13
@@ -94,14 +96,23 @@ def set_derivative(derivative: ndarray, count: int) -> None:
 
 
 @kernel
+def put_at_azimuth(case: recarray, ball: recarray, j: int) -> None:
+    """Make a ball that of this number."""
+    azimuth = case.first_azimuth + 2.0 * pi * j / case.ball_count
+    ball.cosine, ball.sine = cos(azimuth), sin(azimuth)
+    ball.diameter, ball.give = 1.0, 0.0
+    for k in range(6):
+        ball.rate[k] = 0.0
+
+
+@kernel
 def place_balls(case: recarray, motion: recarray, balls: ndarray, position: ndarray) -> None:
     """Put balls where a solution under outer control has them, with its motion."""
     outer_length, inner_length = case.outer_coefficient - 0.5, case.inner_coefficient - 0.5
     g = 1.0 / case.pitch_diameter
     for j in range(motion.ball_count):
         ball: recarray = balls[j]
-        azimuth = case.first_azimuth + 2.0 * pi * j / case.ball_count
-        ball.cosine, ball.sine = cos(azimuth), sin(azimuth)
+        put_at_azimuth(case, ball, j)
         turn_s, turn_c = sin(position[j, 0]), cos(position[j, 0])
         so, co = case.sin_free * turn_c + case.cos_free * turn_s, case.cos_free * turn_c - case.sin_free * turn_s
         x1, x2 = line_displacement(outer_length, case.sin_free, case.cos_free, so, co, position[j, 1])
@@ -115,9 +126,6 @@ def place_balls(case: recarray, motion: recarray, balls: ndarray, position: ndar
         ball.unknown[X1], ball.unknown[X2] = x1, x2
         ball.unknown[WX], ball.unknown[WY], ball.unknown[WZ] = rotation * axis[1], 0.0, -rotation * axis[0]
         ball.unknown[ORBIT] = orbit
-        ball.diameter, ball.give = 1.0, 0.0
-        for k in range(6):
-            ball.rate[k] = 0.0
 
 
 @kernel
@@ -252,3 +260,64 @@ def deliver(
             for k in range(CONTACT_QUANTITIES):
                 contacts[j, groove, k] = contacts[0, groove, k]
     return torque
+
+
+@entry(
+    *(array_of(CASE), array_of(LAW), array_of(GROOVE), array_of(MOTION), array_of(MOVED_BALL)),
+    (array_of(float, 2), array_of(float)),
+    *(bool, array_of(float, 2), array_of(float, 3), array_of(float, 4), array_of(float, 4)),
+)
+def read_blocks(
+    cases: ndarray,
+    laws: ndarray,
+    grooves: ndarray,
+    motions: ndarray,
+    balls: ndarray,
+    arrays: tuple[ndarray, ndarray],
+    is_carried: bool,
+    displacements: ndarray,
+    places: ndarray,
+    of_balls: ndarray,
+    of_ring: ndarray,
+) -> None:
+    """Derivatives of every ball's equations and of its force on the ring where it has been found.
+
+    Args:
+        laws, grooves, motions, balls: as in `solve_motions`.
+        arrays: points of a contact; memory of as many numbers as there are balls.
+        displacements: of the ring, (case, 5).
+        places: (case, ball, `PLACES`).
+        of_balls: (case, ball, 6, 14): by the unknowns, by their rates along the orbit, by A1 and A2.
+        of_ring: (case, ball, 4, 9): by the unknowns, by A1 and A2; the force itself.
+    """
+    points, derivative = arrays
+    for k in range(cases.size):
+        case, law, motion = cases[k], laws[k], motions[0]
+        set_groove(case, law, grooves[0], INNER_SIDE)
+        set_groove(case, law, grooves[1], OUTER_SIDE)
+        count = case.ball_count
+        for i in range(5):
+            motion.displacement[i] = displacements[k, i]
+        for j in range(count):
+            ball: recarray = balls[j]
+            put_at_azimuth(case, ball, j)
+            for i in range(6):
+                ball.unknown[i] = places[k, j, i]
+        if is_carried:
+            set_derivative(derivative, count)
+            set_rates(derivative, count, balls)
+        for j in range(count):
+            ball = balls[j]
+            a1, a2 = inner_groove_centre(case, motion.displacement, ball)
+            moved_ball(case, law, grooves, points, ball, a1, a2)
+            for row in range(6):
+                for i in range(6):
+                    of_balls[k, j, row, i] = ball.matrix[row, i]
+                    of_balls[k, j, row, 6 + i] = ball.by_rate[row, i]
+                for i in range(2):
+                    of_balls[k, j, row, 12 + i] = ball.by_ring[row, i]
+            for row in range(RING_FORCES):
+                for i in range(6):
+                    of_ring[k, j, row, i] = ball.ring_matrix[row, i]
+                of_ring[k, j, row, 6], of_ring[k, j, row, 7] = ball.ring_by_ring[row, 0], ball.ring_by_ring[row, 1]
+                of_ring[k, j, row, 8] = ball.ring_force[row]

@@ -7,7 +7,7 @@ balance of friction (`kernel/traction_balance.py`).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +78,17 @@ class ContactFriction:
     """The same along y."""
 
 
+class Inside(NamedTuple):
+    """What a solution was found from and where, in the kernel's units."""
+
+    cases: NDArray
+    laws: NDArray
+    points: NDArray
+    is_carried: bool
+    results: NDArray
+    places: NDArray
+
+
 @dataclass(frozen=True)
 class FrictionMotion:
     """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none."""
@@ -106,6 +117,7 @@ class FrictionMotion:
     """Of the balls on the inner ring, (*cases)."""
     start: Solution
     """The solution under outer control."""
+    inside: Inside
 
     @property
     def attitude_angle(self) -> NDArray:
@@ -162,7 +174,7 @@ def friction_motion(
     laws = laws_of(cases, traction)
     memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
     solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
-    return _found(start, cases, results, places, contacts, torques)
+    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques)
 
 
 def refusals(scene: Scene) -> list[ErrorDetail]:
@@ -200,10 +212,8 @@ def laws_of(cases: NDArray, traction: Traction) -> NDArray:
     return laws
 
 
-def _found(
-    start: Solution, cases: NDArray, results: NDArray, places: NDArray, contacts: NDArray, torques: NDArray
-) -> FrictionMotion:
-    shape = start.maker.shape
+def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray) -> FrictionMotion:
+    shape, cases, results, places = start.maker.shape, inside.cases, inside.results, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
@@ -248,4 +258,5 @@ def _found(
         outer=side(OUTER),
         torque=shaped(torques * moments[:, 0]),
         start=start,
+        inside=inside,
     )

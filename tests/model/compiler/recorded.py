@@ -16,6 +16,7 @@ from qsbearing.model.compiler.compiled import Entry
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution import solver
 from qsbearing.model.solution.friction_motion import friction_motion
+from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.readings import stress
 from qsbearing.readings.asked import take_asked
 from tests.qsbearing import scenes
@@ -53,7 +54,7 @@ def solve_many_kinds() -> None:
     take_asked(solution)
     stress(solution)
     of = qs.Operation(speed=9e3 * qs.rpm, axial_load=np.array([-1e3, 8e3]), radial_load_y=2e3, tilt_y=0.0, tilt_z=0.0)
-    friction_motion(qs.Scene(scenes.B218, of), Traction(), radii=2, angles=4)
+    motion_stiffness(friction_motion(qs.Scene(scenes.B218, of), Traction(), radii=2, angles=4))
 
 
 def recorded() -> dict[str, list[tuple[Any, ...]]]:
