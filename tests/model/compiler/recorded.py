@@ -13,7 +13,10 @@ import pytest
 import qsbearing as qs
 from qsbearing.files.scene_file import scene_of
 from qsbearing.model.compiler.compiled import Entry
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution import solver
+from qsbearing.model.solution.friction_motion import friction_motion
+from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.readings import stress
 from qsbearing.readings.asked import take_asked
 from tests.qsbearing import scenes
@@ -39,7 +42,7 @@ def copied(args: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def solve_many_kinds() -> None:
     """A batch in lanes; hard cases that are quick, some refused, some left to the fallback; unequal balls; a set; every
-    reading."""
+    reading; balls moved by friction."""
     assert np.isfinite(qs.solve(random_scenes.random_points(FEW)).stiffness).all()
     table = json.loads(TABLE.read_text(encoding="utf-8"))["cases"]
     quick = [case["case"] for case in table if case["iterations"] < QUICK]
@@ -50,6 +53,8 @@ def solve_many_kinds() -> None:
     solution = qs.solve(scene_of(with_readings(), ""))
     take_asked(solution)
     stress(solution)
+    of = qs.Operation(speed=9e3 * qs.rpm, axial_load=np.array([-1e3, 8e3]), radial_load_y=2e3, tilt_y=0.0, tilt_z=0.0)
+    motion_stiffness(friction_motion(qs.Scene(scenes.B218, of), Traction(), radii=2, angles=4))
 
 
 def recorded() -> dict[str, list[tuple[Any, ...]]]:

@@ -1,0 +1,75 @@
+"""Traction: the friction of sliding contacts from which the balls' axes and orbits follow, in place of raceway control.
+
+Source        the quasi-static balance of friction over both ellipses, as Harris & Kotzalas (Advanced Concepts, chapter
+              on ball motion without raceway control) and Jones 1960 state it, derived here anew; contact surfaces as
+              Heathcote 1921 has them, on their common curvature. Coulomb's law is rounded off at small slip
+Equation      dF = -f(|v|) p v/|v| dA on the ball, v its surface's velocity less the ring's (`kernel/traction.py`);
+              Coulomb: f = mu |v|/sqrt(v^2 + vc^2); linear: f = mu |v|/vc, what Coulomb's is at slips far below vc
+Assumes       friction knows pressure and slip alone: no film, no temperature; f does not fall with slip, so that
+              dissipation is convex and the motion of a ball under given loads unique
+When not      thermal laws, whose friction falls again with slip: motions are then several, and unsteady. The heat of
+              the linear law means nothing: it is the limit of small slip
+Parameters    friction_coefficient: mu, at most 0.3; slip_speed: vc [m/s]; law; has_curvature: False takes contacts for
+              flat, at D/2 from the ball's centre, the textbooks' simplification
+Example       Traction(friction_coefficient=0.05, slip_speed=0.1)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import sqrt
+
+from qsbearing.model.compiler.compiled import inlined
+from qsbearing.model.validation import RATIO, Quantity, choose, raise_if_any, within
+
+SLIP_SPEED = Quantity("m/s", (("m_s", "metres per second", 1.0), ("mm_s", "millimetres per second", 1e-3)))
+
+
+class TractionLaw(StrEnum):
+    """How friction grows with slip."""
+
+    COULOMB = "coulomb"
+    """In proportion to load, whatever the slip, but for slips of about the slip speed and below."""
+    LINEAR = "linear"
+    """In proportion to slip as well."""
+
+
+LAW_CODES = {law: code for code, law in enumerate(TractionLaw)}
+_LINEAR = 1
+
+
+@dataclass(frozen=True)
+class Traction:
+    """The law of friction in the contacts; SI units.
+
+    Raises:
+        SceneError: a number out of range, or no such law.
+    """
+
+    friction_coefficient: float = 0.07
+    """mu, at slips far above the slip speed [-]."""
+    slip_speed: float = 0.1
+    """vc, at which friction has reached 0.71 mu [m/s]."""
+    law: TractionLaw = TractionLaw.COULOMB
+    has_curvature: bool = True
+    """Whether contacts lie on the common curvature of ball and groove, whose parts slide; False: they are flat."""
+
+    def __post_init__(self) -> None:
+        law, errors = choose("law", self.law, TractionLaw)
+        object.__setattr__(self, "law", law)
+        errors += within("friction_coefficient", self.friction_coefficient, RATIO, 1e-3, 0.3)
+        errors += within("slip_speed", self.slip_speed, SLIP_SPEED, 1e-4, 10.0)
+        raise_if_any(errors)
+
+
+@inlined
+def friction_over_slip(law: int, coefficient: float, slip_speed: float, square: float) -> tuple[float, float, float]:
+    """(g, k, p) of a slip v of this square: friction is g v and changes by (g - k v v') dv; p: f's integral by |v|."""
+    if law == _LINEAR:
+        slope = coefficient / slip_speed
+        return slope, 0.0, 0.5 * slope * square
+    root = sqrt(square + slip_speed * slip_speed)
+    inverse = 1.0 / root
+    over_slip = coefficient * inverse
+    return over_slip, over_slip * inverse * inverse, coefficient * root

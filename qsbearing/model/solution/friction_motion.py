@@ -1,0 +1,262 @@
+"""The motion of balls that friction moves: solved from a scene, in place of a hypothesis of raceway control.
+
+Beside `solve`, which knows hypotheses alone: from its solution under outer control Newton's method goes on to the
+balance of friction (`kernel/traction_balance.py`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
+from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.traction import LAW_CODES, Traction
+from qsbearing.model.kernel.admissibility import CONVERGED
+from qsbearing.model.kernel.traction import ANGLES, RADII, contact_points
+from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
+from qsbearing.model.kernel.traction_ball import (
+    APPROACH,
+    CONTACT_QUANTITIES,
+    COSINE,
+    GROOVE,
+    HEAT,
+    LAW,
+    LOAD,
+    MOVED_BALL,
+    ROLL_MOMENT,
+    SEMI_MAJOR,
+    SEMI_MINOR,
+    SIDEWAYS,
+    SINE,
+    SLIP_ACROSS,
+    SLIP_ALONG,
+    SPIN,
+    SPIN_MOMENT,
+    TRACTION,
+    TURN_MOMENT,
+)
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solver import solve
+from qsbearing.model.solution.status import STATUS_OF_CODE
+from qsbearing.model.validation import ErrorDetail, raise_if_any
+
+INNER, OUTER = range(2)
+
+
+@dataclass(frozen=True)
+class ContactFriction:
+    """Of the contacts at one ring, (*cases, ball); SI. Directions: t across the groove, y against the orbit."""
+
+    angle: NDArray
+    load: NDArray
+    approach: NDArray
+    semi_major_axis: NDArray
+    semi_minor_axis: NDArray
+    traction: NDArray
+    """T, the friction on the ball across the groove, with the signs of (19.9), (19.10) [N]."""
+    sideways: NDArray
+    """Y, that against the orbit [N]."""
+    spin_moment: NDArray
+    """Mn, about the contact's normal [N m]."""
+    roll_moment: NDArray
+    """Mt, about t [N m]."""
+    turn_moment: NDArray
+    """My, about y [N m]."""
+    heat: NDArray
+    """Of friction [W]."""
+    spin_speed: NDArray
+    """ws, the ball's less the ring's about the normal [rad/s]."""
+    slip_across: NDArray
+    """Of the ball's surface at the centre of a flat contact, along t [m/s]."""
+    slip_along: NDArray
+    """The same along y."""
+
+
+class Inside(NamedTuple):
+    """What a solution was found from and where, in the kernel's units."""
+
+    cases: NDArray
+    laws: NDArray
+    points: NDArray
+    is_carried: bool
+    results: NDArray
+    places: NDArray
+
+
+@dataclass(frozen=True)
+class FrictionMotion:
+    """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none."""
+
+    status: NDArray
+    """Words of `Status`."""
+    displacement: NDArray
+    load: NDArray
+    """On the inner ring, (*cases, 5): the balls' forces with their weights; moments are not worked out."""
+    residual: NDArray
+    iterations: NDArray
+    angular_velocity: NDArray
+    """(*cases, ball, 3), in the frame that goes round with the ball: x, against the orbit, radially outward."""
+    orbital_speed: NDArray
+    """omega_m of each ball."""
+    weight: NDArray
+    """Part of the time at each azimuth, times the number of balls: 1 where all are alike."""
+    drag: NDArray
+    """On each ball, along y [N]."""
+    centrifugal_force: NDArray
+    gyroscopic_moment: NDArray
+    """J omega_m wz of each ball, the moment about the tangent that friction carries [N m]."""
+    inner: ContactFriction
+    outer: ContactFriction
+    torque: NDArray
+    """Of the balls on the inner ring, (*cases)."""
+    start: Solution
+    """The solution under outer control."""
+    inside: Inside
+
+    @property
+    def attitude_angle(self) -> NDArray:
+        """beta, tan(beta) = wz/(-wx), of each ball's axis in its own plane."""
+        w = self.angular_velocity
+        return np.arctan2(w[..., 2], -w[..., 0])
+
+    @property
+    def yaw_angle(self) -> NDArray:
+        """tan = wy/(-wx), of the axis out of that plane."""
+        w = self.angular_velocity
+        return np.arctan2(w[..., 1], -w[..., 0])
+
+    @property
+    def cage_speed(self) -> NDArray:
+        """Of balls on their way round: the harmonic mean of their orbits."""
+        return np.asarray(1.0 / np.mean(1.0 / self.orbital_speed, axis=-1))
+
+    @property
+    def heat(self) -> NDArray:
+        """Of all contacts [W]."""
+        return np.asarray((self.weight * (self.inner.heat + self.outer.heat)).sum(axis=-1))
+
+
+def friction_motion(
+    scene: Scene, traction: Traction, *, radii: int = RADII, angles: int = ANGLES, carried: bool = True
+) -> FrictionMotion:
+    """Solve a scene with balls that friction moves.
+
+    Args:
+        scene: bearing, operation and constant Hertz stiffness; its ball effects and raceway control do not count, for
+            the balance has all of the balls' inertia.
+        traction: the law of friction.
+        radii, angles: points of each contact, see `contact_points`.
+        carried: balls are carried round with their inertia under radial load; False: each is balanced at its azimuth
+            as if it stayed there.
+
+    Returns:
+        FrictionMotion: raises nothing for a physical outcome; `status` says what happened.
+
+    Raises:
+        SceneError: what this balance does not know yet.
+    """
+    raise_if_any(refusals(scene))
+    effects = (CentrifugalForce(), GyroscopicMoment())
+    start = solve(replace(scene, ball_effects=effects, raceway_control=RacewayControl.OUTER))
+    cases = start.maker.make()
+    balls, count = start.maker.ball_axis, cases.size
+    results, positions = start.results.copy(), np.ascontiguousarray(start.positions[..., :3])
+    places = np.full((count, balls, len(PLACES)), np.nan)
+    contacts, torques = np.full((count, balls, 2, CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
+    size = 6 * balls + 3
+    arrays = contact_points(radii, angles), np.empty((size, size)), np.empty(size), np.empty(balls)
+    laws = laws_of(cases, traction)
+    memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
+    solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
+    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques)
+
+
+def refusals(scene: Scene) -> list[ErrorDetail]:
+    """What the balance of friction does not know, by the scene's fields."""
+    operation, errors = scene.operation, []
+    resting = (np.asarray(operation.speed) - np.asarray(operation.outer_speed or 0.0)) == 0.0
+    if resting.any():
+        errors.append(ErrorDetail("operation.speed", "moves no ball", operation.speed))
+    for effect in (scene.elastic_rings, scene.ball_diameter_deviations):
+        if scene.ring_effects and effect is not None:
+            errors.append(ErrorDetail(effect.name, "is not known to balls that friction moves"))
+    if scene.hertz_angle is HertzAngle.ACTUAL:
+        errors.append(ErrorDetail("hertz_angle", "must be constant where friction moves the balls", "actual"))
+    is_radial = any(
+        value is not None and np.any(np.asarray(value) != 0.0)
+        for name in ("radial_load_y", "radial_load_z", "radial_displacement_y", "radial_displacement_z")
+        for value in [getattr(operation, name)]
+    )
+    for axis in "yz":
+        moment, tilt = getattr(operation, f"moment_{axis}"), getattr(operation, f"tilt_{axis}")
+        is_free = tilt is None and (is_radial or np.any(np.asarray(moment or 0.0) != 0.0))
+        if is_free or (tilt is not None and np.any(np.asarray(tilt) != 0.0)):
+            problem = "must be held at 0 where friction moves the balls"
+            errors.append(ErrorDetail(f"operation.tilt_{axis}", problem, tilt))
+    return errors
+
+
+def laws_of(cases: NDArray, traction: Traction) -> NDArray:
+    """Records of the law, in each case's units."""
+    laws = np.zeros(cases.size, LAW)
+    laws["law"] = LAW_CODES[traction.law]
+    laws["friction_coefficient"] = traction.friction_coefficient
+    laws["slip_speed"] = traction.slip_speed / (cases["speed"] * cases["length"])
+    laws["has_curvature"] = traction.has_curvature
+    return laws
+
+
+def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray) -> FrictionMotion:
+    shape, cases, results, places = start.maker.shape, inside.cases, inside.results, inside.places
+    unknown = results["status"] != CONVERGED
+    for array in (places, contacts, torques):
+        array[unknown] = np.nan
+    force, length, speed = (cases[name][:, None] for name in ("force", "length", "speed"))
+    moments = force * length
+    w, orbit = places[..., 2:5] * speed[..., None], places[..., 5] * speed
+    bearing = start.scene.operating_bearing
+    inertia, mass = (np.asarray(each)[..., None] for each in (bearing.ball_inertia, bearing.ball_mass))
+    radius = 0.5 * cases["pitch_diameter"][:, None] * length
+
+    def shaped(array: NDArray) -> NDArray:
+        return array.reshape((*shape, *array.shape[1:]))
+
+    def side(which: int) -> ContactFriction:
+        sign = -1.0 if which == INNER else 1.0
+        found = contacts[:, :, which]
+        units: list[tuple[int, Any]] = [
+            *((what, length) for what in (APPROACH, SEMI_MAJOR, SEMI_MINOR)),
+            *((what, force) for what in (TRACTION, SIDEWAYS)),
+            *((what, moments) for what in (SPIN_MOMENT, ROLL_MOMENT, TURN_MOMENT)),
+            (HEAT, moments * speed), (SPIN, speed), (SLIP_ACROSS, speed * length), (SLIP_ALONG, speed * length),
+        ]  # fmt: skip
+        values = [shaped(found[..., what] * unit) for what, unit in units]
+        angle = np.arctan2(sign * found[..., SINE], sign * found[..., COSINE])
+        return ContactFriction(shaped(angle), shaped(found[..., LOAD] * force), *values)
+
+    scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
+    orbits = shaped(orbit)
+    return FrictionMotion(
+        status=shaped(np.vectorize(STATUS_OF_CODE.__getitem__, otypes=["<U16"])(results["status"])),
+        displacement=shaped(np.where(unknown[:, None], np.nan, results["displacement"]) * scale[0]),
+        load=shaped(np.where(unknown[:, None], np.nan, results["load"]) * scale[1]),
+        residual=shaped(results["residual"]),
+        iterations=shaped(results["iterations"]),
+        angular_velocity=shaped(w),
+        orbital_speed=orbits,
+        weight=shaped(places[..., 6]),
+        drag=shaped(places[..., 7] * force),
+        centrifugal_force=mass * orbits**2 * shaped(radius),
+        gyroscopic_moment=inertia * orbits * shaped(w[..., 2]),
+        inner=side(INNER),
+        outer=side(OUTER),
+        torque=shaped(torques * moments[:, 0]),
+        start=start,
+        inside=inside,
+    )
