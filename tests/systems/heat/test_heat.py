@@ -349,7 +349,7 @@ def test_effects_of_a_scene_with_heat_are_not_chosen_and_that_is_said(tmp_path: 
 def test_effects_are_not_chosen_beside_a_heat_balance() -> None:
     of, of_set = scene(), pair()
     for solve, given in ((qs.solve, of), (qs.solve_set, of_set)):
-        with pytest.raises(ValueError, match="accuracy = 0.01 is the error"):
-            solve(given, accuracy=0.01)  # type: ignore[operator]
-        with pytest.raises(ValueError, match="not chosen for a .* with a heat balance"):
-            solve(given, effects="auto", accuracy=0.01)  # type: ignore[operator]
+        with pytest.raises(ValueError, match=r"accuracy = 0\.01 is the error"):
+            solve(given, accuracy=0.01)
+        with pytest.raises(ValueError, match=r"not chosen for a .* with a heat balance"):
+            solve(given, effects="auto", accuracy=0.01)
