@@ -344,3 +344,12 @@ def test_effects_of_a_scene_with_heat_are_not_chosen_and_that_is_said(tmp_path: 
     file.write_text(json.dumps({"version": qs.__version__, "input": tables()}))
     run = CliRunner().invoke(cli, ["run", str(file), "--accuracy", "1e-3"])
     assert run.exit_code == 2 and "heat balance" in run.output, run.exception
+
+
+def test_effects_are_not_chosen_beside_a_heat_balance() -> None:
+    of, of_set = scene(), pair()
+    for solve, given in ((qs.solve, of), (qs.solve_set, of_set)):
+        with pytest.raises(ValueError, match=r"accuracy = 0\.01 is the error"):
+            solve(given, accuracy=0.01)
+        with pytest.raises(ValueError, match=r"not chosen for a .* with a heat balance"):
+            solve(given, effects="auto", accuracy=0.01)
