@@ -68,7 +68,7 @@ def stem(name: str) -> tuple[str, str]:
         return spelled(place._replace(row=0)), f"row {place.row}"
     if group.raceway:
         return spelled(place._replace(group=group._replace(raceway=""))), group.raceway
-    return (group.prefix.removesuffix("_"), place.result.name) if group.before == RING else (name, "")
+    return (group.prefix, place.result.name) if group.before == RING else (name, "")
 
 
 def words(name: str) -> str:

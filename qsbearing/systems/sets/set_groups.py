@@ -25,7 +25,7 @@ def _is_opposed(of: BearingSet) -> bool:
 
 
 AXIAL_LOAD = Group((Result("axial_load", "N", path="axial_loads"),), axis=ROW, table=("rows",))
-SHARE = Group(unasked(LOAD), prefix="share_", holder="row_loads", axis=ROW, table=("rows", "share"))
+SHARE = Group(unasked(LOAD), prefix="share", holder="row_loads", axis=ROW, table=("rows", "share"))
 PRELOAD = Group(
     (
         Result("given", "N", path="preload_given", entry="preload_given_N", is_usual=False),
@@ -37,12 +37,12 @@ PRELOAD = Group(
         Result("carried", "N", path="axial_loads", entry="preload_carried_N", is_usual=False),
         Result("share", path="preload_share", entry="preload_share", is_usual=False),
     ),
-    prefix="preload_", axis=ROW, table=("rows",), is_asked=_is_opposed,
+    prefix="preload", axis=ROW, table=("rows",), is_asked=_is_opposed,
 )  # fmt: skip
 """Of each row. `in_operation` is what is left without external loads; of a bearing it is what it carries with them."""
 OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
 
-SHAFT = "shaft_"
+SHAFT = "shaft"
 OF_SHAFT = channels(SHAFT)
 
 
@@ -50,7 +50,7 @@ def _slides(of: BearingSet) -> bool:
     return any(row.sprung for row in of.rows)
 
 
-SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload_", table=("preload",), is_asked=_slides)
+SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=("preload",), is_asked=_slides)
 
 
 class OfAllRows(NamedTuple):
@@ -70,10 +70,10 @@ class OfAllRows(NamedTuple):
 SYSTEM = Group(
     tuple(
         Result(f"{name}duration", "h", path=OfAllRows(f"{name}duration"), size=1.0, entry=f"system_{name}life_h",
-               aliases=(f"system_{name}life",))
+               aliases=(f"system_{name}life", f"system_{name}life_h"))
         for name in ("basic_", "")
     ),
-    before="system_", prefix="life_", table=(), reading="life",
+    before="system", prefix="life", table=(), reading="life",
 )  # fmt: skip
 """The lives of all rows together."""
 
@@ -113,7 +113,7 @@ def groups_of_set(solution: SetSolution) -> list[Group]:
     points = [group for name in shaft.points for group in _of_point(solution, name)]
     line = [group for name, at in places_on_shaft(solution.set).items() for group in _of_line(name, float(at))]
     supports = [
-        Group(unasked(LOAD), prefix=f"support_{i + 1}_load_", holder=OfSupport(i), table=("shaft", "supports", str(i)))
+        Group(unasked(LOAD), prefix=f"support_{i + 1}_load", holder=OfSupport(i), table=("shaft", "supports", str(i)))
         for i in range(len(shaft.supports))
     ]
     return [*OF_SHAFT, *points, SLIDE, *line, *supports, SYSTEM]
@@ -122,13 +122,13 @@ def groups_of_set(solution: SetSolution) -> list[Group]:
 def _of_point(solution: SetSolution, name: str) -> list[Group]:
     table, of = ("shaft", "points", name), ("points", name)
     moved = Group(
-        DISPLACEMENT, prefix=f"{name}_displacement_", holder=(*of, "displacement"), table=(*table, "displacement")
+        DISPLACEMENT, prefix=f"{name}_displacement", holder=(*of, "displacement"), table=(*table, "displacement")
     )
     kind = "effective_stiffness"
-    stiff = Group(STIFFNESS, prefix=f"{name}_{kind}_", holder=(*of, kind), table=(*table, kind))
-    grown = Group((GROWTH,), prefix=f"{name}_", holder=of, table=table)
+    stiff = Group(STIFFNESS, prefix=f"{name}_{kind}", holder=(*of, kind), table=(*table, kind))
+    grown = Group((GROWTH,), prefix=name, holder=of, table=table)
     shares = [
-        Group(CHANNELS, prefix=f"{name}_share_{part.replace(' ', '_')}_", holder=(*of, "relative_shares", part),
+        Group(CHANNELS, prefix=f"{name}_share_{part.replace(' ', '_')}", holder=(*of, "relative_shares", part),
               table=(*table, "shares", part))
         for part in solution.points[name].shares
     ]  # fmt: skip
@@ -139,11 +139,11 @@ CHANNELS = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
 
 
 def _of_line(name: str, position: float) -> list[Group]:
-    table, prefix = ("shaft", "line", name), f"line_{name.replace(' ', '_')}_"
+    table, prefix = ("shaft", "line", name), f"line_{name.replace(' ', '_')}"
     kinds = ("displacement", DISPLACEMENT, "deflection"), ("inner_forces", LOAD, "inner_forces")
     growth = GROWTH._replace(path="", is_usual=False)
     return [
-        *(Group(unasked(results), prefix=f"{prefix}{kind}_", holder=OfShaft(method, position), table=(*table, kind))
+        *(Group(unasked(results), prefix=f"{prefix}_{kind}", holder=OfShaft(method, position), table=(*table, kind))
           for kind, results, method in kinds),
         Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", position), table=table),
     ]  # fmt: skip
