@@ -5,13 +5,13 @@ A row also has whatever a bearing has (`GROUPS`, and its readings'); rows count 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.groups import channels, unasked
+from qsbearing.model.solution.groups import OF_PRELOAD, channels, unasked
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result
 from qsbearing.systems.sets.system_life import system_life
 
@@ -41,6 +41,12 @@ PRELOAD = Group(
 )  # fmt: skip
 """Of each row. `in_operation` is what is left without external loads; of a bearing it is what it carries with them."""
 OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
+
+
+def groups_of_row(of_bearing: Iterable[Group]) -> list[Group]:
+    """Of a row: its own, and those of a bearing but of a preload, which is the set's."""
+    return [*OF_ROWS, *(each for each in of_bearing if each is not OF_PRELOAD)]
+
 
 SHAFT = "shaft"
 OF_SHAFT = channels(SHAFT)
