@@ -85,17 +85,19 @@ SYSTEM = Group(
 
 
 class OfShaft(NamedTuple):
-    """What the shaft does at a position [m]: the name of a method of a solution, which takes positions."""
+    """What the shaft does at one of several positions [m]: the name of a method of a solution, which takes them all, so
+    that a study and a record have the same digits."""
 
     method: str
-    position: float
+    positions: tuple[float, ...]
+    number: int
 
     def __call__(self, solution: SetSolution) -> NDArray | None:
         """Its channels, or its only number, of the cases."""
-        along = getattr(solution, self.method)(self.position)
+        along = getattr(solution, self.method)(self.positions)
         if along is None:
             return None
-        return np.asarray(along[..., 0] if self.method == "axial_growth" else along[..., 0, :])
+        return np.asarray(along[..., self.number] if self.method == "axial_growth" else along[..., self.number, :])
 
 
 class OfSupport(NamedTuple):
@@ -117,11 +119,9 @@ def groups_of_set(solution: SetSolution) -> list[Group]:
     if shaft is None:
         return [*OF_SHAFT, SLIDE, SYSTEM]
     points = [group for name in shaft.points for group in _of_point(solution, name)]
-    line = [group for name, at in places_on_shaft(solution.set).items() for group in _of_line(name, float(at))]
-    supports = [
-        Group(unasked(LOAD), prefix=f"support_{i + 1}_load", holder=OfSupport(i), table=("shaft", "supports", str(i)))
-        for i in range(len(shaft.supports))
-    ]
+    along = places_on_shaft(solution.set)
+    line = [group for number, name in enumerate(along) for group in _of_line(name, tuple(along.values()), number)]
+    supports = [_of_support(number) for number in range(len(shaft.supports))]
     return [*OF_SHAFT, *points, SLIDE, *line, *supports, SYSTEM]
 
 
@@ -133,26 +133,43 @@ def _of_point(solution: SetSolution, name: str) -> list[Group]:
     kind = "effective_stiffness"
     stiff = Group(STIFFNESS, prefix=f"{name}_{kind}", holder=(*of, kind), table=(*table, kind))
     grown = Group((GROWTH,), prefix=name, holder=of, table=table)
-    shares = [
-        Group(CHANNELS, prefix=f"{name}_share_{part.replace(' ', '_')}", holder=(*of, "relative_shares", part),
-              table=(*table, "shares", part))
-        for part in solution.points[name].shares
-    ]  # fmt: skip
-    return [moved, stiff, grown, *shares]
+    shares = [_of_part(name, part) for part in solution.points[name].shares]
+    return [moved, grown, stiff, *shares]
 
 
-CHANNELS = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
+SHARES = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
 
 
-def _of_line(name: str, position: float) -> list[Group]:
-    table, prefix = ("shaft", "line", name), f"line_{name.replace(' ', '_')}"
-    kinds = ("displacement", DISPLACEMENT, "deflection"), ("inner_forces", LOAD, "inner_forces")
+def _always(of: BearingSet) -> bool:
+    """Of every set whose shaft has what they are of."""
+    return True
+
+
+def _of_part(point: str, part: str) -> Group:
+    """What part of the deflection at a point it is."""
+    table, of = ("shaft", "points", point, "shares", part), ("points", point, "relative_shares", part)
+    return Group(SHARES, prefix=f"{point}_share_{_named(part)}", holder=of, table=table, is_asked=_always)
+
+
+def _of_support(number: int) -> Group:
+    table, prefix = ("shaft", "supports", str(number)), f"support_{number + 1}_load"
+    return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_asked=_always)
+
+
+def _named(place: str) -> str:
+    return place.replace(" ", "_")
+
+
+def _of_line(name: str, positions: tuple[float, ...], number: int) -> list[Group]:
+    table, prefix, at = ("shaft", "line", name), f"line_{_named(name)}", (positions, number)
+    moved = Group(unasked(DISPLACEMENT), prefix=f"{prefix}_displacement", holder=OfShaft("deflection", *at))
+    forces = Group(unasked(LOAD), prefix=f"{prefix}_inner_forces", holder=OfShaft("inner_forces", *at))
     growth = GROWTH._replace(path="", is_usual=False)
     return [
-        *(Group(unasked(results), prefix=f"{prefix}_{kind}", holder=OfShaft(method, position), table=(*table, kind))
-          for kind, results, method in kinds),
-        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", position), table=table),
-    ]  # fmt: skip
+        moved._replace(table=(*table, "displacement"), is_asked=_always),
+        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", *at), table=table),
+        forces._replace(table=(*table, "inner_forces"), is_asked=_always),
+    ]
 
 
 def places_on_shaft(of: BearingSet) -> dict[str, float]:
