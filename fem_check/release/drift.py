@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from fem_check.release.previous import Record
+from fem_check.rows.record import Record
 from qsbearing.documents.numbers import plain
 
 REFERENCE = 1e-6
