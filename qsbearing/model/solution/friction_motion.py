@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.effects.traction import LAW_CODES, Traction
+from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction import ANGLES, RADII, contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
@@ -76,6 +76,9 @@ class ContactFriction:
     """Of the ball's surface at the centre of a flat contact, along t [m/s]."""
     slip_along: NDArray
     """The same along y."""
+    friction_use: NDArray
+    """|F|/(mu Q): 1 where all of the contact slides one way, 0 where slips of both ways balance; the linear law has no
+    bound, and so no number."""
 
 
 class Inside(NamedTuple):
@@ -91,7 +94,8 @@ class Inside(NamedTuple):
 
 @dataclass(frozen=True)
 class FrictionMotion:
-    """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none."""
+    """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none; at rest
+    nothing of the balls' motion is."""
 
     status: NDArray
     """Words of `Status`."""
@@ -117,6 +121,8 @@ class FrictionMotion:
     """Of the balls on the inner ring, (*cases)."""
     start: Solution
     """The solution under outer control."""
+    friction_coefficient: float
+    """mu; no number under the linear law."""
     inside: Inside
 
     @property
@@ -135,6 +141,25 @@ class FrictionMotion:
     def cage_speed(self) -> NDArray:
         """Of balls on their way round: the harmonic mean of their orbits."""
         return np.asarray(1.0 / np.mean(1.0 / self.orbital_speed, axis=-1))
+
+    @property
+    def skid_margin(self) -> NDArray:
+        """mu Qi (1 + cos(ai - ao))/Fd of each ball: the drag at which it slides on both rings and falls behind, over
+        that which it has.
+
+        By equilibrium about the axis through both contacts' tangents; infinite without drag.
+        """
+        most = self.friction_coefficient * self.inner.load * (1.0 + np.cos(self.inner.angle - self.outer.angle))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(most / np.abs(self.drag))
+
+    @property
+    def gyroscopic_margin(self) -> NDArray:
+        """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right."""
+        asked = self.start.outer.required_friction
+        assert asked is not None
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.friction_coefficient / asked)
 
     @property
     def heat(self) -> NDArray:
@@ -174,15 +199,19 @@ def friction_motion(
     laws = laws_of(cases, traction)
     memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
     solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
-    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques)
+    bound = np.nan if traction.law is TractionLaw.LINEAR else traction.friction_coefficient
+    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques, bound)
 
 
 def refusals(scene: Scene) -> list[ErrorDetail]:
     """What the balance of friction does not know, by the scene's fields."""
     operation, errors = scene.operation, []
-    resting = (np.asarray(operation.speed) - np.asarray(operation.outer_speed or 0.0)) == 0.0
-    if resting.any():
-        errors.append(ErrorDetail("operation.speed", "moves no ball", operation.speed))
+    inner, outer = (
+        np.asarray(operation.speed),
+        np.asarray(0.0 if operation.outer_speed is None else operation.outer_speed),
+    )
+    if np.any((inner == outer) & (inner != 0.0)):
+        errors.append(ErrorDetail("operation.speed", "is the outer ring's too, so that nothing rolls", operation.speed))
     for effect in (scene.elastic_rings, scene.ball_diameter_deviations):
         if scene.ring_effects and effect is not None:
             errors.append(ErrorDetail(effect.name, "is not known to balls that friction moves"))
@@ -209,17 +238,22 @@ def laws_of(cases: NDArray, traction: Traction) -> NDArray:
     laws["friction_coefficient"] = traction.friction_coefficient
     laws["slip_speed"] = traction.slip_speed / (cases["speed"] * cases["length"])
     laws["has_curvature"] = traction.has_curvature
+    laws["drag_force"] = traction.cage_drag / cases["force"]
+    if traction.drag_coefficient is not None and traction.fluid_density is not None:
+        disc = traction.drag_coefficient * traction.fluid_density * np.pi / 8.0  # over D^2, a length of the case
+        laws["drag_factor"] = disc * (cases["length"] ** 2 * cases["speed"]) ** 2 / cases["force"]
     return laws
 
 
-def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray) -> FrictionMotion:
+def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray, bound: float) -> FrictionMotion:
     shape, cases, results, places = start.maker.shape, inside.cases, inside.results, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
     force, length, speed = (cases[name][:, None] for name in ("force", "length", "speed"))
     moments = force * length
-    w, orbit = places[..., 2:5] * speed[..., None], places[..., 5] * speed
+    turning = np.where((cases["inner_speed"] != 0.0) | (cases["outer_speed"] != 0.0), 1.0, np.nan)[:, None]
+    w, orbit = places[..., 2:5] * (speed * turning)[..., None], places[..., 5] * (speed * turning)
     bearing = start.scene.operating_bearing
     inertia, mass = (np.asarray(each)[..., None] for each in (bearing.ball_inertia, bearing.ball_mass))
     radius = 0.5 * cases["pitch_diameter"][:, None] * length
@@ -238,6 +272,8 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray)
         ]  # fmt: skip
         values = [shaped(found[..., what] * unit) for what, unit in units]
         angle = np.arctan2(sign * found[..., SINE], sign * found[..., COSINE])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            values.append(shaped(np.hypot(found[..., TRACTION], found[..., SIDEWAYS]) / (bound * found[..., LOAD])))
         return ContactFriction(shaped(angle), shaped(found[..., LOAD] * force), *values)
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
@@ -258,5 +294,6 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray)
         outer=side(OUTER),
         torque=shaped(torques * moments[:, 0]),
         start=start,
+        friction_coefficient=bound,
         inside=inside,
     )
