@@ -7,7 +7,7 @@ balance of friction (`kernel/traction_balance.py`).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,30 +16,10 @@ from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw
+from qsbearing.model.kernel import traction_ball as kernel
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction import ANGLES, RADII, contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
-from qsbearing.model.kernel.traction_ball import (
-    APPROACH,
-    CONTACT_QUANTITIES,
-    COSINE,
-    GROOVE,
-    HEAT,
-    LAW,
-    LOAD,
-    MOVED_BALL,
-    ROLL_MOMENT,
-    SEMI_MAJOR,
-    SEMI_MINOR,
-    SIDEWAYS,
-    SINE,
-    SLIP_ACROSS,
-    SLIP_ALONG,
-    SPIN,
-    SPIN_MOMENT,
-    TRACTION,
-    TURN_MOMENT,
-)
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
@@ -47,6 +27,23 @@ from qsbearing.model.solution.status import STATUS_OF_CODE
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 INNER, OUTER = range(2)
+
+_OF_CONTACT = {
+    "load": (kernel.LOAD, "force"),
+    "approach": (kernel.APPROACH, "length"),
+    "semi_major_axis": (kernel.SEMI_MAJOR, "length"),
+    "semi_minor_axis": (kernel.SEMI_MINOR, "length"),
+    "traction": (kernel.TRACTION, "force"),
+    "sideways": (kernel.SIDEWAYS, "force"),
+    "spin_moment": (kernel.SPIN_MOMENT, "moment"),
+    "roll_moment": (kernel.ROLL_MOMENT, "moment"),
+    "turn_moment": (kernel.TURN_MOMENT, "moment"),
+    "heat": (kernel.HEAT, "power"),
+    "spin_speed": (kernel.SPIN, "speed"),
+    "slip_across": (kernel.SLIP_ACROSS, "velocity"),
+    "slip_along": (kernel.SLIP_ALONG, "velocity"),
+}
+"""What the kernel writes of a contact, and its unit."""
 
 
 @dataclass(frozen=True)
@@ -193,11 +190,11 @@ def friction_motion(
     balls, count = start.maker.ball_axis, cases.size
     results, positions = start.results.copy(), np.ascontiguousarray(start.positions[..., :3])
     places = np.full((count, balls, len(PLACES)), np.nan)
-    contacts, torques = np.full((count, balls, 2, CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
-    size = 6 * balls + 3
+    contacts, torques = np.full((count, balls, 2, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
+    size = 4 * balls + 3  # of Newton's step
     arrays = contact_points(radii, angles), np.empty((size, size)), np.empty(size), np.empty(balls)
     laws = laws_of(cases, traction)
-    memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
+    memory = np.zeros(2, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
     solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.friction_coefficient
     return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques, bound)
@@ -233,7 +230,7 @@ def refusals(scene: Scene) -> list[ErrorDetail]:
 
 def laws_of(cases: NDArray, traction: Traction) -> NDArray:
     """Records of the law, in each case's units."""
-    laws = np.zeros(cases.size, LAW)
+    laws = np.zeros(cases.size, kernel.LAW)
     laws["law"] = LAW_CODES[traction.law]
     laws["friction_coefficient"] = traction.friction_coefficient
     laws["slip_speed"] = traction.slip_speed / (cases["speed"] * cases["length"])
@@ -256,7 +253,9 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
     w, orbit = places[..., 2:5] * (speed * turning)[..., None], places[..., 5] * (speed * turning)
     bearing = start.scene.operating_bearing
     inertia, mass = (np.asarray(each)[..., None] for each in (bearing.ball_inertia, bearing.ball_mass))
-    radius = 0.5 * cases["pitch_diameter"][:, None] * length
+    radius = 0.5 * cases["pitch_diameter"][:, None] + cases["displaced_orbit"][:, None] * places[..., 1]
+    units = {"force": force, "length": length, "moment": moments, "speed": speed}
+    units |= {"velocity": speed * length, "power": moments * speed}
 
     def shaped(array: NDArray) -> NDArray:
         return array.reshape((*shape, *array.shape[1:]))
@@ -264,17 +263,11 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
     def side(which: int) -> ContactFriction:
         sign = -1.0 if which == INNER else 1.0
         found = contacts[:, :, which]
-        units: list[tuple[int, Any]] = [
-            *((what, length) for what in (APPROACH, SEMI_MAJOR, SEMI_MINOR)),
-            *((what, force) for what in (TRACTION, SIDEWAYS)),
-            *((what, moments) for what in (SPIN_MOMENT, ROLL_MOMENT, TURN_MOMENT)),
-            (HEAT, moments * speed), (SPIN, speed), (SLIP_ACROSS, speed * length), (SLIP_ALONG, speed * length),
-        ]  # fmt: skip
-        values = [shaped(found[..., what] * unit) for what, unit in units]
-        angle = np.arctan2(sign * found[..., SINE], sign * found[..., COSINE])
+        values = {name: shaped(found[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
+        values["angle"] = shaped(np.arctan2(sign * found[..., kernel.SINE], sign * found[..., kernel.COSINE]))
         with np.errstate(divide="ignore", invalid="ignore"):
-            values.append(shaped(np.hypot(found[..., TRACTION], found[..., SIDEWAYS]) / (bound * found[..., LOAD])))
-        return ContactFriction(shaped(angle), shaped(found[..., LOAD] * force), *values)
+            use = np.hypot(values["traction"], values["sideways"]) / (bound * values["load"])
+        return ContactFriction(**values, friction_use=use)
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
     orbits = shaped(orbit)
@@ -288,7 +281,7 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
         orbital_speed=orbits,
         weight=shaped(places[..., 6]),
         drag=shaped(places[..., 7] * force),
-        centrifugal_force=mass * orbits**2 * shaped(radius),
+        centrifugal_force=mass * orbits**2 * shaped(radius * length),
         gyroscopic_moment=inertia * orbits * shaped(w[..., 2]),
         inner=side(INNER),
         outer=side(OUTER),

@@ -278,6 +278,17 @@ def test_margins_say_how_far_it_is_from_outer_control() -> None:
     assert np.isnan(friction_motion(THRUST, LINEAR, radii=2, angles=4).inner.friction_use).all()
 
 
+def test_orbits_may_be_of_the_balls_own_radii() -> None:
+    """The radial balance of a ball is that of the radius at which it runs."""
+    displaced = replace(THRUST, ball_effects=BOTH, raceway_control=OUTER, orbit_radius="displaced")
+    found = balanced(friction_motion(displaced, Traction()))
+    outer, inner = found.outer, found.inner
+    inward = outer.load * np.cos(outer.angle) + outer.traction * np.sin(outer.angle)
+    outward_force = inner.load * np.cos(inner.angle) + inner.traction * np.sin(inner.angle)
+    np.testing.assert_allclose(inward - outward_force, found.centrifugal_force, rtol=1e-9)
+    assert abs(found.displacement[0] / friction_motion(THRUST, Traction()).displacement[0] - 1.0) > 1e-4
+
+
 def test_random_bearings_are_solved() -> None:
     """6 to 25 mm, 15 to 40 degrees, dn 0.3 to 2 million, 0.1 to 4 N/mm^2: as the dimensions of catalogues go."""
     rng = np.random.default_rng(2)
