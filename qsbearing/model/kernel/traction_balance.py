@@ -212,6 +212,7 @@ def solve_motions(
         contacts: (case, ball, groove, quantity), quantities those of `traction_ball`; inner ring first.
         torques: on the inner ring, by case.
     """
+    points, _, _, derivative = arrays
     for k in range(cases.size):
         result = results[k]
         if result.status != CONVERGED:
@@ -220,7 +221,7 @@ def solve_motions(
         set_groove(case, law, grooves[0], INNER_SIDE)
         set_groove(case, law, grooves[1], OUTER_SIDE)
         set_ring(case, motion, result, is_carried)
-        set_derivative(arrays[3], motion.ball_count)
+        set_derivative(derivative, motion.ball_count)
         place_balls(case, motion, balls, positions[k])
         if motion.speed == 0.0:
             stop(motion, balls)
@@ -231,7 +232,7 @@ def solve_motions(
             found = balance_through_slips(case, law, grooves, arrays, motion, balls)
         result.status = CONVERGED if found else NOT_CONVERGED
         result.residual, result.iterations = motion.residual, motion.iterations
-        torques[k] = deliver(case, law, grooves, arrays[0], motion, balls, result, places[k], contacts[k])
+        torques[k] = deliver(case, law, grooves, points, motion, balls, result, places[k], contacts[k])
 
 
 @kernel
