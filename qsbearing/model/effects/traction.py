@@ -21,6 +21,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from math import sqrt
 
+from numpy.typing import ArrayLike
+
 from qsbearing.model.compiler.compiled import inlined
 from qsbearing.model.validation import DENSITY, FORCE, RATIO, ErrorDetail, Quantity, choose, raise_if_any, within
 
@@ -48,9 +50,9 @@ class Traction:
         SceneError: a number out of range, or no such law.
     """
 
-    friction_coefficient: float = 0.07
-    """mu, at slips far above the slip speed [-]."""
-    slip_speed: float = 0.1
+    friction_coefficient: ArrayLike = 0.07
+    """mu, at slips far above the slip speed [-]; an array spans cases, as it does for `slip_speed`."""
+    slip_speed: ArrayLike = 0.1
     """vc, at which friction has reached 0.71 mu [m/s]."""
     law: TractionLaw = TractionLaw.COULOMB
     has_curvature: bool = True

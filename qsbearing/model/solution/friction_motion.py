@@ -7,6 +7,7 @@ balance of friction (`kernel/traction_balance.py`).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -81,6 +82,7 @@ class ContactFriction:
 class Inside(NamedTuple):
     """What a solution was found from and where, in the kernel's units."""
 
+    shape: tuple[int, ...]
     cases: NDArray
     laws: NDArray
     points: NDArray
@@ -118,8 +120,8 @@ class FrictionMotion:
     """Of the balls on the inner ring, (*cases)."""
     start: Solution
     """The solution under outer control."""
-    friction_coefficient: float
-    """mu; no number under the linear law."""
+    friction_coefficient: NDArray
+    """mu, (*cases); no number under the linear law."""
     inside: Inside
 
     @property
@@ -146,7 +148,8 @@ class FrictionMotion:
 
         By equilibrium about the axis through both contacts' tangents; infinite without drag.
         """
-        most = self.friction_coefficient * self.inner.load * (1.0 + np.cos(self.inner.angle - self.outer.angle))
+        parted = self.inner.angle - self.outer.angle
+        most = self.friction_coefficient[..., None] * self.inner.load * (1.0 + np.cos(parted))
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(most / np.abs(self.drag))
 
@@ -156,7 +159,7 @@ class FrictionMotion:
         asked = self.start.outer.required_friction
         assert asked is not None
         with np.errstate(divide="ignore", invalid="ignore"):
-            return np.asarray(self.friction_coefficient / asked)
+            return np.asarray(self.friction_coefficient[..., None] / asked)
 
     @property
     def heat(self) -> NDArray:
@@ -172,7 +175,8 @@ def friction_motion(
     Args:
         scene: bearing, operation and constant Hertz stiffness; its ball effects and raceway control do not count, for
             the balance has all of the balls' inertia.
-        traction: the law of friction.
+        traction: the law of friction; its arrays broadcast with the scene's to the case axes, so that one scene takes a
+            band of friction coefficients.
         radii, angles: points of each contact, see `contact_points`.
         carried: balls are carried round with their inertia under radial load; False: each is balanced at its azimuth
             as if it stayed there.
@@ -186,18 +190,31 @@ def friction_motion(
     raise_if_any(refusals(scene))
     effects = (CentrifugalForce(), GyroscopicMoment())
     start = solve(replace(scene, ball_effects=effects, raceway_control=RacewayControl.OUTER))
-    cases = start.maker.make()
+    shape, which = spanned(start.maker.shape, traction)
+    cases, results = start.maker.make()[which], start.results[which]
+    positions = np.ascontiguousarray(start.positions[which][..., :3])
     balls, count = start.maker.ball_axis, cases.size
-    results, positions = start.results.copy(), np.ascontiguousarray(start.positions[..., :3])
     places = np.full((count, balls, len(PLACES)), np.nan)
     contacts, torques = np.full((count, balls, 2, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
     size = 4 * balls + 3  # of Newton's step
     arrays = contact_points(radii, angles), np.empty((size, size)), np.empty(size), np.empty(balls)
-    laws = laws_of(cases, traction)
+    laws = laws_of(cases, traction, shape)
     memory = np.zeros(2, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
     solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
+    inside = Inside(shape, cases, laws, arrays[0], carried, results, places)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.friction_coefficient
-    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques, bound)
+    return _found(start, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
+
+
+def spanned(shape: tuple[int, ...], traction: Traction) -> tuple[tuple[int, ...], NDArray]:
+    """(case axes of a scene and a law together, which of the scene's cases each is).
+
+    Raises:
+        ValueError: they do not broadcast.
+    """
+    both = np.broadcast_shapes(shape, np.shape(traction.friction_coefficient), np.shape(traction.slip_speed))
+    of_scene = np.arange(prod(shape)).reshape(shape)
+    return both, np.broadcast_to(of_scene, both).reshape(-1)
 
 
 def refusals(scene: Scene) -> list[ErrorDetail]:
@@ -228,12 +245,16 @@ def refusals(scene: Scene) -> list[ErrorDetail]:
     return errors
 
 
-def laws_of(cases: NDArray, traction: Traction) -> NDArray:
-    """Records of the law, in each case's units."""
+def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> NDArray:
+    """Records of the law, in the units of each of the cases, which have these axes."""
     laws = np.zeros(cases.size, kernel.LAW)
     laws["law"] = LAW_CODES[traction.law]
-    laws["friction_coefficient"] = traction.friction_coefficient
-    laws["slip_speed"] = traction.slip_speed / (cases["speed"] * cases["length"])
+    friction, slip = (
+        np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
+        for each in (traction.friction_coefficient, traction.slip_speed)
+    )
+    laws["friction_coefficient"] = friction
+    laws["slip_speed"] = slip / (cases["speed"] * cases["length"])
     laws["has_curvature"] = traction.has_curvature
     laws["drag_force"] = traction.cage_drag / cases["force"]
     if traction.drag_coefficient is not None and traction.fluid_density is not None:
@@ -242,8 +263,8 @@ def laws_of(cases: NDArray, traction: Traction) -> NDArray:
     return laws
 
 
-def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray, bound: float) -> FrictionMotion:
-    shape, cases, results, places = start.maker.shape, inside.cases, inside.results, inside.places
+def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray) -> FrictionMotion:
+    shape, cases, results, places = inside.shape, inside.cases, inside.results, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
@@ -266,7 +287,7 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
         values = {name: shaped(found[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
         values["angle"] = shaped(np.arctan2(sign * found[..., kernel.SINE], sign * found[..., kernel.COSINE]))
         with np.errstate(divide="ignore", invalid="ignore"):
-            use = np.hypot(values["traction"], values["sideways"]) / (bound * values["load"])
+            use = np.hypot(values["traction"], values["sideways"]) / (bound[..., None] * values["load"])
         return ContactFriction(**values, friction_use=use)
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)

@@ -313,6 +313,21 @@ def test_cases_are_solved_one_by_one() -> None:
     np.testing.assert_array_equal(many.torque[0, 1], one.torque)
 
 
+def test_one_scene_takes_a_band_of_friction() -> None:
+    band = friction_motion(THRUST, Traction(np.array([0.03, 0.07, 0.1])))
+    assert band.displacement.shape == (3, 5)
+    assert band.start.displacement.shape == (5,)
+    one = friction_motion(THRUST, Traction(0.1))
+    np.testing.assert_array_equal(band.outer.heat[2], one.outer.heat)
+    np.testing.assert_array_equal(band.outer.friction_use[2], one.outer.friction_use)
+    np.testing.assert_array_equal(band.gyroscopic_margin[2], one.gyroscopic_margin)
+    np.testing.assert_array_equal(motion_stiffness(band)[2], motion_stiffness(one))
+    both = friction_motion(scene(B218, np.array([[9e3], [17.8e3]]), 10_000), Traction(np.array([0.03, 0.07, 0.1])))
+    np.testing.assert_array_equal(both.displacement[1], band.displacement)
+    with pytest.raises(ValueError, match="broadcast"):
+        friction_motion(scene(B218, np.array([9e3, 17.8e3]), 10_000), Traction(np.array([0.03, 0.07, 0.1])))
+
+
 def test_what_has_no_equilibrium_has_no_motion() -> None:
     found = friction_motion(scene(B218, np.array([-5e3, 17.8e3]), 10_000), Traction())
     assert list(found.status) == ["no_equilibrium", "converged"]
