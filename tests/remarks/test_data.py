@@ -58,6 +58,7 @@ from tests.qsbearing.scenes import (
     resting,
     turning,
 )
+from tests.qsbearing.source_text import trees
 from tests.systems.sets.arrangements import PAIR_FILE, grooved_both_ways, pair, rows
 
 PRODUCT = Path(qs.__file__).parent
@@ -102,9 +103,9 @@ def cuts(tree: ast.AST) -> Iterator[str]:
 
 def test_no_module_takes_the_words_of_a_remark_apart() -> None:
     count = 0
-    for path in sorted(PRODUCT.rglob("*.py")):
+    seen = dict(trees(r"qsbearing\.(results\.)?remarks", PRODUCT)) | dict(trees("", PRODUCT / "remarks"))
+    for path, tree in seen.items():
         place = path.relative_to(PRODUCT)
-        tree = ast.parse(path.read_text(encoding="utf-8"))
         if place.parts[0] == "documents" or not (place.parts[0] == "remarks" or handles_remarks(tree)):
             continue
         count += 1
