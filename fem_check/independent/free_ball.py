@@ -140,8 +140,10 @@ class FreeBalls:
 
     @cached_property
     def _shared_radius(self) -> Array:
-        """Of the surface that ball and groove share, of like materials, across the groove [m]."""
-        return np.asarray(2.0 / (1.0 / self._ball_radius + 1.0 / (self._grooves[1] + self._ball_radius)))
+        """Of the surface that ball and groove share, across the groove [m]: each gives way by its compliance."""
+        share = np.array([of.ball.compliance / (of.ball.compliance + of.ring.compliance) for of in self.drawings])
+        groove = self._grooves[1] + self._ball_radius
+        return np.asarray(1.0 / ((1.0 - share) / self._ball_radius + share / groove))
 
     @cached_property
     def _places(self) -> Array:
