@@ -41,6 +41,7 @@ READ = {
     "stress": {},
     "ball_advance": {},
     "pivot_points": {},
+    "ball_slip": {"friction_coefficient": 0.06, "drag_coefficient": 1.0, "least_oil_share": 0.1, "most_oil_share": 0.2},
 }
 BLUNT = {"overrun": {"inner_shoulder_diameter_mm": 66, "outer_shoulder_diameter_mm": 74}}
 FREE_RINGS = {"inner": {"width_mm": 20, "shaft": "free"}, "outer": {"width_mm": 20, "housing": "free"}}
