@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.described import Input, lists_of, number, numbers_of
+from qsbearing.model.described import Input, lists_of, materials_of, number, numbers_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallExpansion,
@@ -121,7 +121,8 @@ MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Pr
 SPECTRUM = (key_of(number("share")), key_of(number("hours", "h")), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
-EFFECT_TABLES = {name: keys for name, of in types_in("ring_effects").items() if (keys := keys_of(of))}
+RING_EFFECTS = types_in("ring_effects")
+EFFECT_TABLES = {name: keys for name, of in RING_EFFECTS.items() if (keys := keys_of(of))}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
 RING_EXPANSION, BALL_EXPANSION = (EFFECT_TABLES[each.name] for each in (RingExpansion, BallExpansion))
 SEATS = {"outer.housing": "housing", "inner.shaft": "shaft"}
@@ -132,8 +133,7 @@ EFFECTS = keys_of(GyroscopicMoment)
 (BALL_DEVIATIONS,) = map(key_of, lists_of(BallDiameterDeviations))
 """A list, of as many numbers as there are balls, which names its effect."""
 
-MATERIALS = ("ball_material", "ring_material")
-SEAT_MATERIALS = ("shaft_material", "housing_material")
+MATERIALS, SEAT_MATERIALS = materials_of(BallBearing), materials_of(RingExpansion)
 SEAT_FITS = ("shaft_fit", "housing_fit", "tolerance_class")
 """Words: of each seat in place of its interference, and of the bearing."""
 NUMBERS = {
@@ -159,8 +159,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "thermal": (),
 }
 """Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
-EFFECT_SECTIONS = {name: named(keys) for name, keys in EFFECT_TABLES.items()}
-EFFECT_SECTIONS[RingExpansion.name] += (*SEAT_MATERIALS, *SEAT_FITS)
+EFFECT_SECTIONS = {name: (*named(keys), *materials_of(RING_EFFECTS[name])) for name, keys in EFFECT_TABLES.items()}
+EFFECT_SECTIONS[RingExpansion.name] += SEAT_FITS
 EFFECT_SECTIONS[ElasticRings.name] += (*SEATS, *named(RING_COMPLIANCES))
 """Likewise, by the tables within [effects]."""
 
