@@ -237,8 +237,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 
 @pytest.mark.parametrize("new", NEW, ids=lambda new: new.path)
 def test_a_field_is_read_written_hinted_at_and_shown(answers: dict[str, Any], new: New) -> None:
-    found = answers[new.path]
-    assert found == {
+    assert answers[new.path] == {
         "written": new.value, "again": new.value, "schema": True, "hint": True, "report": True, "study": True,
         "unset": None if new.default == "None" else 0.0,
     }  # fmt: skip
