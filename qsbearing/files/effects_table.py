@@ -11,11 +11,10 @@ from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.fits import FITTED, fits_of
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
-    EFFECT_SECTIONS,
     EFFECT_TABLES,
     EFFECTS,
     RING_COMPLIANCES,
-    SEAT_MATERIALS,
+    RING_EFFECTS,
     SEATS,
     named,
     required_of,
@@ -35,6 +34,7 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
+from qsbearing.model.described import materials_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
@@ -65,7 +65,7 @@ _ELASTIC_RINGS = table_model(
     EFFECT_TABLES["elastic_rings"],
     dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES},
 )
-_RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
+_RING_EFFECTS: dict[str, Any] = RING_EFFECTS
 
 
 def effects_of(
@@ -142,7 +142,7 @@ def ring_effect(
     path, table = f"effects.{name}", stated.filled(name, table)
     if name == ElasticRings.name:
         return _elastic_rings(path, table, errors)
-    known_materials = [key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]]
+    known_materials = materials_of(_RING_EFFECTS[name])
     is_table = isinstance(table, dict)
     numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
     before = len(errors)

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.described import Input, lists_of, number, numbers_of
+from qsbearing.model.described import Input, lists_of, materials_of, number, numbers_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallExpansion,
@@ -55,16 +56,17 @@ class Key:
 _STEMS = {"deviations": "ball_diameter_deviations", "viscosity_at_40": "viscosity_at_40C",
           "viscosity_at_100": "viscosity_at_100C", "conductance": ""}  # fmt: skip
 """Of names that a file spells otherwise."""
-_KINDS = {"N/um": "stiffness", "kN m/rad": "stiffness"}
-"""What a key says between name and unit."""
+_KINDS, _TOLD = {"N/um": "stiffness", "kN m/rad": "stiffness"}, ("pair_rigidity",)
+"""What a key says between name and unit, and of which names it need not."""
 
 
 @cache
 def key_of(given: Input) -> Key:
     """The key of an input; in tables within the table, which points part, where it belongs to a part."""
     unit = given.unit
-    words = _STEMS.get(given.name, given.own_name), _KINDS.get(unit.symbol), unit.ending
-    name = ".".join((*given.part, "_".join(filter(None, words))))
+    kind = "" if given.name in _TOLD else _KINDS.get(unit.symbol, "")
+    words = filter(None, (_STEMS.get(given.name, given.own_name), kind, unit.ending))
+    name = ".".join((*given.part, "_".join(words)))
     printed = given.printed and f"{given.printed}_{unit.ending}"
     return Key(name, given.name, unit.symbol, unit.size, unit.quantity, unit.zero, given.range, printed)
 
@@ -106,12 +108,12 @@ SHOULDERS = _lengths("inner_shoulder_diameter", "outer_shoulder_diameter")
 RATINGS = tuple(key_of(number(f"{kind}_load_rating", "N")) for kind in ("dynamic", "static"))
 PRINTED = (*DIAMETERS, *_lengths("width"), *SHOULDERS, *RATINGS)
 """What a catalogue prints of a bearing besides: what needs one takes it from here, so that a file states it once."""
+_ELSEWHERE = {*named((*BEARING, *PRINTED)), *COEFFICIENTS}
 DATA_SHEET = (
-    *(key_of(number(name)) for name in ("dynamic_rating_factor", "static_rating_factor", "f0")),
-    Key("pair_rigidity_N_per_um", "pair_rigidity", "N/um", 1e6),
-    key_of(number("pair_preload", "N")),
+    *(key for key in keys_of(DataSheet) if key.name not in _ELSEWHERE),
     key_of(number("ball_set", range=(1.0, 30.0))),
 )
+"""What it may state besides; which of the ball sets that it allows is meant."""
 SHEET_WORDS = ("maker", "rating_practice")
 """What of a data sheet tells the balls and grooves that it does not print."""
 IN_PLACE = (*(key_of(number(name)) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *DATA_SHEET)
@@ -121,7 +123,8 @@ MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Pr
 SPECTRUM = (key_of(number("share")), key_of(number("hours", "h")), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
-EFFECT_TABLES = {name: keys for name, of in types_in("ring_effects").items() if (keys := keys_of(of))}
+RING_EFFECTS = types_in("ring_effects")
+EFFECT_TABLES = {name: keys for name, of in RING_EFFECTS.items() if (keys := keys_of(of))}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
 RING_EXPANSION, BALL_EXPANSION = (EFFECT_TABLES[each.name] for each in (RingExpansion, BallExpansion))
 SEATS = {"outer.housing": "housing", "inner.shaft": "shaft"}
@@ -132,8 +135,7 @@ EFFECTS = keys_of(GyroscopicMoment)
 (BALL_DEVIATIONS,) = map(key_of, lists_of(BallDiameterDeviations))
 """A list, of as many numbers as there are balls, which names its effect."""
 
-MATERIALS = ("ball_material", "ring_material")
-SEAT_MATERIALS = ("shaft_material", "housing_material")
+MATERIALS, SEAT_MATERIALS = materials_of(BallBearing), materials_of(RingExpansion)
 SEAT_FITS = ("shaft_fit", "housing_fit", "tolerance_class")
 """Words: of each seat in place of its interference, and of the bearing."""
 NUMBERS = {
@@ -159,8 +161,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "thermal": (),
 }
 """Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
-EFFECT_SECTIONS = {name: named(keys) for name, keys in EFFECT_TABLES.items()}
-EFFECT_SECTIONS[RingExpansion.name] += (*SEAT_MATERIALS, *SEAT_FITS)
+EFFECT_SECTIONS = {name: (*named(keys), *materials_of(RING_EFFECTS[name])) for name, keys in EFFECT_TABLES.items()}
+EFFECT_SECTIONS[RingExpansion.name] += SEAT_FITS
 EFFECT_SECTIONS[ElasticRings.name] += (*SEATS, *named(RING_COMPLIANCES))
 """Likewise, by the tables within [effects]."""
 

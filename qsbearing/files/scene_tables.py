@@ -27,12 +27,12 @@ from qsbearing.files.keys import (
     PRELOAD,
     PRINTED,
     RING_COMPLIANCES,
-    SEAT_MATERIALS,
     SEATS,
     Key,
     keys_of,
 )
 from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
+from qsbearing.model.described import materials_of
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS
@@ -174,7 +174,7 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
             if getattr(effect, f"{seat}_interference") == fit.mean:  # else it was changed since
                 del tables[effect.name][f"{seat}_interference_um"]
                 tables[effect.name] |= {f"{seat}_fit": fit.name, "tolerance_class": fit.tolerance_class}
-        seats = {side: getattr(effect, side, None) for side in SEAT_MATERIALS}
+        seats = {side: getattr(effect, side) for side in materials_of(type(effect))}
         tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
     return tables
 

@@ -27,7 +27,7 @@ from qsbearing.files.keys import (
     PRELOAD,
     RATINGS,
     RING_COMPLIANCES,
-    SEAT_MATERIALS,
+    RING_EFFECTS,
     SEATS,
     SPECTRUM,
     Key,
@@ -35,9 +35,10 @@ from qsbearing.files.keys import (
     required_of,
 )
 from qsbearing.files.preload_class import CLASSES
-from qsbearing.files.set_keys import SET_NUMBERS
+from qsbearing.files.set_keys import RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
+from qsbearing.model.described import materials_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS, TILT_OF
@@ -106,7 +107,7 @@ def _effects() -> Schema:
 
 def _effect_table(name: str) -> Schema:
     own = _numbers(EFFECT_TABLES[name], name)
-    own |= dict.fromkeys((key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]), _MATERIAL)
+    own |= dict.fromkeys(materials_of(RING_EFFECTS[name]), _MATERIAL)
     if CLASS in EFFECT_SECTIONS[name]:
         own |= {f"{seat}_fit": {"enum": list(names(seat))} for seat in FITTED} | {CLASS: {"enum": list(classes())}}
     if name == ElasticRings.name:
@@ -139,13 +140,13 @@ def _of_set() -> dict[str, Schema]:
     carries = _told({"enum": [str(way) for way in Direction]}, notes().get(("rows", "carries"), ""))
     own["rows"] |= {"carries": carries, "sprung": {"type": "boolean"}, "housing_stiffness": stiffness}
     own["rows"] |= {name: _ref(name) for name in ("bearing", "readings", *EFFECT_TABLES)}
-    own["housing"] |= {"material": _MATERIAL}
-    own["sections"] |= {"material": _MATERIAL}
+    for name in ("housing", "sections"):
+        own[name] |= dict.fromkeys(materials_of(RECORDS[name]), _MATERIAL)
     points = {"type": "object", "patternProperties": {"_mm$": _NUMBER}, "additionalProperties": False}
     own["shaft"] |= {name: _list(closed(own[name])) for name in ("sections", "loads", "supports", "masses")}
     own["shaft"] |= {"gravity_m_s2": _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}
     of_rows = {"rows": _list({"type": "integer"})}
-    own["spacers"] |= of_rows | dict.fromkeys(("inner_material", "outer_material"), _MATERIAL)
+    own["spacers"] |= of_rows | dict.fromkeys(materials_of(RECORDS["spacers"]), _MATERIAL)
     own["floating"] |= of_rows | {"preload": _ref("preload")}
     lists = {name: _list(closed(own[name])) for name in ("rows", "spacers", "floating")}
     return lists | {name: closed(own[name]) for name in ("shaft", "housing")}

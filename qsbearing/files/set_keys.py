@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, Key, keys_of, named
+from typing import Any
+
+from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, keys_of, named
+from qsbearing.model.described import materials_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import (
@@ -17,38 +20,40 @@ from qsbearing.systems.sets.shaft import (
     Spacer,
 )
 
+RECORDS: dict[str, Any] = {
+    "rows": Row,
+    "shaft": Shaft,
+    "housing": Housing,
+    "spacers": Spacer,
+    "floating": FloatingGroup,
+    "sections": ShaftSection,
+    "loads": ShaftLoad,
+    "supports": ShaftSupport,
+    "masses": ShaftMass,
+    "housing_stiffness": HousingStiffness,
+}
+"""What each table makes."""
 OF_SET = keys_of(BearingSet)
 """Which stand in [shaft]."""
-SET_NUMBERS: dict[str, tuple[Key, ...]] = {
-    "rows": keys_of(Row),
-    "shaft": (*OF_SET, *keys_of(Shaft)),
-    "housing": (*keys_of(Housing), DIAMETERS[1]),
-    "spacers": keys_of(Spacer),
-    "floating": keys_of(FloatingGroup),
-    "sections": keys_of(ShaftSection),
-    "loads": keys_of(ShaftLoad),
-    "supports": keys_of(ShaftSupport),
-    "masses": keys_of(ShaftMass),
-    "housing_stiffness": keys_of(HousingStiffness),
-}
-"""Those that hold numbers, by their table."""
+SET_NUMBERS = {name: keys_of(of) for name, of in RECORDS.items()}
+SET_NUMBERS["shaft"] = (*OF_SET, *SET_NUMBERS["shaft"])
+SET_NUMBERS["housing"] += DIAMETERS[1:]
+"""Those that hold numbers, by their table; what surrounds a fit counts with [housing] only in a file: `stated`."""
 OTHERS = {
     "rows": ("carries", "sprung", "housing_stiffness", "bearing", *EFFECT_TABLES, "readings"),
     "shaft": ("gravity_m_s2", "sections", "loads", "supports", "masses", "points"),
-    "housing": ("material",),
-    "spacers": ("rows", "inner_material", "outer_material"),
+    "spacers": ("rows",),
     "floating": ("rows", "preload"),
-    "sections": ("material",),
     "housing_stiffness": ("matrix_SI",),
 }
-"""Those that hold anything else."""
+"""Those that hold anything else but materials."""
 
 
 def _section(name: str) -> tuple[str, ...]:
     """Which rows a table is about stands first."""
     others = OTHERS.get(name, ())
     first = others[:1] if "rows" in others else ()
-    return (*first, *named(SET_NUMBERS[name]), *others[len(first) :])
+    return (*first, *named(SET_NUMBERS[name]), *others[len(first) :], *materials_of(RECORDS[name]))
 
 
 SET_SECTIONS = {name: _section(name) for name in SET_NUMBERS}

@@ -12,7 +12,7 @@ import numpy as np
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, required_of
 from qsbearing.files.scene_file import preload_of
-from qsbearing.files.set_keys import OF_SET, OTHERS, SET_NUMBERS
+from qsbearing.files.set_keys import OF_SET, OTHERS, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import (
     Errors,
     TableModel,
@@ -25,37 +25,24 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
+from qsbearing.model.described import materials_of
 from qsbearing.model.material import Material
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.shaft import (
-    FloatingGroup,
     Housing,
     HousingStiffness,
     Shaft,
-    ShaftLoad,
-    ShaftMass,
-    ShaftSection,
-    ShaftSupport,
-    Spacer,
 )
 
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
 _LISTED = ("section", "load", "support", "mass")
 WITHIN_SHAFT = (*(NUMBERED[kind] for kind in _LISTED), "points", "gravity_m_s2")
-_LISTS: dict[str, Any] = {
-    "section": ShaftSection,
-    "load": ShaftLoad,
-    "support": ShaftSupport,
-    "mass": ShaftMass,
-    "spacer": Spacer,
-    "floating": FloatingGroup,
-}
-"""Of each table of which there are several what it makes."""
 
 
 def _plain(name: str) -> TableModel:
     """How a table of a set is built, what is no number taken as it is."""
-    return table_model(name, SET_NUMBERS[name], dict.fromkeys(OTHERS.get(name, ()), as_it_is))
+    others = (*OTHERS.get(name, ()), *materials_of(RECORDS[name]))
+    return table_model(name, SET_NUMBERS[name], dict.fromkeys(others, as_it_is))
 
 
 _MODELS = {name: _plain(name) for name in SET_NUMBERS if name != "shaft"}
@@ -75,8 +62,8 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
         errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
     if "housing" in document:
         found["housing"] = _housing(document["housing"], errors)
-    found["spacers"] = tuple(_listed(document, "spacers", "spacer", "spacer", errors))
-    found["floating"] = tuple(_listed(document, "floating", "floating", "floating", errors))
+    found["spacers"] = tuple(_listed(document, "spacers", "spacer", errors))
+    found["floating"] = tuple(_listed(document, "floating", "floating", errors))
     return found
 
 
@@ -89,6 +76,13 @@ def surroundings_tables(
         numbers: of the keys of a table, those that an object holds.
         named: a material as a file has it.
     """
+
+    def written(each: Any) -> dict[str, Any]:
+        bodies = {name: getattr(each, name) for name in materials_of(type(each))}
+        return numbers(keys_of(type(each)), each) | {
+            name: named(body) for name, body in bodies.items() if body is not None
+        }
+
     tables: dict[str, Any] = {}
     if of.shaft is not None or numbers(OF_SET, of):
         tables["shaft"] = numbers(OF_SET, of)
@@ -96,10 +90,8 @@ def surroundings_tables(
         tables["shaft"] |= numbers(SET_NUMBERS["shaft"], of.shaft)
         for kind in _LISTED:
             name = NUMBERED[kind]
-            listed = [numbers(SET_NUMBERS[name], each) for each in getattr(of.shaft, name)]
+            listed = [written(each) for each in getattr(of.shaft, name)]
             tables["shaft"] |= {name: listed} if listed else {}
-        for table, section in zip(tables["shaft"].get("sections", ()), of.shaft.sections, strict=True):
-            table["material"] = named(section.material)
         if of.shaft.gravity is not None:
             tables["shaft"]["gravity_m_s2"] = list(of.shaft.gravity)
         if of.shaft.points:
@@ -107,17 +99,9 @@ def surroundings_tables(
                 f"{name}_mm": float(f"{at * 1e3:.12g}") for name, at in of.shaft.points.items()
             }
     if of.housing is not None:
-        tables["housing"] = numbers(SET_NUMBERS["housing"], of.housing) | {"material": named(of.housing.material)}
+        tables["housing"] = written(of.housing)
     if of.spacers:
-        sides = ("inner_material", "outer_material")
-        tables["spacers"] = [
-            {
-                "rows": list(each.rows),
-                **numbers(SET_NUMBERS["spacers"], each),
-                **{side: named(getattr(each, side)) for side in sides},
-            }
-            for each in of.spacers
-        ]
+        tables["spacers"] = [{"rows": list(each.rows), **written(each)} for each in of.spacers]
     if of.floating:
         tables["floating"] = [
             {"rows": list(each.rows), **numbers(SET_NUMBERS["floating"], each)}
@@ -137,7 +121,7 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
     before = len(errors)
     parts: dict[str, Any] = {}
     for kind in _LISTED:
-        parts[NUMBERED[kind]] = tuple(_listed(table, NUMBERED[kind], kind, f"shaft.{kind}", errors))
+        parts[NUMBERED[kind]] = tuple(_listed(table, NUMBERED[kind], f"shaft.{kind}", errors))
     if "gravity_m_s2" in table:
         refused: list[Any] = []
         gravity = list_of(as_number)(table["gravity_m_s2"], refused)
@@ -165,9 +149,13 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
 def _housing(table: Any, errors: Errors) -> Housing | None:
     good, _ = checked(_MODELS["housing"], "housing", table, errors)
     given: dict[str, Any] = si(keys_of(Housing), good)
-    if "material" in good:
-        given["material"] = material("housing.material", good["material"], errors)
+    given |= _bodies(Housing, "housing", good, errors)
     return made(partial(Housing, **given), errors)
+
+
+def _bodies(of: Any, path: str, good: dict[str, Any], errors: Errors) -> dict[str, Material]:
+    """The materials that a table gives."""
+    return {name: material(f"{path}.{name}", good[name], errors) for name in materials_of(of) if name in good}
 
 
 def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness | None:
@@ -181,9 +169,9 @@ def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness
     return made(partial(HousingStiffness, **given), errors)
 
 
-def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: Errors) -> list[Any]:
+def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> list[Any]:
     """What a list of tables makes."""
-    make, keys, model = _LISTS[kind], SET_NUMBERS[name], _MODELS[name]
+    make, keys, model = RECORDS[name], SET_NUMBERS[name], _MODELS[name]
     tables = document.get(name, [])
     if not isinstance(tables, list):
         errors.append(FileErrorDetail(f"[[{'shaft.' * ('.' in path)}{name}]]", "is not a list of tables"))
@@ -195,9 +183,7 @@ def _listed(document: dict[str, Any], name: str, kind: str, path: str, errors: E
         given: dict[str, Any] = si(keys, good)
         lacking = [key.name for key in required_of(make) if key.name not in good and key.name not in unusable]
         errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in lacking]
-        for side in ("material", "inner_material", "outer_material"):
-            if side in good:
-                given[side] = material(f"{at}.{side}", good[side], errors)
+        given |= _bodies(make, at, good, errors)
         if "rows" in model.checks:
             rows = good.get("rows")
             if not isinstance(rows, list) or not all(type(row) is int for row in rows):

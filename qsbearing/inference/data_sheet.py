@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from qsbearing.inference.practice import RatingPractice, practice_errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
+from qsbearing.model.described import given_in
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.units import N, mm, um
 from qsbearing.model.validation import (
@@ -54,34 +55,34 @@ class DataSheet:
         SceneError: by `infer_bearing`, with everything that is wrong with it.
     """
 
-    bore_diameter: float
-    outside_diameter: float
-    dynamic_load_rating: float
+    bore_diameter: float = field(metadata=given_in("mm"))
+    outside_diameter: float = field(metadata=given_in("mm"))
+    dynamic_load_rating: float = field(metadata=given_in("N"))
     """C of one row [N]."""
-    static_load_rating: float
+    static_load_rating: float = field(metadata=given_in("N"))
     """C0 of one row [N]."""
-    free_contact_angle: float | None = None
-    diametral_clearance: float | None = None
+    free_contact_angle: float | None = field(default=None, metadata=given_in("deg"))
+    diametral_clearance: float | None = field(default=None, metadata=given_in("mm"))
     """In place of the free contact angle; of a deep groove bearing."""
     kind: BearingKind = BearingKind.ANGULAR_CONTACT
     maker: str = ""
     rating_practice: RatingPractice | None = None
     """What C and C0 mean; None: as the maker is known to use them, or unknown."""
-    dynamic_rating_factor: float | None = None
+    dynamic_rating_factor: float | None = field(default=None, metadata=given_in())
     """C printed over that of ISO 281, of a series."""
-    static_rating_factor: float | None = None
+    static_rating_factor: float | None = field(default=None, metadata=given_in())
     """C0 printed over that of ISO 76, of a series."""
-    f0: float | None = None
+    f0: float | None = field(default=None, metadata=given_in())
     """Of ISO 76, as printed [-]."""
-    pair_rigidity: float | None = None
+    pair_rigidity: float | None = field(default=None, metadata=given_in("N/um"))
     """Axial rigidity of a back-to-back pair at its preload [N/m]."""
-    pair_preload: float | None = None
+    pair_preload: float | None = field(default=None, metadata=given_in("N"))
     """[N]."""
-    ball_count: int | None = None
-    ball_diameter: float | None = None
-    pitch_diameter: float | None = None
+    ball_count: int | None = field(default=None, metadata=given_in("balls"))
+    ball_diameter: float | None = field(default=None, metadata=given_in("mm"))
+    pitch_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Of the circle of ball centres; None: halfway between bore and outside diameter."""
-    groove_radius_coefficient: float | None = None
+    groove_radius_coefficient: float | None = field(default=None, metadata=given_in())
     """f = r/D of both grooves."""
     ball_material: Material = STEEL
     ring_material: Material = STEEL

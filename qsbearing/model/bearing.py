@@ -18,7 +18,7 @@ from qsbearing.model.bearing_errors import (
     clearance_errors,
 )
 from qsbearing.model.contact.hertz import effective_modulus
-from qsbearing.model.described import Input, given_in, number
+from qsbearing.model.described import A_MATERIAL, Input, given_in, number
 from qsbearing.model.material import STEEL, Material
 from qsbearing.model.validation import LENGTH, SceneError, choose, numeric, raise_if_any
 
@@ -62,8 +62,8 @@ class BallBearing:
     """ro, across the groove [m]; more than half the ball diameter."""
     free_contact_angle: ArrayLike = field(metadata=given_in("deg", FREE_ANGLES))
     """alpha0, of the line of contact when all clearance is just taken up without load [rad]."""
-    ball_material: Material = STEEL
-    ring_material: Material = STEEL
+    ball_material: Material = field(default=STEEL, metadata=A_MATERIAL)
+    ring_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     kind: BearingKind = BearingKind.ANGULAR_CONTACT
     name: str = ""
     radial_interference: ArrayLike = 0.0

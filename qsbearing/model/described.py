@@ -116,7 +116,9 @@ class Input:
         return float(f"{(value - self.unit.zero) / self.unit.size:.12g}")
 
 
-_GIVEN = "given"
+_GIVEN, _MADE_OF = "given", "made of"
+A_MATERIAL: Mapping[str, Any] = MappingProxyType({_MADE_OF: True})
+"""The metadata of a field that is a material, of its name or its numbers."""
 
 
 def given_in(
@@ -168,3 +170,9 @@ def numbers_of(of: Any) -> tuple[Input, ...]:
 def lists_of(of: Any) -> tuple[Input, ...]:
     """Those that are lists."""
     return tuple(each for each in inputs_of(of) if each.is_list)
+
+
+def materials_of(of: Any) -> tuple[str, ...]:
+    """The fields that are materials."""
+    own = fields(of) if hasattr(of, "__dataclass_fields__") else ()
+    return tuple(each.name for each in own if _MADE_OF in each.metadata)

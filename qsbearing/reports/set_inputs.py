@@ -11,6 +11,7 @@ import numpy as np
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
 from qsbearing.files.keys import OPERATION, PRELOAD, Key, keys_of
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
+from qsbearing.model.described import materials_of
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.wording import numbered
 from qsbearing.reports.inputs import (
@@ -136,7 +137,7 @@ def _housing(of: HousingStiffness) -> list[Line]:
 def _of_part(part: Any) -> list[Line]:
     """Its numbers, the rows that it names, its materials and its preload."""
     lines = numbers(keys_of(type(part)), part)
-    for name in ("rows", "material", "inner_material", "outer_material"):
+    for name in ("rows", *materials_of(type(part))):
         value = getattr(part, name, None)
         if value is not None:
             lines.append((name, getattr(value, "name", None) or ", ".join(map(str, value)), "", ""))

@@ -1,4 +1,5 @@
-"""A new number of any class of inputs is one field: reading, writing, schema, hints, studies and reports follow.
+"""A new number or material of any class of inputs is one field: reading, writing, schema, hints, studies, reports
+follow.
 
 Done on a copy of the package, in which every class gets one field more, a line each.
 """
@@ -32,6 +33,7 @@ class New(NamedTuple):
     path: str
     """Of the key that must follow."""
     default: str = "None"
+    value: Any = 3.0
 
     @property
     def file(self) -> str:
@@ -72,6 +74,17 @@ NEW = [
     New("systems.sets.shaft.Housing", "wall", '"mm"', "housing.wall_mm"),
     New("systems.sets.shaft.Spacer", "pitch", '"mm"', "spacers.1.pitch_mm"),
     New("systems.sets.shaft.FloatingGroup", "drag", '"N"', "floating.1.drag_N"),
+    New(
+        "model.effects.ball_expansion.BallExpansion",
+        "skin_material",
+        "",
+        "effects.ball_expansion.skin_material",
+        value="M50",
+    ),
+    New("systems.sets.shaft.ShaftSection", "skin_material", "", "shaft.sections.1.skin_material", value="M50"),
+    New("systems.sets.shaft.ShaftMass", "skin_material", "", "shaft.masses.1.skin_material", value="M50"),
+    New("systems.sets.shaft.Housing", "skin_material", "", "housing.skin_material", value="M50"),
+    New("systems.sets.shaft.Spacer", "skin_material", "", "spacers.1.skin_material", value="M50"),
     New("systems.heat.network.Thermal", "wind", '"rpm"', "thermal.wind_rpm"),
     New("systems.heat.network.OilFlow", "leak", '"cm3/min"', "thermal.oil.leak_cm3_min"),
     New("systems.heat.network.Conductance", "area", '"mm"', "thermal.conductances.1.area_mm"),
@@ -153,7 +166,7 @@ def answers(each):
     path = tuple(each["path"].split("."))
     without = files[each["file"]]
     document = copy.deepcopy(without)
-    paths.put(document, path, 3.0)
+    paths.put(document, path, each["value"])
     of = scene_or_set_of(copy.deepcopy(document), "a file")
     written = input_tables(of)
     section = (inputs if isinstance(of, Scene) else set_inputs).section(of, "", of.thermal)
@@ -170,7 +183,7 @@ def answers(each):
         "schema": f'"{path[-1]}"' in schema,
         "hint": hint if "Did you mean" not in hint else path[-1] in hint,
         "report": path[-1] in repr(section),
-        "study": keys.find(each["path"]) is not None,
+        "study": keys.find(each["path"] + ".density_kg_m3" * (each["value"] != 3.0)) is not None,
         "unset": paths.value_at(input_tables(scene_or_set_of(copy.deepcopy(without), "a file")), path),
     }
 
@@ -183,7 +196,7 @@ for each in new:
 whole = copy.deepcopy(files["everything"])
 for each in new:
     if each["file"] == "everything":
-        paths.put(whole, tuple(each["path"].split(".")), 3.0)
+        paths.put(whole, tuple(each["path"].split(".")), each["value"])
 print(json.dumps(["columns", sorted(scene_numbers(scene_or_set_of(whole, "a file")))]))
 """
 
@@ -200,7 +213,9 @@ def add(new: New, package: Path) -> None:
     end = behind.end_lineno if isinstance(behind, ast.Expr) else of.body[last].end_lineno
     lines = text.splitlines()
     assert end is not None
-    lines.insert(end, f"    {new.field}: float = field(default={new.default}, metadata=given_in({new.unit}))")
+    what = f"given_in({new.unit})" if new.value == 3.0 else "A_MATERIAL"
+    lines.insert(end, f"    {new.field}: Any = field(default={new.default}, metadata=described.{what})")
+    lines.insert(lines.index("from __future__ import annotations") + 1, "from qsbearing.model import described")
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -211,7 +226,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     for each in NEW:
         add(each, folder / "qsbearing")
     environment = {**os.environ, "PYTHONPATH": str(folder), "NUMBA_DISABLE_JIT": "1"}
-    given = json.dumps([[{"path": each.path, "file": each.file} for each in NEW], FILES])
+    given = json.dumps([[{"path": each.path, "file": each.file, "value": each.value} for each in NEW], FILES])
     command = [sys.executable, "-c", TRIAL]
     done = subprocess.run(
         command, env=environment, cwd=folder, input=given, capture_output=True, text=True, check=False
@@ -222,9 +237,8 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 
 @pytest.mark.parametrize("new", NEW, ids=lambda new: new.path)
 def test_a_field_is_read_written_hinted_at_and_shown(answers: dict[str, Any], new: New) -> None:
-    found = answers[new.path]
-    assert found == {
-        "written": 3.0, "again": 3.0, "schema": True, "hint": True, "report": True, "study": True,
+    assert answers[new.path] == {
+        "written": new.value, "again": new.value, "schema": True, "hint": True, "report": True, "study": True,
         "unset": None if new.default == "None" else 0.0,
     }  # fmt: skip
 
@@ -232,5 +246,6 @@ def test_a_field_is_read_written_hinted_at_and_shown(answers: dict[str, Any], ne
 def test_the_fields_of_a_scene_are_columns(answers: dict[str, Any]) -> None:
     assert {
         "waviness_um", "ball_material_hardness_GPa", "axial_shock_N", "preload_nut_moment_Nm", "slip",
-        "ring_expansion_roughness_um", "ball_expansion_core_C", "elastic_rings_outer_mass_kg",
+        "ring_expansion_roughness_um", "ball_expansion_core_C", "skin_material_density_kg_m3",
+        "elastic_rings_outer_mass_kg",
     } <= {*answers["columns"]}  # fmt: skip

@@ -79,5 +79,5 @@ def test_it_holds_no_key_of_a_file() -> None:
     keys = {key.name for table in tables for key in table if key.field in key.name and key.field != key.name}
     assert len(keys) > 100
     files = [each for each in (Path(qs.__file__).parent / "model").rglob("*.py") if each.name != NAMES_OF_RESULTS]
-    found = {each.name: keys & {*re.findall(r"[\w.]+", each.read_text(encoding="utf-8"))} for each in files}
-    assert not {name: spelled for name, spelled in found.items() if spelled}
+    spelled = {each.name: keys & {*re.findall(r"[\w.]+", each.read_text(encoding="utf-8"))} for each in files}
+    assert not {name: words for name, words in spelled.items() if words}

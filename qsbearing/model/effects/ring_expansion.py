@@ -32,7 +32,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.described import given_in
+from qsbearing.model.described import A_MATERIAL, given_in
 from qsbearing.model.effects.annulus import Elastic, Stress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.body_temperature import GIVEN, REFERENCE, BodyTemperature
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
@@ -124,7 +124,7 @@ class RingExpansion:
     """Shaft diameter less bore, at rest and at the reference temperature [m]; None: no shaft is regarded."""
     shaft_bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", RANGES["shaft_bore_diameter"]))
     """Of a hollow shaft [m]; None: it is solid."""
-    shaft_material: Material | None = None
+    shaft_material: Material | None = field(default=None, metadata=A_MATERIAL)
     """None: as the rings."""
     shaft_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None: as the inner ring."""
@@ -137,7 +137,7 @@ class RingExpansion:
         default=None, metadata=given_in("mm", RANGES["housing_outside_diameter"])
     )
     """[m]; needed with a housing."""
-    housing_material: Material | None = None
+    housing_material: Material | None = field(default=None, metadata=A_MATERIAL)
     housing_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None: as the outer ring."""
     reference_temperature: ArrayLike = field(default=20.0 + zero_celsius, metadata=given_in("C", goes_last=True))

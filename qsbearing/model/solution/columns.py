@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.described import numbers_of
+from qsbearing.model.described import materials_of, numbers_of
 from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
@@ -84,9 +83,9 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
 
 def _materials(holder: Any) -> Iterator[tuple[str, Material]]:
     """Those that it holds, after the beginning of their numbers' names."""
-    for each in fields(holder):
-        if isinstance(material := getattr(holder, each.name), Material):
-            yield f"{each.name}_", material
+    for name in materials_of(type(holder)):
+        if (material := getattr(holder, name)) is not None:
+            yield f"{name}_", material
 
 
 def dataset(solution: Solution) -> xarray.Dataset:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.described import given_in
+from qsbearing.model.described import A_MATERIAL, given_in
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.scene.preload import Preload
@@ -49,7 +49,7 @@ class ShaftSection:
     """Of a cone, where it begins."""
     inner_diameter: float = field(default=0.0, metadata=given_in("mm"))
     """Likewise."""
-    material: Material = STEEL
+    material: Material = field(default=STEEL, metadata=A_MATERIAL)
     end_outer_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Where it ends; None: a cylinder."""
     end_inner_diameter: float | None = field(default=None, metadata=given_in("mm"))
@@ -182,7 +182,7 @@ class Housing:
 
     temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: the reference temperature."""
-    material: Material = STEEL
+    material: Material = field(default=STEEL, metadata=A_MATERIAL)
     reference_temperature: float = field(default=REFERENCE_TEMPERATURE, metadata=given_in("C"))
 
     def __post_init__(self) -> None:
@@ -219,8 +219,8 @@ class Spacer:
     """[m]; None: there is none, the shaft parts the rows."""
     outer_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """[m]; None: likewise, the housing."""
-    inner_material: Material = STEEL
-    outer_material: Material = STEEL
+    inner_material: Material = field(default=STEEL, metadata=A_MATERIAL)
+    outer_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     inner_temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: as the shaft."""
     outer_temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
