@@ -271,8 +271,8 @@ def test_a_new_result_appears_everywhere_with_one_file_edited(tmp_path: Path) ->
         ["find", "my.toml", "--vary", "axial_load_N=100:2000", "--limit", "outer_mean_pressure<=600",
          "--maximise", "effective_stiffness_axial", "--points", "32", "--json"],
         ["guide", "symbols"],
-        ["sweep", "pair.toml", "--vary", "axial_load_N=400,500", "-y", "row_2_inner_mean_pressure_max", "--out", "pair.nc",
-         "--plot", "my.svg"],
+        ["sweep", "pair.toml", "--vary", "axial_load_N=400,500", "-y", "row_2_inner_mean_pressure_max", "--out",
+         "pair.nc", "--plot", "my.svg"],
     ]  # fmt: skip
     environment = os.environ | {"PYTHONPATH": str(tmp_path)}
     done = subprocess.run(
