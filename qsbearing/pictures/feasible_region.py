@@ -39,8 +39,8 @@ class Along:
 
 
 @dataclass(frozen=True)
-class Shown:
-    """A result over the picture."""
+class Bounded:
+    """A result over the picture, with its goals and limits."""
 
     name: str
     unit: str
@@ -64,7 +64,7 @@ class Shown:
             yield x[at] + (x[at + 1] - x[at]) * before[at] / (before[at] - after[at])
 
 
-def draw_region(x: Along, y: Along | None, shown: Sequence[Shown], objective: str, title: str, best: str) -> Figure:
+def draw_region(x: Along, y: Along | None, shown: Sequence[Bounded], objective: str, title: str, best: str) -> Figure:
     """The feasible region.
 
     Args:
@@ -100,7 +100,7 @@ def draw_region(x: Along, y: Along | None, shown: Sequence[Shown], objective: st
     return figure
 
 
-def _lines(axes: Axes, x: Along, y: Along, shown: Sequence[Shown]) -> None:
+def _lines(axes: Axes, x: Along, y: Along, shown: Sequence[Bounded]) -> None:
     """Goals as plain lines, limits with ticks on the side that is forbidden."""
     from matplotlib.patheffects import withTickedStroke
 
@@ -126,7 +126,7 @@ def _lines(axes: Axes, x: Along, y: Along, shown: Sequence[Shown]) -> None:
             axes.plot([], [], color=colour, linewidth=1.6, linestyle=dashes, label=label)
 
 
-def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
+def _curves(x: Along, shown: Sequence[Bounded], title: str, best: str) -> Figure:
     """One panel for each result; where one of the limits is not met, all are shaded."""
     figure = figure_of_size(6.6, 0.8 + 2.1 * len(shown))
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
@@ -157,7 +157,7 @@ def _curves(x: Along, shown: Sequence[Shown], title: str, best: str) -> Figure:
     return figure
 
 
-def _forbidden(x: Along, shown: Sequence[Shown], steps: bool) -> list[tuple[float, float]]:
+def _forbidden(x: Along, shown: Sequence[Bounded], steps: bool) -> list[tuple[float, float]]:
     """The stretches along x on which a limit is not met: from where it is just met; of single values, each with half of
     the way to the next ones."""
     if steps:
@@ -188,6 +188,6 @@ def _patches(axes: Axes, any_outside: bool, any_unsolved: bool) -> None:
         axes.fill_between([], [], facecolor="0.93", edgecolor=GREY, linewidth=0.5, label="no solution")
 
 
-def _said(each: Shown, sense: str, level: float) -> str:
+def _said(each: Bounded, sense: str, level: float) -> str:
     sign = {"<=": "≤", ">=": "≥"}.get(sense, sense)
     return with_unit(f"{words(each.name)} {sign} {level:g}", each.unit, " ")

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.result_keys import Group, Place, Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.results.readings_record import all_taken
 from qsbearing.studies.chooser.choose import solve
@@ -18,6 +19,7 @@ from qsbearing.studies.remarked import Look, look, looked_at, may_solve
 from qsbearing.studies.scenes import check, scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.rotor_dynamics import stiffness_columns
+from qsbearing.systems.rotor_dynamics.table import matrix_columns
 from qsbearing.systems.sets.set_solution import SetSolution
 
 IMPOSSIBLE = STATUSES[-1]
@@ -63,12 +65,16 @@ def _of_chunk(
     return out if parts else out | labels
 
 
+OF_ROW = Group(())
+"""Of a row's matrix, whose columns are no results of a study."""
+
+
 def _columns(solution: Solution | SetSolution, mirrored: bool) -> dict[str, NDArray]:
     if isinstance(solution, Solution):
         return stiffness_columns(solution, mirrored=mirrored)
     of_shaft: Any = solution
     columns = stiffness_columns(of_shaft, mirrored=mirrored)
     for number, (row, found) in enumerate(zip(solution.set.rows, solution.rows, strict=True), 1):
-        own = stiffness_columns(found, mirrored=mirrored != (row.sign < 0.0))
-        columns |= {f"row_{number}_{name}": column for name, column in own.items() if name.startswith("k")}
+        own = matrix_columns(found, mirrored=mirrored != (row.sign < 0.0))
+        columns |= {Place(OF_ROW, Result(name), number).name: column for name, column in own.items()}
     return columns

@@ -236,6 +236,15 @@ name = "7210C"
 speed_rpm = 6000
 axial_load_N = 500
 """
+PAIR = """[preload]
+rigid_N = 300
+[[rows]]
+position_mm = 0
+carries = "+x"
+[[rows]]
+position_mm = 20
+carries = "-x"
+"""
 PROGRAM = """
 import json, sys
 from click.testing import CliRunner
@@ -253,6 +262,7 @@ def test_a_new_result_appears_everywhere_with_one_file_edited(tmp_path: Path) ->
     assert text.count("    FRICTION,\n)") == 1
     file.write_text(text.replace("    FRICTION,\n)", f"    FRICTION,\n{NEW})"), encoding="utf-8")
     (tmp_path / "my.toml").write_text(SCENE, encoding="utf-8")
+    (tmp_path / "pair.toml").write_text(f"{SCENE}{PAIR}", encoding="utf-8")
     commands = [
         ["run", "my.toml", "--json"],
         ["run", "my.toml", "--csv", "my.csv"],
@@ -261,6 +271,8 @@ def test_a_new_result_appears_everywhere_with_one_file_edited(tmp_path: Path) ->
         ["find", "my.toml", "--vary", "axial_load_N=100:2000", "--limit", "outer_mean_pressure<=600",
          "--maximise", "effective_stiffness_axial", "--points", "32", "--json"],
         ["guide", "symbols"],
+        ["sweep", "pair.toml", "--vary", "axial_load_N=400,500", "-y", "row_2_inner_mean_pressure_max", "--out",
+         "pair.nc", "--plot", "my.svg"],
     ]  # fmt: skip
     environment = os.environ | {"PYTHONPATH": str(tmp_path)}
     done = subprocess.run(
@@ -268,7 +280,7 @@ def test_a_new_result_appears_everywhere_with_one_file_edited(tmp_path: Path) ->
         text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    record, table, _, _, search, symbols = json.loads(done.stdout)
+    record, table, _, _, search, symbols, pair = json.loads(done.stdout)
     contact = json.loads(record[record.index("{") :])["balls"][0]["inner"]
     assert contact["mean_pressure_MPa"] == pytest.approx(contact["max_pressure_MPa"] / 1.5)
     assert "pm i" in table and "pm o" in table
@@ -283,3 +295,5 @@ def test_a_new_result_appears_everywhere_with_one_file_edited(tmp_path: Path) ->
     found = json.loads(search)["results"]["outer_mean_pressure_max"]
     assert found == pytest.approx(600.0, rel=1e-3)
     assert "mean pressure" in symbols
+    with xarray.open_dataset(tmp_path / "pair.nc") as of_set:
+        assert float(of_set["row_2_inner_mean_pressure_max"][0]) > 100.0, pair

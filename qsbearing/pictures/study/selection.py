@@ -181,10 +181,8 @@ def _in_full(name: str, full: Iterable[str]) -> str:
 
 def _groups(places: Iterable[Place]) -> tuple[list[Group], list[Group]]:
     """Of the whole, and of rows."""
-    found: tuple[list[Group], list[Group]] = [], []
-    for each in places:
-        found[bool(each.row)].append(each.group)
-    return found
+    several = [*places]
+    return [each.group for each in several if not each.row], [each.group for each in several if each.row]
 
 
 def _over_balls(name: str) -> list[str]:

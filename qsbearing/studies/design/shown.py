@@ -121,7 +121,7 @@ def record(found: Found) -> dict[str, Any]:
 
 def picture(found: Found) -> Figure:
     """The feasible region over the first two variables that have a range, or over one; the others as found."""
-    from qsbearing.pictures.feasible_region import Along, Shown, draw_region
+    from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 
     ranged = [each for each in found.wanted.variables if not each.values]
     over = ranged[:2] or [found.wanted.variables[0]]
@@ -134,7 +134,7 @@ def picture(found: Found) -> Figure:
     grid = dict(zip((each.key for each in over), np.meshgrid(*(each.values for each in axes)), strict=True))
     results = found.evaluate({key: np.asarray(value) for key, value in found.values.items()} | grid)
     shown = [
-        Shown(
+        Bounded(
             name, found.units[name], values,
             [(each.sense, each.value) for each in found.wanted.conditions if each.name == name],
         )

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.columns import scene_numbers
-from qsbearing.model.solution.result_keys import LOAD
+from qsbearing.model.solution.groups import RING
+from qsbearing.model.solution.result_keys import LOAD, Group, Place
 from qsbearing.model.units import mm
 from qsbearing.model.validation import check_kind
 from qsbearing.systems.rotor_dynamics.axes import NAMES, in_rotor_axes, load_centres
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
     from qsbearing.model.solution.solution import Solution
 
+RING_LOAD = Group(LOAD, before=RING, prefix="load")
 _ROTATIONS = NAMES[3:]
 
 
@@ -36,11 +38,19 @@ def stiffness_columns(solution: Solution, *, mirrored: bool = False) -> dict[str
         "reason": np.ravel(np.asarray(solution.reason, str)),
     }
     load = solution.load.reshape(-1, 5)
-    out |= {f"ring_load_{each.key}": np.asarray(each.of(load)) for each in LOAD}
-    for row, column in np.ndindex(5, 5):
-        out[_name(NAMES[row], NAMES[column])] = stiffness[:, row, column]
+    out |= {Place(RING_LOAD, each).column: np.asarray(each.of(load)) for each in LOAD}
+    out |= _matrix(stiffness)
     centres = load_centres(stiffness) / mm
     return out | {f"load_centre_{axis}_mm": centres[:, number] for number, axis in enumerate(NAMES[:2])}
+
+
+def matrix_columns(solution: Solution, *, mirrored: bool = False) -> dict[str, NDArray]:
+    """Those of its matrix alone."""
+    return _matrix(in_rotor_axes(solution.stiffness.reshape(-1, 5, 5), mirrored=mirrored))
+
+
+def _matrix(stiffness: NDArray) -> dict[str, NDArray]:
+    return {_name(NAMES[row], NAMES[column]): stiffness[:, row, column] for row, column in np.ndindex(5, 5)}
 
 
 def _name(row: str, column: str) -> str:

@@ -19,7 +19,7 @@ import qsbearing as qs
 from fem_check.book.cases.bearing_design import LIMITS, PRINTED, PRINTED_CAPACITY, PROBLEM, capacity
 from qsbearing.cli import cli
 from qsbearing.documents.model import Paragraph
-from qsbearing.pictures.feasible_region import Along, Shown, draw_region
+from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.optimum import search
 from qsbearing.studies.design.shown import heading, picture, record, tables
@@ -206,14 +206,14 @@ def test_grey_begins_where_the_limit_is_met() -> None:
         return [(each.get_x(), each.get_x() + each.get_width()) for each in figure.axes[0].patches]
 
     x = np.linspace(0.0, 40.0, 41)
-    middle = Shown("a", "N", np.abs(x - 20.25), [("<=", 5.1)])
-    beyond = Shown("b", "N", np.where(x > 35.0, np.nan, x), [(">=", 3.3)])
+    middle = Bounded("a", "N", np.abs(x - 20.25), [("<=", 5.1)])
+    beyond = Bounded("b", "N", np.where(x > 35.0, np.nan, x), [(">=", 3.3)])
     drawn = draw_region(Along("speed_rpm", "rpm", x, 20.0), None, [middle, beyond], "", "", "best")
     assert [bool(each.get_xlabel()) for each in drawn.axes] == [False, True]
     found = spans(drawn)
     assert found == [pytest.approx((0.0, 15.15)), pytest.approx((25.35, 40.0))]
     few = Along("ball_count", "", np.arange(12.0, 17.0), 14.0)
-    listed = spans(draw_region(few, None, [Shown("a", "N", few.values, [("<=", 14.0)])], "", "", "best"))
+    listed = spans(draw_region(few, None, [Bounded("a", "N", few.values, [("<=", 14.0)])], "", "", "best"))
     assert listed == [pytest.approx((14.5, 16.0))]
 
 
