@@ -42,7 +42,7 @@ pytestmark = pytest.mark.skipif(not has_fast_code(), reason="thousands of cases"
 LONG = ("bearing_design", "code_aster_spheres")
 """Ten seconds each: here among the heavy tests, and in the release gate at each level."""
 NAMES = [pytest.param(name, marks=[pytest.mark.heavy] if name in LONG else []) for name in ALL]
-Book = tuple[Callable[[str], records.Record], Path]
+Book = tuple[Callable[[str], records.BookRecord], Path]
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +72,7 @@ def test_shipped_records_are_what_a_run_finds(name: str, book: Book) -> None:
     assert list(differences(comparable(shipped), comparable(book[0](name)))) == []
 
 
-def comparable(entry: records.Record) -> records.Record:
+def comparable(entry: records.BookRecord) -> records.BookRecord:
     """A record without what every run changes: date, commit, machine, seconds."""
     return {key: value for key, value in entry.items() if key not in records.RUN}
 
