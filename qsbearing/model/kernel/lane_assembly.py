@@ -7,14 +7,15 @@ from typing import Any
 from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import inlined, kernel
+from qsbearing.model.effects.raceway_control import INNER, MINIMUM_DISSIPATION, OUTER
 from qsbearing.model.kernel.ball import evaluated
 from qsbearing.model.kernel.kinematics import inner_line, is_seen_itself
 from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, work_in
 
 
 @kernel
-def evaluate_lanes(ring: recarray, lane_balls: ndarray, count: int, gyroscopic: bool) -> None:
-    """`assemble_balls` of all lanes, in all five channels."""
+def evaluate_lanes(ring: recarray, lane_balls: ndarray, count: int, case: recarray, control: int) -> None:
+    """`assemble_balls` of all lanes, in all five channels; their cases have the effects of this one."""
     for lane in range(LANES):
         ring.worst[lane], ring.worst_own[lane], ring.total[lane] = 0.0, 0.0, 0.0
         ring.is_open[lane] = 0.0
@@ -26,7 +27,7 @@ def evaluate_lanes(ring: recarray, lane_balls: ndarray, count: int, gyroscopic: 
                 ring.matrix[p, q, lane] = 0.0
     for n in range(count):
         see_lines(lane_balls[n])
-        evaluate_ball_lanes(ring, lane_balls[n], gyroscopic)
+        evaluate_ball_lanes(ring, lane_balls[n], case.gyroscopic, control, case.shares)
 
 
 @kernel
@@ -48,23 +49,43 @@ def see_lines(ball: recarray) -> None:
 
 
 @kernel
-def evaluate_ball_lanes(ring: recarray, ball: recarray, gyroscopic: bool) -> None:
-    """`moving_ball` and `add_ball` of all lanes."""
-    cosine, sine, weight = ball.cosine, ball.sine, ball.weight
-    if gyroscopic:  # a loop for each: a branch within one would forbid to pack it
-        for lane in range(LANES):
-            evaluate_in_lane(ring, ball, lane, case_in(ring, lane, True), cosine, sine, weight)
+def evaluate_ball_lanes(ring: recarray, ball: recarray, gyroscopic: bool, control: int, shares: int) -> None:
+    """`moving_ball` and `add_ball` of all lanes.
+
+    A loop for each kind: a branch within one would forbid to pack it.
+    """
+    if control == OUTER:
+        if gyroscopic:
+            evaluate_kind(ring, ball, True, OUTER, 0)
+        else:
+            evaluate_kind(ring, ball, False, OUTER, 0)
+    elif control == INNER:
+        if gyroscopic:
+            evaluate_kind(ring, ball, True, INNER, shares)
+        else:
+            evaluate_kind(ring, ball, False, INNER, 0)
+    elif gyroscopic:
+        evaluate_kind(ring, ball, True, MINIMUM_DISSIPATION, shares)
     else:
-        for lane in range(LANES):
-            evaluate_in_lane(ring, ball, lane, case_in(ring, lane, False), cosine, sine, weight)
+        evaluate_kind(ring, ball, False, MINIMUM_DISSIPATION, 0)
+
+
+@inlined
+def evaluate_kind(ring: recarray, ball: recarray, gyroscopic: bool, control: int, shares: int) -> None:
+    """The same of one kind, told by constants."""
+    cosine, sine, weight = ball.cosine, ball.sine, ball.weight
+    for lane in range(LANES):
+        case = case_in(ring, lane, gyroscopic, shares)
+        here = ball_in(ball, lane, cosine, sine, control, ring.inner_spin[lane], ring.outer_spin[lane])
+        evaluate_in_lane(ring, ball, lane, case, here, cosine, sine, weight)
 
 
 @inlined
 def evaluate_in_lane(
-    ring: recarray, ball: recarray, lane: int, case: Any, cosine: float, sine: float, weight: float
+    ring: recarray, ball: recarray, lane: int, case: Any, here: Any, cosine: float, sine: float, weight: float
 ) -> None:
     """The same of one lane."""
-    work, here = work_in(ring, lane), ball_in(ball, lane, cosine, sine)
+    work = work_in(ring, lane)
     seen = (
         ball.seen_sine[lane], ball.seen_cosine[lane], ball.seen_by_inner[lane], ball.seen_by_outer[lane],
         ball.seen_by_approach[lane],

@@ -46,6 +46,7 @@ RING_LANES = record(
     ("matrix", np.float64, (5, 5, LANES)),
     *_arrays("worst", "worst_own", "total", "inertial", "contact", "least"),  # of `assemble_balls`
     *_arrays("regularisation", "largest_approach", "farthest", "turn", "fraction", "before"),  # of Newton's method
+    *_arrays("inner_spin", "outer_spin"),  # of equal balls, for minimum dissipation
     *_arrays("steps", "is_near", "is_open", "is_unusual"),  # 0 or 1, as packed loops like it
     *((name, np.int64, (LANES,)) for name in ("case", "iterations", "closings", "is_last", "is_closed")),
 )
@@ -70,13 +71,14 @@ _Ball = _tuple_of("_Ball", *_EQUAL, "give", *_OF_BALL)
 
 
 @inlined
-def case_in(ring: recarray, lane: int, gyroscopic: bool = True) -> Any:
-    """A lane's case; whether it has a gyroscopic moment matters to `evaluated` alone, which a constant tells."""
+def case_in(ring: recarray, lane: int, gyroscopic: bool = True, shares: int = 0) -> Any:
+    """A lane's case; whether it has a gyroscopic moment matters to `evaluated` alone, which a constant tells, and so do
+    the moment's shares."""
     return _Case(
         ring.pitch_diameter[lane], ring.inner_coefficient[lane], ring.outer_coefficient[lane], ring.sin_free[lane],
         ring.cos_free[lane], ring.interference[lane], ring.tilt_lever[lane], ring.inner_stiffness[lane],
         ring.outer_stiffness[lane], ring.series_stiffness[lane], ring.inner_speed[lane], ring.outer_speed[lane],
-        True, gyroscopic, 0, 0, False, False, False, False,
+        True, gyroscopic, shares, 0, False, False, False, False,
     )  # fmt: skip
 
 
@@ -87,10 +89,14 @@ def work_in(ring: recarray, lane: int) -> Any:
 
 
 @inlined
-def ball_in(ball: recarray, lane: int, cosine: float, sine: float) -> Any:
-    """A lane's ball, at this azimuth (which, read from the record in a loop over lanes, would forbid to pack it)."""
+def ball_in(
+    ball: recarray, lane: int, cosine: float, sine: float, control: int = OUTER, inner_spin: float = 0.0,
+    outer_spin: float = 0.0,
+) -> Any:  # fmt: skip
+    """A lane's ball, at this azimuth (which, read from the record in a loop over lanes, would forbid to pack it); its
+    control and spin constants matter to `evaluated` alone."""
     return _Ball(
-        1.0, OUTER, cosine, sine, 0.0, 0.0, 0.0, 0.0, 0.0,
+        1.0, control, cosine, sine, inner_spin, outer_spin, 0.0, 0.0, 0.0,
         ball.outer_sine[lane], ball.outer_cosine[lane], ball.outer_approach[lane],
         ball.inner_sine[lane], ball.inner_cosine[lane], ball.inner_approach[lane],
         ball.outer_inverse[lane], ball.inner_inverse[lane], ball.closure1[lane], ball.closure2[lane],

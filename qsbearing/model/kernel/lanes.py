@@ -4,11 +4,12 @@ Each ball is evaluated, and takes its step, in a loop over lanes which LLVM pack
 ring, or seldom, is done lane by lane. A case that has converged makes room for the next. The digits are those of
 `solve_cases`, whatever stands in the other lanes.
 
-Lanes know equal balls with centrifugal force, with or without gyroscopic moment, under outer control, which per-ball
-control tries first, on the pitch circle, contacts of constant stiffness, rigid rings and friction without a bound, at
-speed under loads that are mainly axial. At one time lanes hold cases with the same effects, balls and channels to
-solve. Left to `solve_cases` are all others, and what does not converge at once to an admissible equilibrium that no
-ball's control contradicts, so that all that is said of it is said there.
+Lanes know equal balls with centrifugal force, with or without gyroscopic moment, under any control (of per-ball control
+the outer one, which it tries first), on the pitch circle, contacts of constant stiffness, rigid rings and friction
+without a bound, at speed under loads that are mainly axial. At one time lanes hold cases with the same effects,
+control, balls and channels to solve. Left to `solve_cases` are all others, thrust below the least, and what does not
+converge at once to an admissible equilibrium that no ball's control contradicts, so that all that is said of it is said
+there.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from qsbearing.model.kernel.ball_inertia import is_moving
 from qsbearing.model.kernel.initial_guess import guess_thrust, is_thrust_like
 from qsbearing.model.kernel.lane_assembly import evaluate_lanes
 from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, lane_memory
+from qsbearing.model.kernel.least_thrust import is_below_least_thrust
 from qsbearing.model.kernel.linear import solve_in_place
 from qsbearing.model.kernel.loop_closure import inner_length, inner_span, outer_length, set_inner_line, set_outer_line
 from qsbearing.model.kernel.newton import CLOSINGS, NEAR, NEARLY, OPEN_ITERATIONS, SOLVED, UNSOLVED, verdict
@@ -188,9 +190,15 @@ def copy_ball(lane_ball: recarray, lane: int, ball: recarray) -> None:
 def lanes_know(cases: NDArray) -> NDArray:
     """Of each case, whether lanes know all that it names: balls may be equal in some cases only."""
     named = [~cases[name] for name in ("displaced_orbit", "actual_angle", "unequal_balls", "elastic_rings")]
-    known = cases["centrifugal"] & ((cases["control"] == OUTER) | (cases["control"] == PER_BALL))
-    known &= (cases["friction_coefficient"] == NO_BOUND) & (cases["displacement_given"][:, 0] == 0)
+    known = cases["centrifugal"] & (cases["friction_coefficient"] == NO_BOUND)
+    known &= cases["displacement_given"][:, 0] == 0
     return np.logical_and.reduce([known, *named])
+
+
+@kernel
+def first_control(case: recarray) -> int:
+    """The raceway control that is tried first."""
+    return int(OUTER if case.control == PER_BALL else case.control)
 
 
 @kernel
@@ -202,6 +210,7 @@ def is_alike(case: recarray, like: recarray) -> bool:
         if case.displacement_given[i] != like.displacement_given[i]:
             return False
     is_same = case.ball_count == like.ball_count and case.first_azimuth == like.first_azimuth
+    is_same = is_same and first_control(case) == first_control(like) and case.shares == like.shares
     return bool(is_same and case.gyroscopic == like.gyroscopic)
 
 
@@ -229,6 +238,7 @@ def enter(
     ring.interference[lane], ring.series_stiffness[lane] = case.interference, case.series_stiffness
     ring.inner_stiffness[lane], ring.outer_stiffness[lane] = case.inner_stiffness, case.outer_stiffness
     ring.inner_speed[lane], ring.outer_speed[lane] = case.inner_speed, case.outer_speed
+    ring.inner_spin[lane], ring.outer_spin[lane] = balls[0].inner_spin, balls[0].outer_spin
     ring.regularisation[lane], ring.least[lane] = work.regularisation, least_load(case)
     for i in range(5):
         ring.load[i, lane], ring.displacement[i, lane], ring.step[i, lane] = (
@@ -252,6 +262,7 @@ def leave(ring: recarray, lane_balls: ndarray, lane: int, work: recarray, balls:
         work.displacement[i] = ring.displacement[i, lane]
     for n in range(work.ball_count):
         ball, there = balls[n], lane_balls[n]
+        ball.inner_spin, ball.outer_spin = ring.inner_spin[lane], ring.outer_spin[lane]
         set_outer_line(ball, there.outer_sine[lane], there.outer_cosine[lane], there.outer_approach[lane])
         set_inner_line(ball, there.inner_sine[lane], there.inner_cosine[lane], there.inner_approach[lane])
 
@@ -316,12 +327,14 @@ def solve_alike(
                 if results[k].status == WAITING and is_alike(case, cases[like]):
                     results[k].status = UNFINISHED
                     prepare(case, work, balls, own[k], False, results[k], positions[k], controls[k])
-                    enter(ring, lane_balls, lane, case, work, balls, k)
                     entered += 1
+                    if is_below_least_thrust(case, work, balls[0]):
+                        continue
+                    enter(ring, lane_balls, lane, case, work, balls, k)
             running += 1 if ring.case[lane] != NONE else 0
         if running == 0:
             return entered
-        evaluate_lanes(ring, lane_balls, work.ball_count, cases[like].gyroscopic)
+        evaluate_lanes(ring, lane_balls, work.ball_count, cases[like], first_control(cases[like]))
         for lane in range(LANES):
             ring.steps[lane], ring.is_unusual[lane], k = 0.0, 0.0, ring.case[lane]
             if k != NONE and judge(ring, lane_balls, lane, cases[k], work, balls, tolerance):

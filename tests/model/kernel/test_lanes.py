@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import HAS_NUMBA, functions, has_fast_code
+from qsbearing.model.effects.raceway_control import INNER, MINIMUM_DISSIPATION, OUTER
 from qsbearing.model.kernel import lanes
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
@@ -25,6 +26,8 @@ from qsbearing.model.solution import solver
 from qsbearing.model.solution.flatten import CaseMaker
 from tests.verification.benchmarks import scenes
 from tests.verification.campaign.envelope import chunk_groups
+
+BOTH_HARRIS = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
 
 pytestmark = pytest.mark.skipif(not has_fast_code(), reason="plain Python solves no batches in lanes")
 
@@ -101,9 +104,63 @@ def per_ball_without_moment(count: int) -> qs.Scene:
     return replace(per_ball(count), ball_effects=scenes.BOTH[:1])
 
 
+def other_bearings(scene: qs.Scene) -> qs.Scene:
+    """Bearings of several diameters, curvatures and angles: what belongs to a bearing belongs to its lane."""
+    rng, count = np.random.default_rng(6), np.asarray(scene.operation.speed).size
+    diameter = np.asarray(scene.bearing.ball_diameter) * rng.uniform(0.8, 1.0, count)
+    grown: dict[str, Any] = {
+        "ball_diameter": diameter,
+        "inner_groove_radius": diameter * rng.uniform(0.515, 0.53, count),
+        "outer_groove_radius": diameter * rng.uniform(0.515, 0.53, count),
+        "free_contact_angle": rng.uniform(0.4, 0.7, count),
+    }
+    return replace(scene, bearing=replace(scene.bearing, **grown))
+
+
+def least_dissipation(count: int) -> qs.Scene:
+    """Axes and shares of the moment that follow the loads."""
+    scene = replace(scenes.random_general_points(count), raceway_control=qs.RacewayControl.MINIMUM_DISSIPATION)
+    return other_bearings(scene)
+
+
+def least_dissipation_by_halves(count: int) -> qs.Scene:
+    return replace(least_dissipation(count), ball_effects=BOTH_HARRIS)
+
+
+def least_dissipation_without_moment(count: int) -> qs.Scene:
+    return replace(least_dissipation(count), ball_effects=scenes.BOTH[:1])
+
+
+def inner(count: int) -> qs.Scene:
+    """Inner control, where one case in five has no equilibrium."""
+    return other_bearings(replace(scenes.random_points(count), raceway_control=qs.RacewayControl.INNER))
+
+
+def inner_by_halves(count: int) -> qs.Scene:
+    return replace(inner(count), ball_effects=BOTH_HARRIS)
+
+
+def inner_without_moment(count: int) -> qs.Scene:
+    return replace(inner(count), ball_effects=scenes.BOTH[:1])
+
+
+def inner_thrust(count: int) -> qs.Scene:
+    """Thrust alone, of which lanes leave what is below the least to the scalar kernel, which refuses it."""
+    scene = inner(count)
+    operation = replace(scene.operation, radial_load_y=0.0, axial_load=0.3 * np.asarray(scene.operation.axial_load))
+    return replace(scene, operation=operation)
+
+
 @pytest.mark.parametrize(
     ("make", "least"),
     [
+        (least_dissipation, 0.95),
+        (least_dissipation_by_halves, 0.95),
+        (least_dissipation_without_moment, 0.95),
+        (inner, 0.6),
+        (inner_by_halves, 0.9),
+        (inner_without_moment, 0.95),
+        (inner_thrust, 0.6),
         (without_moment, 0.99),
         (per_ball, 0.7),
         (per_ball_without_moment, 0.7),
@@ -160,8 +217,6 @@ def test_only_batches_from_no_start_are_solved_in_lanes(monkeypatch: pytest.Monk
     "change",
     [
         {"ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.07))},
-        {"raceway_control": qs.RacewayControl.INNER},
-        {"raceway_control": qs.RacewayControl.MINIMUM_DISSIPATION},
         {"ball_effects": (qs.GyroscopicMoment(),)},
         {"hertz_angle": qs.HertzAngle.ACTUAL},
         {"orbit_radius": qs.OrbitRadius.DISPLACED},
@@ -175,7 +230,7 @@ def test_lanes_know_what_they_do_not_know(change: dict[str, Any]) -> None:
 
 def test_lanes_are_left_out_where_they_know_no_case(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(lanes, "solve_in_lanes", None)
-    maker, cases = made(replace(scenes.random_points(20), raceway_control=qs.RacewayControl.INNER))
+    maker, cases = made(replace(scenes.random_points(20), hertz_angle=qs.HertzAngle.ACTUAL))
     assert_same(solved_by(lanes.solve_batch, maker, cases), solved_by(solve_cases, maker, cases))
 
 
@@ -194,10 +249,16 @@ def test_loops_over_lanes_are_packed() -> None:
     from qsbearing.model.compiler import numba_kernel
 
     def evaluate(rings: NDArray, balls: NDArray) -> None:
-        evaluate_ball_lanes(rings[0], balls[0], True)
+        evaluate_ball_lanes(rings[0], balls[0], True, OUTER, 0)
 
     def evaluate_without_moment(rings: NDArray, balls: NDArray) -> None:
-        evaluate_ball_lanes(rings[0], balls[0], False)
+        evaluate_ball_lanes(rings[0], balls[0], False, OUTER, 0)
+
+    def evaluate_inner(rings: NDArray, balls: NDArray) -> None:
+        evaluate_ball_lanes(rings[0], balls[0], True, INNER, 1)
+
+    def evaluate_least_dissipation(rings: NDArray, balls: NDArray) -> None:
+        evaluate_ball_lanes(rings[0], balls[0], True, MINIMUM_DISSIPATION, 1)
 
     def step(rings: NDArray, balls: NDArray) -> None:
         step_ball_lanes(rings[0], balls[0])
@@ -205,7 +266,15 @@ def test_loops_over_lanes_are_packed() -> None:
     def propose(rings: NDArray, balls: NDArray) -> None:
         propose_lanes(rings[0], balls, 1)
 
-    for function, least in ((evaluate, 200), (evaluate_without_moment, 100), (step, 50), (propose, 10)):
+    least_of = {
+        evaluate: 200,
+        evaluate_without_moment: 100,
+        evaluate_inner: 200,
+        evaluate_least_dissipation: 200,
+        step: 50,
+        propose: 10,
+    }
+    for function, least in least_of.items():
         compiled = numba_kernel.njit(**numba_kernel.OPTIONS)(numba_kernel.Dispatchers(functions).filled(function))
         compiled(np.ones(1, RING_LANES), np.ones(1, BALL_LANES))
         (text,) = compiled.inspect_asm().values()
