@@ -139,7 +139,9 @@ class FrictionMotion:
     @property
     def cage_speed(self) -> NDArray:
         """Of balls on their way round: the harmonic mean of their orbits."""
-        return np.asarray(1.0 / np.mean(1.0 / self.orbital_speed, axis=-1))
+        times = np.nansum(1.0 / self.orbital_speed, axis=-1)
+        count = np.isfinite(self.orbital_speed).sum(axis=-1)
+        return np.asarray(np.where(count > 0, count, np.nan) / np.where(count > 0, times, np.nan))
 
     @property
     def skid_margin(self) -> NDArray:
@@ -164,7 +166,8 @@ class FrictionMotion:
     @property
     def heat(self) -> NDArray:
         """Of all contacts [W]."""
-        return np.asarray((self.weight * (self.inner.heat + self.outer.heat)).sum(axis=-1))
+        of_balls = self.weight * (self.inner.heat + self.outer.heat)
+        return np.asarray(np.where(np.isfinite(self.torque), np.nansum(of_balls, axis=-1), np.nan))
 
 
 def friction_motion(

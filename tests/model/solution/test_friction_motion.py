@@ -13,7 +13,7 @@ import qsbearing as qs
 from qsbearing.model.effects.entry import with_found
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
-from qsbearing.model.solution.motion_stiffness import motion_stiffness
+from qsbearing.model.solution.motion_stiffness import motion_rates, motion_stiffness
 from qsbearing.model.validation import SceneError
 from tests.qsbearing.scenes import B218, BOTH, OUTER, UPRIGHT
 
@@ -326,6 +326,17 @@ def test_one_scene_takes_a_band_of_friction() -> None:
     np.testing.assert_array_equal(both.displacement[1], band.displacement)
     with pytest.raises(ValueError, match="broadcast"):
         friction_motion(scene(B218, np.array([9e3, 17.8e3]), 10_000), Traction(np.array([0.03, 0.07, 0.1])))
+
+
+def test_cases_may_have_different_numbers_of_balls() -> None:
+    some = friction_motion(scene(replace(B218, ball_count=np.array([12, 16])), 8e3, 10_000, 2e3), Traction())
+    few = friction_motion(scene(replace(B218, ball_count=12), 8e3, 10_000, 2e3), Traction())
+    np.testing.assert_array_equal(some.orbital_speed[0, :12], few.orbital_speed)
+    assert np.isnan(some.orbital_speed[0, 12:]).all()
+    assert some.heat[0] == pytest.approx(float(few.heat), rel=1e-14)
+    assert some.cage_speed[0] == pytest.approx(float(few.cage_speed), rel=1e-14)
+    np.testing.assert_array_equal(motion_stiffness(some)[0], motion_stiffness(few))
+    np.testing.assert_array_equal(motion_rates(some)[0, :12], motion_rates(few))
 
 
 def test_what_has_no_equilibrium_has_no_motion() -> None:
