@@ -11,13 +11,15 @@ again, on numpy's records.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from functools import cache
 from operator import attrgetter
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from qsbearing.model.compiler.kinds import flat
 
 
 class Record:
@@ -77,7 +79,7 @@ def _fields(of: np.dtype) -> tuple[np.dtype, list[str], list[str], Callable[[Any
 
 def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
     """What a function of the kernel returns, its records as plain objects."""
-    given = {id(array): array for array in _arrays(args)}
+    given = {id(each): each for each in flat(args) if isinstance(each, np.ndarray)}
     before = [array.tobytes() for array in given.values()]
     records = {key: Records(array) for key, array in given.items() if array.dtype.names}
     try:
@@ -89,14 +91,6 @@ def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
     for each in records.values():
         each.write_back()
     return found
-
-
-def _arrays(args: Iterable[Any]) -> Iterator[NDArray]:
-    for each in args:
-        if isinstance(each, np.ndarray):
-            yield each
-        elif isinstance(each, tuple):
-            yield from _arrays(each)
 
 
 def _plain(arg: Any, records: dict[int, Records]) -> Any:
