@@ -102,8 +102,8 @@ class SlipArguments:
             "Drag needs all three; leave all out for none",
         )
         errors += within("oil_density", self.oil_density, DENSITY, 500.0, 2e3)
-        shares = self.least_oil_share, self.most_oil_share
-        if not errors and None not in shares and np.any(np.asarray(shares[0]) > np.asarray(shares[1])):
+        least, most = self.least_oil_share, self.most_oil_share
+        if not errors and least is not None and most is not None and np.any(np.asarray(least) > np.asarray(most)):
             errors.append(ErrorDetail("least_oil_share", "is above most_oil_share", cause="Swap the two"))
         if self.minimum_load_factor is not None:
             errors += within("minimum_load_factor", self.minimum_load_factor, FORCE, *FACTORS)

@@ -28,6 +28,7 @@ WORDS = {
     "preload_lost": r"preload (?:is )?lost",
     "fit_lost": r"fit (?:is )?lost|lose their fit",
     "seat_parts": r"lifts? off",
+    "friction_may_be_low": r"balls creep",
     "friction_given_exceeded": r"\bslips?\b|more friction",
     "pressure_viscosity_estimated": r"pressure-viscosity",
     "preload_reduced": r"preload[^.]*(?:reduced|falls?|less)|reduces? (?:the|its) preload",

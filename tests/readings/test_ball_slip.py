@@ -109,8 +109,10 @@ def test_numbers_out_of_range_are_named_at_once() -> None:
 
 def test_many_cases_are_those_one_by_one() -> None:
     speeds = np.array([3e3, 10e3])
-    both = ball_slip(solved(turning(speeds, axial_load=17.8e3)), np.array([0.05, 0.07]), **OIL)
+    oil = OIL | {"most_oil_share": np.array([0.2, 0.3])}
+    both = ball_slip(solved(turning(speeds, axial_load=17.8e3)), np.array([0.05, 0.07]), **oil)  # type: ignore[arg-type]
     for k, speed in enumerate(speeds):
-        one = ball_slip(solved(turning(speed, axial_load=17.8e3)), (0.05, 0.07)[k], **OIL)
+        alone = OIL | {"most_oil_share": (0.2, 0.3)[k]}
+        one = ball_slip(solved(turning(speed, axial_load=17.8e3)), (0.05, 0.07)[k], **alone)
         assert both.most_drag_used[k] == pytest.approx(one.most_drag_used, rel=1e-9)
         assert both.axis_moment_used[k] == pytest.approx(one.axis_moment_used, rel=1e-9)

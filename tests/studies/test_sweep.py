@@ -661,6 +661,10 @@ def with_readings(**tables: dict) -> dict:
             "drag_coefficient": 0.5,
             "fluid_density_kg_m3": 20.0,
         },
+        "ball_slip": {
+            **{"friction_coefficient": 0.05, "drag_coefficient": 0.5, "least_oil_share": 0.02, "most_oil_share": 0.2},
+            **{"oil_density_kg_m3": 900.0, "minimum_load_factor_N": 30.0},
+        },
         "friction_estimate": {
             **{"bore_diameter_mm": 90.0, "outside_diameter_mm": 160.0},
             **{"static_load_rating_N": 1e5, "lubrication_factor": 2.0},
