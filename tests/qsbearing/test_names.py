@@ -19,7 +19,7 @@ PACKAGES = ("qsbearing", "fem_check")
 NAME = "found"
 
 NOT_YET = {
-    "qsbearing/files", "qsbearing/inference",
+    "qsbearing/files", 
     "qsbearing/model", "qsbearing/pictures", "qsbearing/readings", "qsbearing/remarks", "qsbearing/reports",
     "qsbearing/results", "qsbearing/studies", "qsbearing/systems",
 }  # fmt: skip
