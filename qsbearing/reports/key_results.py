@@ -116,16 +116,16 @@ def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, An
         number: from 0.
         readings: what the row was asked to be read off, by name.
     """
-    found = [KeyResult("axial load", (Part("", (float(solution.axial_loads[number]),), "N"),))]
+    results = [KeyResult("axial load", (Part("", (float(solution.axial_loads[number]),), "N"),))]
     if solution.preload_mounted is not None:
-        found.append(KeyResult("preload mounted", (Part("", (float(solution.preload_mounted[number]),), "N"),)))
-    return [*found, *contact_lines(solution.rows[number]), *_life_lines(readings)]
+        results.append(KeyResult("preload mounted", (Part("", (float(solution.preload_mounted[number]),), "N"),)))
+    return [*results, *contact_lines(solution.rows[number]), *_life_lines(readings)]
 
 
 def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
     """A line for each row; what no row has is left out."""
     rows: list[dict[str, str]] = []
-    for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
+    for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):
         cells = {"": capital(row_name(solution.set.rows[number], number))}
         cells["axial load\nN"] = _number(float(solution.axial_loads[number]))
         if solution.preload_mounted is not None:
@@ -135,8 +135,8 @@ def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) ->
             if getattr(row.inner, name) is not None:
                 cells[title] = " / ".join(_number(_largest(side, name) / unit) for side in sides)
         cells["contact angles\ndeg"] = " / ".join(_angles("", side).number for side in sides)
-        if "life" in found and np.isfinite(found["life"].duration):
-            cells["life\nh"] = _number(float(found["life"].duration) / HOUR)
+        if "life" in of_row and np.isfinite(of_row["life"].duration):
+            cells["life\nh"] = _number(float(of_row["life"].duration) / HOUR)
         rows.append(cells)
     titles = list(dict.fromkeys(title for cells in rows for title in cells))
     lines = [[cells.get(title, "-") for title in titles] for cells in rows]
@@ -221,12 +221,12 @@ def _channels(
 ) -> tuple[Part, ...]:
     """Channels with their values; what is rounding beside the largest, measured at the pitch circle, is left out."""
     sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
-    found = []
+    parts = []
     for i, channel in enumerate(CHANNELS):
         size, unit = turning if channel.is_rotation else straight
         if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max():
-            found.append(Part(channel.label, (float(values[i]) / size,), unit))
-    return tuple(found)
+            parts.append(Part(channel.label, (float(values[i]) / size,), unit))
+    return tuple(parts)
 
 
 def _heat_lines(solution: Solution | SetSolution) -> list[KeyResult]:
@@ -255,7 +255,7 @@ def _life(turns: NDArray, duration: NDArray) -> tuple[Part, ...]:
 
 def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
     """Where every row has a life in hours."""
-    lives = [found["life"] for found in readings if "life" in found]
+    lives = [of_row["life"] for of_row in readings if "life" in of_row]
     if len(lives) < len(readings) or not np.isfinite([life.duration for life in lives]).all():
         return []
     basic, modified = (
