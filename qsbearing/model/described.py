@@ -141,12 +141,12 @@ def inputs_of(of: Any) -> tuple[Input, ...]:
 
     The class's fields first, then what it names in `also_given`.
     """
-    found = [
+    inputs = [
         Input(each.name, **each.metadata[_GIVEN], is_required=each.default is MISSING is each.default_factory)
         for each in (fields(of) if hasattr(of, "__dataclass_fields__") else ())
         if _GIVEN in each.metadata
     ]
-    return (*sorted(found, key=lambda each: each.goes_last), *getattr(of, "also_given", ()))
+    return (*sorted(inputs, key=lambda each: each.goes_last), *getattr(of, "also_given", ()))
 
 
 def numbers_of(of: Any) -> tuple[Input, ...]:
