@@ -14,6 +14,8 @@ from typing import Any
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # Tables are as wide as in a file, whatever the terminal; pytest-xdist sets it in its processes.
 os.environ.pop("COLUMNS", None)
+# Hundreds of processes are started; each would compile the sources anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 import pytest
 from hypothesis import settings
@@ -56,6 +58,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    sys.dont_write_bytecode = False
     _make_machine_code(config)
     if config.option.record_durations:
         config.pluginmanager.register(durations.Recorder())

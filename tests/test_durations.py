@@ -46,7 +46,8 @@ def run_in_two(folder: Path, *asked: str) -> subprocess.CompletedProcess[str]:
     (folder / "folder").mkdir()
     for name in ("test_a", "folder/test_b", "folder/test_c"):
         (folder / f"{name}.py").write_text("def test_one():\n    pass\n\ndef test_two():\n    pass\n", encoding="utf-8")
-    (folder / "conftest.py").write_text("from tests.conftest import *\n", encoding="utf-8")
+    conftest = "from tests.conftest import *\n\nblank_pictures = None  # nothing is drawn\n"
+    (folder / "conftest.py").write_text(conftest, encoding="utf-8")
     command = [sys.executable, "-m", "pytest", "-v", "-n", "2", "--dist", "each", "--rootdir", "."]
     environment = os.environ | {"PYTHONPATH": str(durations.ROOT)}
     return subprocess.run([*command, *asked], cwd=folder, env=environment, capture_output=True, text=True, check=False)

@@ -32,7 +32,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Motion:
-    """Of balls, in the frame that goes round with each; arrays (case,), of contacts (2, case) with the inner ones first."""
+    """Of balls, in the frame that goes round with each; arrays (case,), of contacts (2, case), inner ones first."""
 
     displacement: Array
     """Of the inner ring, along the axis [m]."""
@@ -70,8 +70,8 @@ def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, sam
     """By Runge and Kutta's method of fourth order.
 
     Args:
-        step: [s]. The stiffest is friction at slips below vc, mu Q/vc over 2/7 of the ball's mass, some 1e5 1/s: the step
-            must stay below 2.8 over that. A ball goes round by a few thousandths of a radian meanwhile.
+        step: [s]. The stiffest is friction at slips below vc, mu Q/vc over 2/7 of the ball's mass, some 1e5 1/s: the
+            step must stay below 2.8 over that. A ball goes round by a few thousandths of a radian meanwhile.
         samples: how many states are kept.
 
     Raises:
@@ -87,7 +87,9 @@ def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, sam
             fourth = rates(state + step * third)
             state = state + step / 6.0 * (first + 2.0 * (second + third) + fourth)
         if not np.isfinite(state).all():
-            raise UnsettledError(f"no number is left after {len(states) * stride * step:.2g} s: nothing holds the balls")
+            raise UnsettledError(
+                f"no number is left after {len(states) * stride * step:.2g} s: nothing holds the balls"
+            )
         states.append(state)
     return Run(balls, stride * step * np.arange(samples + 1), np.array(states))
 
@@ -141,3 +143,28 @@ def settled(of: Run) -> Motion:
     if not (change <= STEADY).all():
         raise UnsettledError(f"the motion still changes by {change.max():.1e} of the speed in a turn")
     return motion(of.balls, run(of.balls, of.states[-1], LAST, LAST_STEP, 1).states[-1])
+
+
+def _azimuths(of: Run) -> Array:
+    return np.unwrap(np.angle(of.states[:, YZ]), axis=0)
+
+
+def mean_of_round(of: Run, values: Array) -> Array:
+    """Mean over time of values (sample, case), during each ball's last round; shape (case,)."""
+    azimuths, means = _azimuths(of), []
+    middles = 0.5 * (values[1:] + values[:-1]) * np.diff(of.times)[:, None]
+    sums = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(middles, axis=0)])
+    for case, azimuth in enumerate(azimuths.T):
+        begin = np.interp(azimuth[-1] - 2.0 * np.pi, azimuth, of.times)
+        sum_before = np.interp(begin, of.times, sums[:, case])
+        means.append((sums[-1, case] - sum_before) / (of.times[-1] - begin))
+    return np.array(means)
+
+
+def at_azimuths(of: Run, values: Array, wanted: Array) -> Array:
+    """Values (sample, case) as each ball last passed these azimuths [rad]; shape (azimuth, case)."""
+    columns = []
+    for case, azimuth in enumerate(_azimuths(of).T):
+        last = wanted + 2.0 * np.pi * np.floor((azimuth[-1] - wanted) / (2.0 * np.pi))
+        columns.append(np.interp(last, azimuth, values[:, case]))
+    return np.stack(columns, axis=1)

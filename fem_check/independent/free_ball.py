@@ -1,13 +1,13 @@
 """A ball between its grooves by the laws of Newton and Euler alone, seen from where the outer ring rests.
 
-Given are the drawing, how fast the inner ring turns, and how surfaces press and rub: grooves are tori, a ball penetrates
-them along the normal at the nearest point, Hertz's force answers that, and friction the slip. **No centrifugal force, no
-gyroscopic moment and no raceway control is put in**: what they describe has to come out.
+Given are the drawing, how fast the inner ring turns, and how surfaces press and rub: grooves are tori, a ball
+penetrates them along the normal at the nearest point, Hertz's force answers that, and friction the slip. **No
+centrifugal force, no gyroscopic moment and no raceway control is put in**: what they describe has to come out.
 
-x is the bearing's axis, e_r points from it to the ball. A vector in a plane is a complex number: across the axis y + iz, in
-the plane of axis and ball x + ir. There n points from the ball's centre to the contact, t = -i n is square to it, and
-u = e_r x e_x completes t, u, n; within the contact's plane a vector is t + iu. Arrays are (case,), (2, case) with the
-inner contacts first, or (2, case, point): cases run side by side.
+x is the bearing's axis, e_r points from it to the ball. A vector in a plane is a complex number: across the axis
+y + iz, in the plane of axis and ball x + ir. There n points from the ball's centre to the contact, t = -i n is square
+to it, and u = e_r x e_x completes t, u, n; within the contact's plane a vector is t + iu. Arrays are (case,), (2, case)
+with the inner contacts first, or (2, case, point): cases run side by side.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ import numpy as np
 
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
-from fem_check.independent.drawing import Drawing
+from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.slip_friction import Coulomb, Linear, Points
 
 X, YZ, ALONG, ACROSS, RING, RING_SPEED = 0, 1, slice(2, 4), slice(4, 6), 6, 7
-"""Rows of a state: the ball's place along and across the axis; its velocity and angular velocity along the axis, the same
-across it; the inner ring's place and speed along it."""
+"""Rows of a state: the ball's place along and across the axis; its velocity and angular velocity along the axis, the
+same across it; the inner ring's place and speed along it."""
 RACES = ("inner", "outer")
 
 
@@ -33,7 +33,7 @@ RACES = ("inner", "outer")
 class Case:
     """One ball of one bearing at one speed and load."""
 
-    drawing: Drawing
+    drawing: BearingDrawing
     speed: float
     """Of the inner ring [rad/s]."""
     thrust: float | None = None
@@ -63,7 +63,7 @@ class Contacts:
 
     @cached_property
     def on_ball(self) -> tuple[Array, Array]:
-        """What each contact does to the ball, along the axis and across it; shapes (2, 2, case): forces, then torques."""
+        """What each contact does to the ball, along and across the axis; shapes (2, 2, case): forces, then torques."""
         in_contact, about_normal = self.moment
         plane = np.array([-self.pressing - 1j * self.friction.real, about_normal - 1j * in_contact.real]) * self.normal
         across = (plane.imag - 1j * np.array([self.friction.imag, in_contact.imag])) * self.outward
@@ -84,12 +84,12 @@ class FreeBalls:
     law: Coulomb | Linear
     points: Points
     damping: float = 200.0
-    """Of a contact along its normal [N s/m]. It and the ring's mass shape the way to a steady motion, not that motion."""
+    """Of a contact along its normal [N s/m]. It and the ring's mass shape the way to a steady motion, no more."""
     ring_mass: float = 0.2
     """Of the inner ring, for each ball [kg]."""
 
     @property
-    def drawings(self) -> list[Drawing]:
+    def drawings(self) -> list[BearingDrawing]:
         """Of the cases."""
         return [case.drawing for case in self.cases]
 
@@ -125,7 +125,9 @@ class FreeBalls:
     def _grooves(self) -> tuple[Array, Array]:
         """Radius of the circle of groove centres, and length of a contact line that just touches."""
         of = self.drawings
-        circle = np.array([[each.inner_groove_centre_radius for each in of], [each.outer_groove_centre_radius for each in of]])
+        circle = np.array(
+            [[each.inner_groove_centre_radius for each in of], [each.outer_groove_centre_radius for each in of]]
+        )
         radius = np.array([[each.inner_groove_radius for each in of], [each.outer_groove_radius for each in of]])
         return circle, radius - self._ball_radius
 
@@ -138,8 +140,10 @@ class FreeBalls:
 
     @cached_property
     def _shared_radius(self) -> Array:
-        """Of the surface that ball and groove share, of like materials, across the groove [m]."""
-        return np.asarray(2.0 / (1.0 / self._ball_radius + 1.0 / (self._grooves[1] + self._ball_radius)))
+        """Of the surface that ball and groove share, across the groove [m]: each gives way by its compliance."""
+        share = np.array([of.ball.compliance / (of.ball.compliance + of.ring.compliance) for of in self.drawings])
+        groove = self._grooves[1] + self._ball_radius
+        return np.asarray(1.0 / ((1.0 - share) / self._ball_radius + share / groove))
 
     @cached_property
     def _places(self) -> Array:
@@ -174,7 +178,7 @@ class FreeBalls:
     def _rubbing(
         self, load: Array, centre: Array, turning: Array, spin: Array
     ) -> tuple[Array, tuple[Array, Array], Array]:
-        """Friction's force, its moments and its heat, as the ball's centre moves (t + iu), it turns (t + iu) and spins."""
+        """Friction's force, moments and heat, as the ball's centre moves (t + iu), it turns (t + iu) and spins."""
         size = np.cbrt(load)
         height = self._height(size)
         places = size[..., None] * self._places
@@ -187,13 +191,15 @@ class FreeBalls:
         return force.sum(axis=-1), moment, -np.einsum("...p,...p->...", each, square)
 
     def _height(self, size: Array) -> Array:
-        """Of the surface that ball and groove share, over the ball's centre; at the ellipse's ends it meets the ball."""
+        """Of the surface that ball and groove share, over the ball's centre; it meets the ball at their ends."""
         radius, ball = self._shared_radius, self._ball_radius
         if not self.points.curved:
             return np.broadcast_to(ball[:, None], self._places.shape)
         end = (self._hertz[1] * size) ** 2
         rise = np.sqrt(ball * ball - end) - np.sqrt(radius * radius - end)
-        return np.asarray(np.sqrt((radius * radius)[..., None] - (size[..., None] * self._places.real) ** 2) + rise[..., None])
+        return np.asarray(
+            np.sqrt((radius * radius)[..., None] - (size[..., None] * self._places.real) ** 2) + rise[..., None]
+        )
 
     def rates(self, state: Array) -> Array:
         """Of a state. A sphere's angular momentum lies along its angular velocity, however it is turned."""

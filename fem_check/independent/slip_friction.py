@@ -1,11 +1,12 @@
 """Friction of a contact whose slip varies over its ellipse: points over the ellipse, and laws of friction.
 
-A point X + iY of the unit circle stands for X a along the major and Y b along the minor axis. With
-s = sqrt(1 - X^2 - Y^2) Hertz's pressure has the resultant
+A point (X, Y) of the unit circle stands for X a along the major and Y b along the minor axis. With s^2 = 1 - X^2 - Y^2
+Hertz's pressure has the resultant
 
     integral of p dA = 3 Q/(2 pi) int int s^2 ds dphi,
 
-so Gauss's points in s, at angles in the middle of equal parts, sum exactly what is a polynomial in X, Y and s. Friction of Coulomb turns round where the slip does: there only many points do.
+so Gauss's points in s, at angles in the middle of equal parts, sum exactly what is a polynomial in X, Y and s. Friction
+of Coulomb turns round where the slip does: there only many points do.
 """
 
 from __future__ import annotations

@@ -5,7 +5,9 @@ A value may be within its tolerance and have moved all the same; the limits of t
 
 from __future__ import annotations
 
-from fem_check.release.previous import Record
+from typing import Any
+
+from fem_check.rows.record import Record
 from qsbearing.documents.numbers import plain
 
 REFERENCE = 1e-6
@@ -33,13 +35,17 @@ ITERATIONS = 1.0
 
 
 def of_check(new: Record, old: Record) -> list[str]:
-    """Of a check's rows: values found, references and tolerances; and rows that are gone."""
-    known = {(row["case"], row["quantity"]): row for row in old["rows"]}
-    now = {(row["case"], row["quantity"]): row for row in new["rows"]}
+    """Of a check's rows: computed values, references and tolerances; and rows that are gone."""
     gmsh = [each.get("versions", {}).get("gmsh") for each in (new, old)]
     same_mesh = new.get("mesh") == old.get("mesh") and gmsh[0] == gmsh[1]
-    moved = [f"the row {_name(row)} of the previous release is gone" for key, row in known.items() if key not in now]
-    return moved + [each for key, row in now.items() if key in known for each in _of_row(row, known[key], same_mesh)]
+    gone, both = _matched("row", *({_name(row): row for row in each["rows"]} for each in (new, old)))
+    return gone + [each for _, row, before in both for each in _of_row(row, before, same_mesh)]
+
+
+def _matched(what: str, new: dict[str, Any], old: dict[str, Any]) -> tuple[list[str], list[tuple[str, Any, Any]]]:
+    """What is gone, said; what is in both: name, now, before."""
+    gone = [f"the {what} {name} of the previous release is gone" for name in old if name not in new]
+    return gone, [(name, now, old[name]) for name, now in new.items() if name in old]
 
 
 def _name(row: Record) -> str:
@@ -62,6 +68,10 @@ def _of_row(row: Record, old: Record, same_mesh: bool) -> list[str]:
             f"{name}: its reference moved by {plain(change, '.2g')} %, from {old['reference']:.10g} to "
             f"{row['reference']:.10g} (limit {most:g} %)"
         )
+    if row["found"] is None or old["found"] is None:
+        if row["verdict"] != old["verdict"]:
+            moved.append(f"{name}: {old['verdict']} before, {row['verdict']} now")
+        return moved
     change, limit = abs(row["deviation_percent"] - old["deviation_percent"]), _limit(row, old, same_mesh)
     if not change <= limit:
         where = "" if same_worst else f" (worst at {row['worst_at']}, before at {old['worst_at']})"
@@ -93,11 +103,8 @@ def _limit(row: Record, old: Record, same_mesh: bool) -> float:
 
 def of_hard_cases(new: Record, old: Record) -> list[str]:
     """Of the table of hard cases: outcomes, and errors beyond rounding."""
-    known = {case["case"]: case for case in old["cases"]}
-    current = {case["case"]: case for case in new["cases"]}
-    moved = [f"the hard case {name} of the previous release is gone" for name in known if name not in current]
-    for name, case in ((name, case) for name, case in current.items() if name in known):
-        before = known[name]
+    moved, both = _matched("hard case", *({case["case"]: case for case in each["cases"]} for each in (new, old)))
+    for name, case, before in both:
         was, now = (f"{each['status']}, {each['verdict']}" for each in (before, case))
         if was != now:
             moved.append(f"the hard case {name} was {was}, and is {now}")
@@ -136,12 +143,10 @@ def of_recomputed(new: Record, old: Record) -> list[str]:
 
 def of_benchmarks(new: Record, old: Record) -> list[str]:
     """Of times over those of plain loops, and of the iterations of the same points."""
-    moved, limit = [], TIME_RATIO[new["provenance"]["level"]]
-    for name, before in old["ratios"].items():
-        now = new["ratios"].get(name)
-        if now is None:
-            moved.append(f"the ratio {name} of the previous release is gone")
-        elif not now["low"] <= limit * before["median"]:
+    limit = TIME_RATIO[new["provenance"]["level"]]
+    moved, both = _matched("ratio", new["ratios"], old["ratios"])
+    for name, now, before in both:
+        if not now["low"] <= limit * before["median"]:
             reach = f"{now['median']:g} ({now['low']:g} to {now['high']:g}) now (limit {limit:g} times)"
             moved.append(f"{name.replace('_', ' ')}: {before['median']:g} before, {reach}")
     iterations = old["mean_iterations"], new["mean_iterations"]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import fields
 
-from fem_check.release.previous import Record
 from fem_check.rows.agreement import AgreementRow
+from fem_check.rows.record import Record
 from qsbearing.documents.numbers import plain
 
 NAMES = [field.name for field in fields(AgreementRow)]

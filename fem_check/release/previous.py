@@ -10,16 +10,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 from zipfile import ZipFile
 
 from fem_check.release import manifest
+from fem_check.rows.record import Record
 from fem_check.running.kept_files import place_of
 from fem_check.running.records_store import RecordError
 
 RECORDS = "fem_check/records"
-Record = dict[str, Any]
-"""A record of any kind: of a check, a case of the book, a campaign, a benchmark."""
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from fem_check.checks import ALL
 from fem_check.release import drift, integrity
-from fem_check.release.previous import Record
 from fem_check.rows.agreement import MeshLevel
+from fem_check.rows.record import Record
 from fem_check.running import known, runner
 from fem_check.running.kept_files import OF_REPOSITORY
 

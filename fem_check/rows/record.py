@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any, NotRequired, TypedDict
 
+Record = dict[str, Any]
+"""A record of any kind, as read: of a check, a case of the book, a campaign, a benchmark."""
+
 
 class MeshRecord(TypedDict):
     """The finest mesh; None without one."""

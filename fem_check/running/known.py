@@ -6,7 +6,7 @@ it is solved: then it is to be taken out.
 
 from __future__ import annotations
 
-from typing import Any
+from fem_check.rows.record import Record
 
 NOT_CONVERGED = {
     "realistic/1/78/44": "nearly at rest, the outer ring turns; one ball in twelve is about to leave its raceways",
@@ -20,7 +20,7 @@ _CHUNK = 1000
 """Scenes of a campaign's chunk, by which its scenes are numbered."""
 
 
-def objections(record: dict[str, Any]) -> list[str]:
+def objections(record: Record) -> list[str]:
     """What the scenes of a campaign that did not converge speak against a release."""
     lost, bar = record["not_converged"], record["bar"]
     unknown = [name for name in lost if name not in NOT_CONVERGED]

@@ -14,7 +14,7 @@ from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
     from qsbearing.documents.model import Block
-    from qsbearing.studies.design.compare import Comparison, Line
+    from qsbearing.studies.design.compare import Compared, Comparison
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -87,7 +87,7 @@ def _tables(comparison: Comparison) -> list[Block]:
     return [*parts, Paragraph(note, is_apart=True), *remarks.blocks(comparison.remarks, is_apart=True)]
 
 
-def _cell(line: Line, number: int) -> str:
+def _cell(line: Compared, number: int) -> str:
     from qsbearing.pictures.side_by_side import MARKED
 
     value, difference = line.values[number], line.difference(number)

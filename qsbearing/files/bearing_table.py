@@ -77,7 +77,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
     if by_sheet and ("name" not in good or catalogue.named(good["name"]) is None):
         return bearing_of_sheet(good, label, _outline(good), errors, may_infer) if len(errors) == before else None
     errors += without_sheet(good)
-    # Which the model does not need: `with_printed` has handed them on.
+    # Which the model does not need: effects and readings take them, see `stated`.
     printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
     of_radius = _coefficients(good, unusable, errors)
     entry = catalogue.named(good["name"]) if "name" in good else None

@@ -20,6 +20,7 @@ from qsbearing.files.keys import (
     named,
     required_of,
 )
+from qsbearing.files.stated import NOTHING, Stated
 from qsbearing.files.table_checks import (
     Errors,
     as_number,
@@ -27,6 +28,7 @@ from qsbearing.files.table_checks import (
     checked,
     choice_fields,
     did_you_mean,
+    flattened,
     list_of,
     made,
     material,
@@ -66,11 +68,14 @@ _ELASTIC_RINGS = table_model(
 _RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
 
 
-def effects_of(document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset()) -> dict[str, Any]:
+def effects_of(
+    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
+) -> dict[str, Any]:
     """The fields of `Scene` that say what is asked for.
 
     Args:
         found: keys of temperatures that the heat balance will find.
+        stated: what tables take and need not state.
     """
     table = document.get("effects")
     if table == AUTO:
@@ -107,7 +112,9 @@ def effects_of(document: dict[str, Any], errors: Errors, found: frozenset[str] =
                 problem = f"is given, but there is no gyroscopic moment to {verb}"
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
-    made_of_tables: list[RingEffect | None] = [ring_effect(name, within[name], errors, found) for name in within]
+    made_of_tables: list[RingEffect | None] = [
+        ring_effect(name, within[name], errors, found, stated) for name in within
+    ]
     made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
     return {"ball_effects": effects, "ring_effects": ring_effects} | {
@@ -128,9 +135,11 @@ def _gyroscopic_moment(shares: MomentShares | None, numbers: dict[str, Any], err
     return made(lambda: GyroscopicMoment(shares, **numbers), errors) or GyroscopicMoment(shares)
 
 
-def ring_effect(name: str, table: Any, errors: Errors, found: frozenset[str] = frozenset()) -> RingEffect | None:
+def ring_effect(
+    name: str, table: Any, errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
+) -> RingEffect | None:
     """The effect that a table within [effects] names; None for temperatures that are yet to be found."""
-    path = f"effects.{name}"
+    path, table = f"effects.{name}", stated.filled(name, table)
     if name == ElasticRings.name:
         return _elastic_rings(path, table, errors)
     known_materials = [key for key in SEAT_MATERIALS if key in EFFECT_SECTIONS[name]]
@@ -170,14 +179,6 @@ def _elastic_rings(path: str, table: Any, errors: Errors) -> ElasticRings | None
     fields |= {field: good[name] for name, field in SEATS.items() if name in good}
     fields |= {key.field: tuple(key.si(np.asarray(good[key.name]))) for key in RING_COMPLIANCES if key.name in good}
     return made(lambda: ElasticRings(**fields), errors)
-
-
-def flattened(table: dict[str, Any], before: str = "") -> dict[str, Any]:
-    """Tables within a table as keys with points."""
-    out: dict[str, Any] = {}
-    for name, value in table.items():
-        out |= flattened(value, f"{before}{name}.") if isinstance(value, dict) else {before + name: value}
-    return out
 
 
 def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:

@@ -40,6 +40,8 @@ class Key:
     """The file's zero in SI."""
     range: tuple[float, float] | None = None
     """Which values its table accepts at all, in SI; None where that depends on others."""
+    printed: str = ""
+    """Which key of [bearing] stands in for it; empty: none does."""
 
     def si(self, value: Any) -> Any:
         """A value of the file in SI."""
@@ -63,7 +65,8 @@ def key_of(given: Input) -> Key:
     unit = given.unit
     words = _STEMS.get(given.name, given.own_name), _KINDS.get(unit.symbol), unit.ending
     name = ".".join((*given.part, "_".join(filter(None, words))))
-    return Key(name, given.name, unit.symbol, unit.size, unit.quantity, unit.zero, given.range)
+    printed = given.printed and f"{given.printed}_{unit.ending}"
+    return Key(name, given.name, unit.symbol, unit.size, unit.quantity, unit.zero, given.range, printed)
 
 
 def keys_of(of: Any) -> tuple[Key, ...]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.stated import NOTHING, Stated
 from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, si, table_model
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import Field, Sentence, alike, question
@@ -22,12 +23,13 @@ def _model(name: str) -> TableModel:
 
 
 def asked_readings(
-    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset()
+    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
 ) -> dict[str, dict[str, Any]]:
     """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any.
 
     Args:
         found: keys of temperatures that the heat balance will find.
+        stated: what tables take and need not state.
     """
     table = document.get("readings", {})
     if not isinstance(table, dict):
@@ -42,7 +44,7 @@ def asked_readings(
             cause = question(alike(str(name), known), "[readings.{}]") or f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
-        choices = known[name].choices
+        choices, given = known[name].choices, stated.filled(name, given)
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
         asked[name] = si(reading_keys(name), good) | {choice: good[choice] for choice in choices if choice in good}
     if asked and len(errors) == before:  # what cannot be used would be missing as well

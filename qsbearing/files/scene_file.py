@@ -14,7 +14,6 @@ from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
-from qsbearing.files.housing_table import with_housing
 from qsbearing.files.keys import (
     EFFECT_SECTIONS,
     MAKES_SET,
@@ -24,10 +23,10 @@ from qsbearing.files.keys import (
 )
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
-from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
+from qsbearing.files.stated import stated_in
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
@@ -140,13 +139,13 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     errors: Errors = []
     document = with_preload_class(document, errors)
     thermal, found = heated(document, errors)
-    document = with_housing(with_printed(document), errors)
+    stated = stated_in(document, errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors, found)
-    readings = asked_readings(document, errors, found)
+    effects = effects_of(document, errors, found, stated)
+    readings = asked_readings(document, errors, found, stated)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
@@ -193,7 +192,7 @@ def is_there(path: Path) -> bool:
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
     errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance", *OTHER_TABLES):
+        if name in (*SECTIONS, "tolerance", *OTHER_TABLES) or (name == "housing" and value is not None):
             continue
         if isinstance(value, dict):
             meant = alike(name, SECTIONS)

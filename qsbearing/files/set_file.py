@@ -11,10 +11,8 @@ from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import OTHER_TABLES
-from qsbearing.files.housing_table import with_housing
 from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import with_preload_class
-from qsbearing.files.printed_numbers import with_printed
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.scene_file import (
     document_of,
@@ -25,6 +23,7 @@ from qsbearing.files.scene_file import (
 )
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
+from qsbearing.files.stated import Stated, stated_in, with_own_tables
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -64,15 +63,15 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     errors: Errors = []
     document = with_preload_class(document, errors)
     thermal, found = heated(document, errors)
-    document = with_housing(with_printed(document), errors)
+    document, stated = with_own_tables(document), stated_in(document, errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
-    rows = _rows(document, common, has_common, errors, found)
+    rows = _rows(document, common, has_common, errors, found, stated)
     operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
     preload = preload_of(document, None, errors)
-    effects = effects_of(document, errors, found)
-    readings = asked_readings(document, errors, found)
+    effects = effects_of(document, errors, found, stated)
+    readings = asked_readings(document, errors, found, stated)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -120,7 +119,9 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str]) -> list[Row]:
+def _rows(
+    document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str], stated: Stated
+) -> list[Row]:
     tables = document.get("rows")
     if not isinstance(tables, list) or not tables:
         cause = 'Write [[rows]] for each row, with position_mm = 0 and carries = "+x" below it'
@@ -131,7 +132,7 @@ def _rows(document: dict[str, Any], common: Any, has_common: bool, errors: Error
     rows = []
     for number, table in enumerate(tables, 1):
         own: Errors = []
-        row = _row(table, f"row {number}", common, has_common, document, own, found)
+        row = _row(table, f"row {number}", common, has_common, own, found, stated)
         errors += own
         if row is not None:
             rows.append(row)
@@ -143,9 +144,9 @@ def _row(
     path: str,
     common: Any,
     has_common: bool,
-    document: dict[str, Any],
     errors: Errors,
     found: frozenset[str],
+    stated: Stated,
 ) -> Row | None:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
     good, unusable = checked(_ROW, path, plain, errors)
@@ -168,8 +169,10 @@ def _row(
     within: Errors = []
     if "housing_stiffness" in table:
         numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
-    effects = [ring_effect(name, table[name], within, found) for name in EFFECT_TABLES if name in table]
-    readings = asked_readings(table, within, found) if "readings" in table else None
+    if "bearing" in table:
+        stated = stated.of_bearing(table["bearing"])
+    effects = [ring_effect(name, table[name], within, found, stated) for name in EFFECT_TABLES if name in table]
+    readings = asked_readings(table, within, found, stated) if "readings" in table else None
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)

@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from qsbearing.files import paths
-from qsbearing.files.effects_table import flattened
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
-from qsbearing.files.table_checks import Errors, TableModel, as_number, checked, table_model
+from qsbearing.files.table_checks import Errors, TableModel, as_number, checked, flattened, table_model
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.scene import Scene
 

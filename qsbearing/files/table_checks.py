@@ -172,6 +172,14 @@ def did_you_mean(value: Any, known: Sequence[str]) -> str:
     return question(alike(word, known))
 
 
+def flattened(table: dict[str, Any], before: str = "") -> dict[str, Any]:
+    """Tables within a table as keys with points."""
+    out: dict[str, Any] = {}
+    for name, value in table.items():
+        out |= flattened(value, f"{before}{name}.") if isinstance(value, dict) else {before + name: value}
+    return out
+
+
 def si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
     """The numbers of a table by their Python names."""
     return {key.field: key.si(good[key.name]) for key in keys if key.name in good}

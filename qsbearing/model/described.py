@@ -10,7 +10,7 @@ files, schemas, tables of reports and columns of results follow from this.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, Field, dataclass, fields
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -91,6 +91,8 @@ class Input:
     """Which values are accepted at all, in SI; None where that depends on others."""
     part: tuple[str, ...] = ()
     """What of the whole it belongs to, from the outside inwards: ("outer", "housing")."""
+    printed: str = ""
+    """Which number that catalogues print of a bearing, in this unit, stands in for it; empty: none does."""
     is_list: bool = False
     is_required: bool = False
     goes_last: bool = False
@@ -122,12 +124,18 @@ def given_in(
     range: tuple[float, float] | None = None,
     *,
     part: tuple[str, ...] = (),
+    printed: str | bool = "",
     is_list: bool = False,
     goes_last: bool = False,
 ) -> Mapping[str, Any]:
-    """The metadata of a field that is given in this unit; empty: it has none. The others: see `Input`."""
-    said = {"unit": UNITS[unit], "range": range, "part": part, "is_list": is_list, "goes_last": goes_last}
-    return MappingProxyType({_GIVEN: MappingProxyType(said)})
+    """The metadata of a field that is given in this unit; empty: it has none. The others: see `Input`.
+
+    Args:
+        printed: True: the number of the field's name.
+    """
+    said = {"unit": UNITS[unit], "range": range, "part": part, "printed": printed}
+    said |= {"is_list": is_list, "goes_last": goes_last}
+    return MappingProxyType({_GIVEN: said})
 
 
 def number(name: str, unit: str = "", range: tuple[float, float] | None = None) -> Input:
@@ -141,12 +149,15 @@ def inputs_of(of: Any) -> tuple[Input, ...]:
 
     The class's fields first, then what it names in `also_given`.
     """
-    inputs = [
-        Input(each.name, **each.metadata[_GIVEN], is_required=each.default is MISSING is each.default_factory)
-        for each in (fields(of) if hasattr(of, "__dataclass_fields__") else ())
-        if _GIVEN in each.metadata
-    ]
+    own = fields(of) if hasattr(of, "__dataclass_fields__") else ()
+    inputs = [_input(each) for each in own if _GIVEN in each.metadata]
     return (*sorted(inputs, key=lambda each: each.goes_last), *getattr(of, "also_given", ()))
+
+
+def _input(of: Field[Any]) -> Input:
+    said = dict(of.metadata[_GIVEN])
+    said["printed"] = of.name if said["printed"] is True else said["printed"]
+    return Input(of.name, **said, is_required=of.default is MISSING is of.default_factory)
 
 
 def numbers_of(of: Any) -> tuple[Input, ...]:

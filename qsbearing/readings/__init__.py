@@ -9,6 +9,7 @@ from __future__ import annotations
 from qsbearing.readings.asked import reading_columns, take_asked
 from qsbearing.readings.ball_advance import BallAdvance, ball_advance
 from qsbearing.readings.ball_motion import BallMotion, RacewayMotion, kinematics
+from qsbearing.readings.ball_slip import BallSlip, RacewaySlip, ball_slip
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
 from qsbearing.readings.contact_friction import Friction, RacewayFriction, friction
 from qsbearing.readings.dynamic_rating import (
@@ -48,14 +49,14 @@ from qsbearing.readings.subsurface_stress import RacewayStress, Stress, stress
 
 # fmt: off
 __all__ = [
-    "BallAdvance", "BallMotion", "Capacity", "Cleanliness", "FatigueLimit", "Film", "Frequencies", "FrequencySet",
-    "Friction", "FrictionEstimate", "FrictionEstimates", "FrictionModel", "Life", "Lubricant", "OilState", "Overrun",
-    "PivotPoints", "RacewayFilm", "RacewayFriction", "RacewayMotion", "RacewayOverrun", "RacewayPivots",
-    "RacewayStress", "Rating", "Series", "SpectrumLife", "StaticSafety", "Stress", "axial_load_rating",
-    "axial_static_load_rating", "ball_advance", "contamination_factor", "dynamic_load_rating", "element_load_ratings",
-    "equivalent_load", "fatigue_load_limit", "film", "frequencies", "friction", "friction_estimates", "kinematics",
-    "life", "life_modification_factor", "overrun", "palmgren_torque", "pivot_points", "reading_columns",
-    "reliability_factor", "skf_torque", "spectrum_life", "static_load_rating", "static_safety", "stress",
-    "take_asked", "viscosity_ratio",
+    "BallAdvance", "BallMotion", "BallSlip", "Capacity", "Cleanliness", "FatigueLimit", "Film", "Frequencies",
+    "FrequencySet", "Friction", "FrictionEstimate", "FrictionEstimates", "FrictionModel", "Life", "Lubricant",
+    "OilState", "Overrun", "PivotPoints", "RacewayFilm", "RacewayFriction", "RacewayMotion", "RacewayOverrun",
+    "RacewayPivots", "RacewaySlip", "RacewayStress", "Rating", "Series", "SpectrumLife", "StaticSafety", "Stress",
+    "axial_load_rating", "axial_static_load_rating", "ball_advance", "ball_slip", "contamination_factor",
+    "dynamic_load_rating", "element_load_ratings", "equivalent_load", "fatigue_load_limit", "film", "frequencies",
+    "friction", "friction_estimates", "kinematics", "life", "life_modification_factor", "overrun", "palmgren_torque",
+    "pivot_points", "reading_columns", "reliability_factor", "skf_torque", "spectrum_life", "static_load_rating",
+    "static_safety", "stress", "take_asked", "viscosity_ratio",
 ]
 # fmt: on

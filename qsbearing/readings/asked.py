@@ -23,6 +23,7 @@ from qsbearing.model.validation import ErrorDetail, SceneError, check_kind
 from qsbearing.readings import (
     ball_advance,
     ball_motion,
+    ball_slip,
     contact_friction,
     film_thickness,
     friction_estimate,
@@ -54,6 +55,7 @@ _FILES = (
     pass_frequencies,
     film_thickness,
     contact_friction,
+    ball_slip,
     pivot_points,
     friction_estimate,
     shoulder_overrun,

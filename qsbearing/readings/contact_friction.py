@@ -7,7 +7,6 @@ Each part is computed only if its coefficient is given. What is in it, and what 
 from __future__ import annotations
 
 from dataclasses import KW_ONLY, dataclass, field
-from math import pi
 from typing import Any
 
 import numpy as np
@@ -22,13 +21,13 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
+from qsbearing.readings.ball_drag import drag_power
 from qsbearing.readings.ball_motion import (
     AXIS,
     MOTION,
     contact_motion,
     control_remarks,
     motion_arrays,
-    orbital_speed,
     ring_speeds,
 )
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
@@ -46,6 +45,10 @@ from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 
 
+CREEP = 0.5
+"""Part of the friction coefficient above which the gyroscopic moment makes balls creep (`ball_slip`)."""
+MOST_HEAT = 2.8
+"""Heat by a balance of friction over that by raceway control, at most."""
 PARTS = (0.0, 1.0)
 """Of a load, or of what is stored."""
 
@@ -129,18 +132,18 @@ def friction(solution: Solution, given: FrictionArguments) -> Friction:
         _raceway(solution, contacts, side, given.friction_coefficient, given.hysteresis_loss)
         for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
     )
-    drag_power = None
+    drag = None
     total = (inner.power + outer.power).sum(axis=-1)
     if given.drag_coefficient is not None and given.fluid_density is not None:
-        drag_power = _drag(solution, np.asarray(given.drag_coefficient), np.asarray(given.fluid_density))
-        total = total + np.nansum(drag_power, axis=-1)
+        drag = drag_power(solution, np.asarray(given.drag_coefficient), np.asarray(given.fluid_density))
+        total = total + np.nansum(drag, axis=-1)
     total = np.where(np.asarray(solution.converged), total, np.nan)
     of_inner, of_outer = ring_speeds(solution)
     speed = np.abs(of_inner - of_outer)[..., 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, total / speed, np.nan)
     found = control_remarks(solution) + remarks(_found(solution, given.friction_coefficient), total.shape)
-    return Friction(inner, outer, drag_power, total, torque, found)
+    return Friction(inner, outer, drag, total, torque, found)
 
 
 def _raceway(
@@ -187,19 +190,14 @@ def _fill(
                 out[2, k, j] = 3.0 / 16.0 * loss[k] * Q * b * abs(roll)
 
 
-def _drag(solution: Solution, coefficient: NDArray, density: NDArray) -> NDArray:
-    numbers = BearingNumbers(solution.scene.operating_bearing)
-    speed = np.abs(orbital_speed(solution)) * 0.5 * numbers.pitch_diameter[..., None]
-    disc = 0.25 * pi * numbers.ball_diameter[..., None] ** 2
-    return np.asarray(0.5 * coefficient[..., None] * density[..., None] * disc * (speed * speed * speed))
-
-
 def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
     found: list[tuple[Any, Remark]] = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
-            slips = (side.required_friction > np.asarray(mu, float)[..., None]).any(axis=-1)
+            used = side.required_friction / np.asarray(mu, float)[..., None]
+            slips = (used > 1.0).any(axis=-1)
             found.append((slips, remark("friction_given_exceeded", name)))
+            found.append(((used > CREEP).any(axis=-1) & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
     return found
 
 

@@ -155,7 +155,7 @@ class Reading:
     def groups(self) -> tuple[Group, ...]:
         """All its results, the bearing's first."""
         table, of = ("readings", self.name), self.name
-        whole = Group(self.of_case, prefix=f"{of}_", holder=of, table=table, reading=of, source=self.by, by_words=True)
+        whole = Group(self.of_case, prefix=of, holder=of, table=table, reading=of, source=self.by, by_words=True)
         balls = whole._replace(results=self.of_contact, axis=BALL, table=(*table, "balls"))
         sides = (
             balls._replace(raceway=side, holder=f"{of}.{side}", table=(*table, "balls", side))

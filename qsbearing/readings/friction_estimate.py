@@ -115,11 +115,13 @@ class FrictionEstimates(Remarked):
 class EstimateArguments:
     """What `friction_estimates` takes: those of `skf_torque` and `palmgren_torque`."""
 
-    bore_diameter: float = field(metadata=given_in("mm"))
-    outside_diameter: float = field(metadata=given_in("mm"))
+    bore_diameter: float = field(metadata=given_in("mm", printed=True))
+    outside_diameter: float = field(metadata=given_in("mm", printed=True))
     kinematic_viscosity: ArrayLike
     series: Series | None = None
-    static_load_rating: float | None = field(default=None, metadata=given_in("N", RANGES["static_load_rating"]))
+    static_load_rating: float | None = field(
+        default=None, metadata=given_in("N", RANGES["static_load_rating"], printed=True)
+    )
     lubrication_factor: float | None = field(default=None, metadata=given_in(range=RANGES["lubrication_factor"]))
     speed_rating: float | None = field(default=None, metadata=given_in("rpm", RANGES["speed_rating"]))
 

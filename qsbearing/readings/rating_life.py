@@ -141,7 +141,9 @@ def _reliability_errors(reliability: ArrayLike) -> list[ErrorDetail]:
 class LifeArguments:
     """What `life` takes."""
 
-    dynamic_load_rating: ArrayLike | None = field(default=None, metadata=given_in("N", RANGES["dynamic_load_rating"]))
+    dynamic_load_rating: ArrayLike | None = field(
+        default=None, metadata=given_in("N", RANGES["dynamic_load_rating"], printed=True)
+    )
     rating: Rating = Rating.LUNDBERG_PALMGREN
     rating_factor: float = field(default=RATING_FACTOR, metadata=given_in(range=RANGES["rating_factor"]))
     capacity: Capacity = Capacity.ISO_16281

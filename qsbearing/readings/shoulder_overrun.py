@@ -81,8 +81,8 @@ class Overrun(Remarked):
 class OverrunArguments:
     """What `overrun` takes."""
 
-    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
-    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
+    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", printed=True))
+    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", printed=True))
     inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     outer_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     edge_radius: ArrayLike | None = field(default=None, metadata=given_in("mm"))

@@ -165,7 +165,7 @@ class StaticSafety(Remarked):
 class StaticSafetyArguments:
     """What `static_safety` takes."""
 
-    static_load_rating: ArrayLike | None = field(default=None, metadata=given_in("N", RATINGS))
+    static_load_rating: ArrayLike | None = field(default=None, metadata=given_in("N", RATINGS, printed=True))
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """A rating out of range."""

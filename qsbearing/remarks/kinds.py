@@ -390,6 +390,19 @@ _ALL = (
     Kind("friction_given_exceeded", WRONG, HYPOTHESES,
          "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
          "slips, and the heat of this slip is not included"),
+    Kind("friction_may_be_low", INCOMPLETE, HYPOTHESES,
+         "at {raceways:an} contact the gyroscopic moment requires more than half of the friction coefficient given: "
+         "balls creep, and the friction may be too low, up to {times:g} times"),
+    Kind("axis_not_held", WRONG, HYPOTHESES,
+         "the gyroscopic moment is larger than the friction of both contacts of a ball holds with the coefficient "
+         "given: balls slip, and do not turn as raceway control has it"),
+    Kind("balls_skid", WRONG, HYPOTHESES,
+         "with the least share of oil given, drag is larger than the friction that drives the balls: they skid"),
+    Kind("balls_may_skid", INCOMPLETE, HYPOTHESES,
+         "with the most oil given, though not with the least, drag is larger than the friction that drives the balls: "
+         "they may skid"),
+    Kind("least_load_missed", CHECK, HYPOTHESES,
+         "the axial load is below the least one by the maker's factor: balls may skid"),
     Kind("speed_rating_unknown", NOTE, CHOICES,
          "SKF's friction model is valid below the bearing's speed rating, which is not given ({field})",
          field=Field("speed_rating")),

@@ -10,28 +10,50 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Table
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.solution.raceway_contacts import RacewayContacts
+from qsbearing.model.solution.groups import (
+    ANGLE,
+    CONTACT_LOAD,
+    CONTACTS,
+    FRICTION,
+    MAX_PRESSURE,
+    OF_MIDDLE,
+    OF_PRELOAD,
+)
+from qsbearing.model.solution.result_keys import (
+    DISPLACEMENT,
+    LOAD,
+    STIFFNESS,
+    Group,
+    Place,
+    Result,
+    printed_unit,
+)
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.units import MPa, deg, mrad, um
-from qsbearing.readings.rating_life import HOUR, MILLION
+from qsbearing.readings import rating_life
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
 from qsbearing.results.report import freedom
+from qsbearing.systems.sets.set_groups import AXIAL_LOAD, PRELOAD, SYSTEM
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.system_life import system_life
 
 HEADINGS = ("key result", "value")
-OF_ROWS = (
-    ("largest pressure\nMPa", "max_pressure", MPa),
-    ("largest ball load\nN", "load", 1.0),
-    ("friction\ncoefficient", "required_friction", 1.0),
+OF_EACH_ROW = (
+    ("largest pressure\nMPa", MAX_PRESSURE),
+    ("largest ball load\nN", CONTACT_LOAD),
+    ("friction\ncoefficient", FRICTION),
 )
 """Of each row, its largest of each raceway."""
+FROM_MIDDLE = Place(OF_MIDDLE, OF_MIDDLE.results[0])
+LOAD_OF_ROW = Place(AXIAL_LOAD, AXIAL_LOAD.results[0])
+MOUNTED_OF_ROW = Place(PRELOAD, next(each for each in PRELOAD.results if each.name == "mounted"))
+OF_LIFE = {each.name: each for each in rating_life.ENTRY.of_case}
+OF_LIFE["reference_rating_life"] = OF_LIFE["basic_reference_rating_life"]._replace(path="reference_rating_life")
+"""With the factors that are given."""
 NOISE = 1e-10
 """Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
 
 
-class Part(NamedTuple):
+class KeyNumber(NamedTuple):
     """One number of a key result, or the smallest and the largest of several."""
 
     of: str
@@ -58,7 +80,7 @@ class KeyResult(NamedTuple):
     """One result with its numbers."""
 
     name: str
-    parts: tuple[Part, ...] = ()
+    parts: tuple[KeyNumber, ...] = ()
     condition: str = ""
     """Under which it holds."""
     note: str = ""
@@ -105,7 +127,7 @@ def results_of_shaft(solution: SetSolution, readings: Sequence[Mapping[str, Any]
         *_point_lines(solution),
         *ring_lines(solution, "shaft", lever),
         *_heat_lines(solution),
-        *_system_life_lines(readings),
+        *_system_life_lines(solution, readings),
     ]
 
 
@@ -116,10 +138,10 @@ def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, An
         number: from 0.
         readings: what the row was asked to be read off, by name.
     """
-    results = [KeyResult("axial load", (Part("", (float(solution.axial_loads[number]),), "N"),))]
-    if solution.preload_mounted is not None:
-        results.append(KeyResult("preload mounted", (Part("", (float(solution.preload_mounted[number]),), "N"),)))
-    return [*results, *contact_lines(solution.rows[number]), *_life_lines(readings)]
+    own = (("axial load", LOAD_OF_ROW), ("preload mounted", MOUNTED_OF_ROW))
+    numbers = ((words, _numbers(place._replace(row=number + 1), solution)) for words, place in own)
+    lines = [KeyResult(words, parts) for words, parts in numbers if parts]
+    return [*lines, *contact_lines(solution.rows[number]), *_life_lines(readings)]
 
 
 def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
@@ -127,16 +149,15 @@ def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) ->
     rows: list[dict[str, str]] = []
     for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):
         cells = {"": capital(row_name(solution.set.rows[number], number))}
-        cells["axial load\nN"] = _number(float(solution.axial_loads[number]))
-        if solution.preload_mounted is not None:
-            cells["preload mounted\nN"] = _number(float(solution.preload_mounted[number]))
-        sides = row.inner, row.outer
-        for title, name, unit in OF_ROWS:
-            if getattr(row.inner, name) is not None:
-                cells[title] = " / ".join(_number(_largest(side, name) / unit) for side in sides)
-        cells["contact angles\ndeg"] = " / ".join(_angles("", side).number for side in sides)
+        for title, place in (("axial load\nN", LOAD_OF_ROW), ("preload mounted\nN", MOUNTED_OF_ROW)):
+            for each in _numbers(place._replace(row=number + 1), solution):
+                cells[title] = each.number
+        for title, result in OF_EACH_ROW:
+            if largest := _largest(row, result):
+                cells[title] = " / ".join(each.number for each in largest)
+        cells["contact angles\ndeg"] = " / ".join(_angles(row, side).number for side in CONTACTS)
         if "life" in of_row and np.isfinite(of_row["life"].duration):
-            cells["life\nh"] = _number(float(of_row["life"].duration) / HOUR)
+            cells["life\nh"] = _of_life("duration", of_row["life"]).number
         rows.append(cells)
     titles = list(dict.fromkeys(title for cells in rows for title in cells))
     lines = [[cells.get(title, "-") for title in titles] for cells in rows]
@@ -147,42 +168,41 @@ def _point_lines(solution: SetSolution) -> list[KeyResult]:
     """Deflection and stiffness of the shaft's named points: of a spindle, of its tool."""
     lines = []
     for name, point in solution.points.items():
-        moved = _channels(point.displacement, np.ones(len(CHANNELS)), (um, "µm"), (mrad, "mrad"), {0, 1, 2})
-        units = (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad")
-        stiff = _channels(point.effective_stiffness, np.ones(len(CHANNELS)), *units, {0, 1, 2})
+        moved = _channels(DISPLACEMENT, point.displacement, np.ones(len(CHANNELS)), {0, 1, 2})
+        stiff = _channels(STIFFNESS, point.effective_stiffness, np.ones(len(CHANNELS)), {0, 1, 2})
         lines += [KeyResult(f"{name}: deflection", moved), KeyResult(f"{name}: stiffness", stiff)]
     return lines
 
 
 def contact_lines(solution: Solution) -> list[KeyResult]:
     """Maximum pressure, range of the contact angles, maximum load and required friction, of each raceway."""
-    sides = {"inner": solution.inner, "outer": solution.outer}
-
-    def largest(name: str, size: float, unit: str, digits: int = 4) -> tuple[Part, ...]:
-        return tuple(Part(of, (_largest(side, name) / size,), unit, digits) for of, side in sides.items())
-
     lines = [
-        KeyResult("maximum contact pressure", largest("max_pressure", MPa, "MPa")),
-        KeyResult("contact angles", tuple(_angles(of, side) for of, side in sides.items())),
-        KeyResult("maximum contact load", largest("load", 1.0, "N")),
+        KeyResult("maximum contact pressure", _largest(solution, MAX_PRESSURE)),
+        KeyResult("contact angles", tuple(_angles(solution, side, side.raceway) for side in CONTACTS)),
+        KeyResult("maximum contact load", _largest(solution, CONTACT_LOAD)),
+        KeyResult("required friction coefficient", _largest(solution, FRICTION, 2)),
     ]
-    if solution.inner.required_friction is not None:
-        lines.append(KeyResult("required friction coefficient", largest("required_friction", 1.0, "", 2)))
+    lines = [each for each in lines if each.parts]
     is_ball = np.isfinite(solution.azimuth)
     empty = int((is_ball & (solution.inner.load == 0.0)).sum())
     if empty:
-        count = Part("", (empty,), f"of {is_ball.sum()}")
+        count = KeyNumber("", (empty,), f"of {is_ball.sum()}")
         lines.append(KeyResult("balls without load on the inner raceway", (count,)))
     return lines
 
 
-def _largest(side: RacewayContacts, name: str) -> float:
-    return float(np.nanmax(np.where(side.load > 0.0, getattr(side, name), 0.0)))
+def _largest(solution: Solution, result: Result, digits: int = 4) -> tuple[KeyNumber, ...]:
+    """Of the contacts of each raceway."""
+    places = (Place(side, result, over="max") for side in CONTACTS)
+    return tuple(one for each in places for one in _numbers(each, solution, each.group.raceway, digits))
 
 
-def _angles(of: str, side: RacewayContacts) -> Part:
-    loaded = side.angle[side.load > 0.0] / deg
-    return Part(of, (float(loaded.min()), float(loaded.max())) if loaded.size else (), "deg", None)
+def _angles(solution: Solution, side: Group, of: str = "") -> KeyNumber:
+    """From the least to the largest of the loaded contacts."""
+    angles, loads = (np.asarray(Place(side, each).of(solution)) for each in (ANGLE, CONTACT_LOAD))
+    loaded = angles[loads > 0.0]
+    ends = (float(loaded.min()), float(loaded.max())) if loaded.size else ()
+    return KeyNumber(of, ends, printed_unit(ANGLE.unit), None)
 
 
 def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[KeyResult]:
@@ -194,15 +214,13 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     """
     free = set(map(int, solution.free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
-    lengths, turns = (um, "µm"), (mrad, "mrad")
-    moved = _channels(solution.displacement, levers, lengths, turns, free)
-    stiff = _channels(solution.effective_stiffness, 1.0 / levers**2, (1.0 / um, "N/µm"), (1.0 / mrad, "N m/mrad"), free)
+    moved = _channels(DISPLACEMENT, solution.displacement, levers, free)
+    stiff = _channels(STIFFNESS, solution.effective_stiffness, 1.0 / levers**2, free)
     given = set(range(len(CHANNELS))) - free
-    reactions = _channels(solution.load, 1.0 / levers, (1.0, "N"), (1.0, "N m"), given)
+    reactions = _channels(LOAD, solution.load, 1.0 / levers, given)
     lines = [KeyResult(f"displacement of the {what}", moved), KeyResult("effective stiffness", stiff, freedom(free))]
-    middle = solution.axial_from_middle if isinstance(solution, Solution) else None
-    if middle is not None:
-        lines.insert(1, KeyResult("axial displacement from the middle", (Part("", (float(middle) / um,), "µm"),)))
+    if isinstance(solution, Solution):
+        lines.insert(1, KeyResult("axial displacement from the middle", _numbers(FROM_MIDDLE, solution)))
     lines.append(KeyResult("load where a displacement is given", reactions))
     return [line for line in lines if line.parts]
 
@@ -210,23 +228,25 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
 def _preload_lines(solution: Solution) -> list[KeyResult]:
     if solution.scene.preload is None:
         return []
-    loads = (solution.preload_unmounted, solution.preload_mounted, solution.load[0])
-    words = ("before fitting", "mounted at rest", "in operation")
-    parts = tuple(Part(word, (float(load),), "N") for load, word in zip(loads, words, strict=True))
-    return [KeyResult("preload", parts)]
+    words = {"unmounted": "before fitting", "mounted": "mounted at rest", "in_operation": "in operation"}
+    places = (Place(OF_PRELOAD, each) for each in OF_PRELOAD.results if each.name in words)
+    return [KeyResult("preload", tuple(_numbers(each, solution, words[each.result.name])[0] for each in places))]
 
 
-def _channels(
-    values: NDArray, levers: NDArray, straight: tuple[float, str], turning: tuple[float, str], which: set[int]
-) -> tuple[Part, ...]:
+def _numbers(place: Place, solution: Any, of: str = "", digits: int = 4) -> tuple[KeyNumber, ...]:
+    """The number of a place, in a single case; none where there is none."""
+    value = place.of(solution)
+    return () if value is None else (KeyNumber(of, (float(value),), printed_unit(place.unit), digits),)
+
+
+def _channels(channels: tuple[Result, ...], values: NDArray, levers: NDArray, which: set[int]) -> tuple[KeyNumber, ...]:
     """Channels with their values; what is rounding beside the largest, measured at the pitch circle, is left out."""
     sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
-    parts = []
-    for i, channel in enumerate(CHANNELS):
-        size, unit = turning if channel.is_rotation else straight
-        if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max():
-            parts.append(Part(channel.label, (float(values[i]) / size,), unit))
-    return tuple(parts)
+    return tuple(
+        KeyNumber(channel.label, (float(np.asarray(each.of(values))),), printed_unit(each.unit))
+        for i, (channel, each) in enumerate(zip(CHANNELS, channels, strict=True))
+        if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max()
+    )
 
 
 def _heat_lines(solution: Solution | SetSolution) -> list[KeyResult]:
@@ -241,27 +261,31 @@ def _life_lines(readings: Mapping[str, Any]) -> list[KeyResult]:
     if life.life_modification_factor is not None:
         limit = ", at its limit" if life.is_at_limit else ""
         factors.append(f"aISO {_number(float(life.life_modification_factor), 3)}{limit}")
-    lines = [KeyResult("basic reference rating life", _life(life.basic_reference_rating_life, life.basic_duration))]
+    lines = [KeyResult("basic reference rating life", _life(life, "basic_reference_rating_life", "basic_duration"))]
     if factors:
-        parts = _life(life.reference_rating_life, life.duration)
+        parts = _life(life, "reference_rating_life", "duration")
         lines.append(KeyResult("modified reference rating life", parts, note=", ".join(factors)))
     return lines
 
 
-def _life(turns: NDArray, duration: NDArray) -> tuple[Part, ...]:
-    parts = (Part("", (float(turns) / MILLION,), "million revolutions"),)
-    return (*parts, Part("", (float(duration) / HOUR,), "h")) if np.isfinite(duration) else parts
+def _life(life: Any, turns: str, duration: str) -> tuple[KeyNumber, ...]:
+    """In revolutions and, where there is a speed, in hours."""
+    both = (_of_life(name, life) for name in (turns, duration))
+    return tuple(each for each in both if each.unit != "h" or np.isfinite(each.values[0]))
 
 
-def _system_life_lines(readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
+def _of_life(name: str, life: Any) -> KeyNumber:
+    result = OF_LIFE[name]
+    unit = "million revolutions" if result.unit == "Mrev" else result.unit
+    return KeyNumber("", (float(np.asarray(result.of(life))),), unit)
+
+
+def _system_life_lines(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
     """Where every row has a life in hours."""
-    lives = [of_row["life"] for of_row in readings if "life" in of_row]
-    if len(lives) < len(readings) or not np.isfinite([life.duration for life in lives]).all():
+    lives = [Place(SYSTEM, each).of(solution, readings) for each in SYSTEM.results]
+    if any(each is None or not np.isfinite(each) for each in lives):
         return []
-    basic, modified = (
-        Part("", (float(system_life([getattr(life, name) for life in lives])) / HOUR,), "h")
-        for name in ("basic_duration", "duration")
-    )
+    basic, modified = (KeyNumber("", (float(np.asarray(each)),), SYSTEM.results[0].unit) for each in lives)
     lines = [KeyResult("basic life of the set", (basic,)), KeyResult("modified life of the set", (modified,))]
     return lines if modified.number != basic.number else lines[:1]
 

@@ -13,6 +13,7 @@ from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, mm, rpm
+from qsbearing.readings.ball_slip import BallSlip
 from qsbearing.remarks.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
 from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.remark import Remark, row_name
@@ -36,6 +37,8 @@ _EDGE = Limit("mm", "the nearer edge cuts the contact first")
 LIMITS = {
     "contact pressure": Limit("MPa", "the lower pressure dents first"),
     "friction coefficient": Limit("", "contacts that offer less let the balls slip first"),
+    "drag on the balls": Limit("", "with less of the space free of oil balls skid first"),
+    "least axial load": Limit("N", "a lighter load lets balls skid first"),
     "inner contact to groove edge": _EDGE,
     "outer contact to groove edge": _EDGE,
     "ring stress": Limit("MPa", "the weaker steel yields first"),
@@ -147,11 +150,15 @@ def _of_contacts(solution: Solution, readings: Mapping[str, Any]) -> Iterator[Ma
     yield Margin("contact pressure", pressure / MPa, (dents,))
     moment = solution.scene.gyroscopic_moment
     if moment is not None:
-        given = moment.friction_coefficient
+        slip = readings.get("ball_slip")
+        given = (
+            slip.friction_coefficient if moment.friction_coefficient is None and slip else moment.friction_coefficient
+        )
         own = () if given is None else (Estimate(float(np.asarray(given)), "input; beyond it balls slip"),)
         required = [np.asarray(side.required_friction)[side.load > 0.0] for side in sides.values()]
         largest = max((float(np.max(each)) for each in required if each.size), default=0.0)
         yield Margin("friction coefficient", largest, own or USUAL_FRICTION)
+    yield from _of_slip(solution, readings.get("ball_slip"))
     overrun = readings.get("overrun")
     for name, side in sides.items():
         at_edge = None if overrun is None else getattr(overrun, name)
@@ -169,6 +176,18 @@ def _of_contacts(solution: Solution, readings: Mapping[str, Any]) -> Iterator[Ma
         if stress > 0.0:
             strength = Estimate(float(expansion.yield_strength) / MPa, "yield strength")
             yield Margin("ring stress", stress / MPa, (strength,))
+
+
+def _of_slip(solution: Solution, slip: BallSlip | None) -> Iterator[Margin]:
+    if slip is None:
+        return
+    if slip.most_drag_used is not None and np.isfinite(slip.most_drag_used):
+        yield Margin(
+            "drag on the balls", float(slip.most_drag_used), (Estimate(1.0, "friction that drives them, most oil"),)
+        )
+    axial = abs(float(solution.load[0]))
+    if slip.maker_axial_load is not None and axial > 0.0:
+        yield Margin("least axial load", float(slip.maker_axial_load), (Estimate(axial, "axial load"),))
 
 
 def _of_preload(solution: Solution) -> list[Margin]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -196,21 +196,33 @@ def table_of(name: str, solution: Solution, index: CasePlace = ()) -> dict[str, 
 
 
 def numbers_of(
-    group: Group, solution: Solution | SetSolution, index: CasePlace = (), row: int = 0
+    group: Group, solution: Solution | SetSolution, index: CasePlace = (), row: int = 0, readings: Any = None
 ) -> dict[str, Any] | None:
     """Of one case, which may share one number with all; None where none of them is called for.
 
     Args:
         row: of a set, from 1, of what each row has.
+        readings: where they are of one; of a set those of each row.
     """
     if group.is_asked is not None and not group.is_asked(
         solution.scene if isinstance(solution, Solution) else solution.set
     ):
         return None
-    numbers = {each.entry or each.key: Place(group, each, row).of(solution) for each in group.results}
+    numbers = {each.entry or each.key: Place(group, each, row).of(solution, readings) for each in group.results}
     if all(values is None for values in numbers.values()):
         return None
     return {key: None if values is None else number(values[index]) for key, values in numbers.items()}
+
+
+def tables_of(groups: Iterable[Group], solution: SetSolution) -> dict[str, Any]:
+    """The numbers of these groups in their tables, each within another."""
+    tables: dict[str, Any] = {}
+    for group in groups:
+        table = tables
+        for name in group.table or ():
+            table = table.setdefault(name, {})
+        table.update(numbers_or_none(group, solution))
+    return tables
 
 
 def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:

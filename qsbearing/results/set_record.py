@@ -25,12 +25,14 @@ from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.remarks import with_rows
-from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PRELOAD, SHARE
+from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PRELOAD, SHARE, SYSTEM
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.system_life import system_life
 
 OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
 """What a row's own record would only repeat."""
+
+
+LIVES = [each.entry for each in SYSTEM.results]
 
 
 def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
@@ -59,8 +61,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),
         "shaft": shaft_record(solution) if solved else None,
-        "system_basic_life_h": _system_life(rows, "basic_duration_h") if solved else None,
-        "system_life_h": _system_life(rows, "duration_h") if solved else None,
+        **(numbers_or_none(SYSTEM, solution, (), 0, readings) if solved else dict.fromkeys(LIVES)),
         "thermal": thermal(solution),
         "rows": rows,
     }
@@ -93,13 +94,6 @@ def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remar
         "preload_state": None if state is None else str(state[i]) or None,
         **{key: value for key, value in own.items() if key not in OF_THE_SET},
     }
-
-
-def _system_life(rows: list[dict[str, Any]], key: str) -> float | None:
-    """Hours that all rows survive together; None unless each has its life."""
-    lives = [((row["readings"] or {}).get("life") or {}).get(key) for row in rows]
-    known = [life for life in lives if life is not None]
-    return number(system_life(known)) if len(known) == len(rows) else None
 
 
 def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, NDArray]:

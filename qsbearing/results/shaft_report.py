@@ -8,13 +8,11 @@ import numpy as np
 
 from qsbearing.documents.model import Table
 from qsbearing.model.solution.judgement import percent
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, STIFFNESS
-from qsbearing.model.units import mm, um
-from qsbearing.results.json_record import number, of_channels
+from qsbearing.model.units import mm
+from qsbearing.results.json_record import tables_of
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
-from qsbearing.systems.sets.set_groups import CHANNELS as SHARES
-from qsbearing.systems.sets.set_groups import places_on_shaft
+from qsbearing.systems.sets.set_groups import SHAFT, SHARES, groups_of_set, places_on_shaft
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOISE = 1e-9
@@ -28,31 +26,17 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     shaft = solution.set.shaft
     if shaft is None:
         return None
-    places = places_on_shaft(solution.set)
-    at = np.array(list(places.values()))
-    moved, inner, grown = solution.deflection(at), solution.inner_forces(at), solution.axial_growth(at)
+    tables = tables_of((each for each in groups_of_set(solution) if each.table and each.table[0] == SHAFT), solution)
+    own = tables[SHAFT]
     line = [
-        {
-            "at": name,
-            "position_mm": float(position / mm),
-            "displacement": of_channels(DISPLACEMENT, moved[i]),
-            "axial_growth_um": None if grown is None else number(grown[i] / um),
-            "inner_forces": of_channels(LOAD, inner[i]),
-        }
-        for i, (name, position) in enumerate(places.items())
+        {"at": name, "position_mm": float(position / mm), **own["line"][name]}
+        for name, position in places_on_shaft(solution.set).items()
     ]
     points = {
-        name: {
-            "position_mm": float(point.position / mm),
-            "displacement": of_channels(DISPLACEMENT, point.displacement),
-            "axial_growth_um": None if point.axial_growth is None else number(point.axial_growth / um),
-            "effective_stiffness": of_channels(STIFFNESS, point.effective_stiffness),
-            "shares": {part: of_channels(SHARES, share) for part, share in point.relative_shares.items()},
-        }
+        name: {"position_mm": float(point.position / mm), **own["points"][name]}
         for name, point in solution.points.items()
     }
-    supports = [of_channels(LOAD, load) for load in solution.support_loads]
-    return {"points": points, "line": line, "supports": supports}
+    return {"points": points, "line": line, "supports": [*own.get("supports", {}).values()]}
 
 
 def shaft_tables(found: dict[str, Any] | None) -> list[Table]:

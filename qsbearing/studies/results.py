@@ -15,11 +15,15 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import alike, question
 from qsbearing.readings.asked import READINGS, every_group, take_asked
 from qsbearing.systems.heat.heat_groups import groups_of_heat
-from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_set
+from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_row, groups_of_set
 from qsbearing.systems.sets.set_solution import SetSolution
 
 Known = Mapping[str, Place]
 """Results by their names; of those that each ball has, in a row of a set those of all its balls."""
+
+
+OF_BEARING = [each for each in groups_of_row(GROUPS) if each not in OF_ROWS]
+"""What a row has as any bearing has it."""
 
 
 def known_results(solution: Solution | SetSolution) -> dict[str, Place]:
@@ -50,7 +54,7 @@ def _of_set(solution: SetSolution) -> list[Place]:
     of_rows: list[Place] = []
     of_readings: list[Place] = []
     for number, (row, own) in enumerate(zip(solution.rows, taken, strict=True), 1):
-        every = [*_there(OF_ROWS, solution, own), *_there(GROUPS, row, own)]
+        every = [*_there(OF_ROWS, solution, own), *_there(OF_BEARING, row, own)]
         every += _there(chain.from_iterable(READINGS[name].groups for name in own), row, own)
         for each in every:
             one = each._replace(row=number)
@@ -84,7 +88,7 @@ def find(name: str, known: Known) -> Place | None:
 def reading_of(name: str) -> str:
     """The reading that a result's name belongs to, spelled as for `find`; empty where it is none of a reading."""
     every = every_group()
-    place = place_of(name, [*every, SYSTEM], every)
+    place = place_of(name, [*every, SYSTEM], groups_of_row(every))
     return "" if place is None else place.group.reading
 
 

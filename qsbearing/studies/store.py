@@ -155,7 +155,7 @@ class Store:
                 there.
         """
         kept = self.folder / PLAN
-        identity = {"fingerprint": self.plan.study.fingerprint, "results": self.plan.results}
+        identity = {"fingerprint": self.plan.study.fingerprint, "results": [each.column for each in self.plan.results]}
         is_new = not kept.exists()
         if not is_new and _json_of(kept) != json.loads(json.dumps(identity)):
             problem = "holds chunks of another study, or of another version of qsbearing"

@@ -547,6 +547,15 @@ def test_drift_on_another_mesh_is_limited_by_both_uncertainties():
     ]
 
 
+def test_a_refused_row_has_no_number_that_could_drift():
+    row = AgreementRow("c", "approach", "m", 1.0, "s", 1.0, 0.01, None, "w").as_dict()
+    refused = AgreementRow("c", "approach", "m", 1.0, "s", None, None, None, "w").as_dict()
+    records = [{"rows": [each]} for each in (row, refused)]
+    assert [drift.of_check(each, each) for each in records] == [[], []]
+    assert drift.of_check(*records) == ["'approach' of 'c': refused before, finding now"]
+    assert drift.of_check(*reversed(records)) == ["'approach' of 'c': finding before, refused now"]
+
+
 def test_gate_verdicts_need_no_terminal_and_say_how_to_run_again(place):
     table = release(place / "out", "--resume").stdout
     assert "fem-check run patch_test --level quick" in table

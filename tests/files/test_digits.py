@@ -18,6 +18,7 @@ from qsbearing.model.validation import MOST_DIGITS, whole_number
 from qsbearing.studies import keys
 from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.files.doors import answered, judged
+from tests.qsbearing.source_text import trees
 from tests.systems.sets.arrangements import PAIR_FILE
 
 ROOT = Path(qs.__file__).parent
@@ -28,8 +29,8 @@ LONG = "9" * 5000
 
 def test_one_helper_tells_digits() -> None:
     found = set()
-    for path in [*ROOT.rglob("*.py")]:
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path, tree in trees("isdigit|isdecimal|isnumeric", ROOT):
+        for node in ast.walk(tree):
             if isinstance(node, ast.Attribute) and node.attr in ("isdigit", "isdecimal", "isnumeric"):
                 found.add(path.relative_to(ROOT).as_posix())
     assert found == {"model/validation.py"}

@@ -9,6 +9,7 @@ from pathlib import Path
 import qsbearing as qs
 from qsbearing.files.file_errors import translate
 from qsbearing.model.validation import ErrorDetail, Field, Sentence
+from tests.qsbearing.source_text import trees
 
 
 def test_words_of_a_sentence_are_no_keys() -> None:
@@ -29,10 +30,10 @@ def test_no_text_of_an_error_is_taken_apart() -> None:
     texts = {"problem", "cause", "detail"}
     root = Path(qs.__file__).parent
     found = []
-    for file in root.rglob("*.py"):
+    for file, tree in trees("|".join(texts), root):
         if file.parent.name == "documents":
             continue
-        for call in ast.walk(ast.parse(file.read_text())):
+        for call in ast.walk(tree):
             if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute) and call.func.attr in methods:
                 given = [node for part in (call.func.value, *call.args) for node in ast.walk(part)]
                 words = {node.attr for node in given if isinstance(node, ast.Attribute)}

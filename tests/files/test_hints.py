@@ -17,6 +17,7 @@ from qsbearing.files.unknown_key import _tables, suggest
 from qsbearing.model.validation import MOST_ALIKE, SceneError, alike, question
 from qsbearing.studies import keys
 from qsbearing.studies.results import known_results, why_unknown
+from tests.qsbearing.source_text import trees
 
 ROOT = Path(qs.__file__).parent
 LETTERS = "abcdefghijklmnopqrstuvwxyz_0123456789"
@@ -138,15 +139,14 @@ def test_what_was_told_of_another_kind_no_longer_is() -> None:
 def test_one_helper_finds_what_is_alike() -> None:
     """Nothing else compares names, by any library or bound of its own."""
     found = set()
-    for path in ROOT.rglob("*.py"):
-        text = path.read_text(encoding="utf-8")
+    for path, tree in trees("difflib|get_close_matches|SequenceMatcher", ROOT):
         names = {
             alias.name
-            for node in ast.walk(ast.parse(text))
+            for node in ast.walk(tree)
             if isinstance(node, ast.Import | ast.ImportFrom)
             for alias in node.names
         }
-        modules = {node.module for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom)}
+        modules = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
         if (names | modules) & {"difflib", "get_close_matches", "SequenceMatcher"}:
             found.add(path.name)
     assert not found

@@ -18,6 +18,7 @@ from qsbearing.files.table import read_table
 from qsbearing.studies.design.point_table import table_bytes
 from tests.files.doors import answered, judged
 from tests.files.rexs.models import b218, xml
+from tests.qsbearing.source_text import trees
 
 ROOT = Path(zip_file.__file__).parents[1]
 PACKINGS = {
@@ -118,9 +119,9 @@ def test_nothing_is_put_back_beside_a_damaged_file(packing: str, tmp_path: Path)
 def test_every_call_into_zipfile_passes_the_guard() -> None:
     """Only `files/zip_file.py` has the module; packages that use it are called where everything is caught."""
     having, themselves = set(), set()
-    for path in ROOT.rglob("*.py"):
+    for path, tree in trees(r"zipfile|load_workbook|read_excel|unpack_archive|np\.load", ROOT):
         name = path.relative_to(ROOT).as_posix()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree):
             if isinstance(node, ast.Import | ast.ImportFrom):
                 modules = [getattr(node, "module", None) or "", *(each.name for each in node.names)]
                 having |= {name for each in modules if each.partition(".")[0] == "zipfile"}

@@ -17,7 +17,10 @@ import qsbearing as qs
 from fem_check.checks import ALL, OPTIONAL
 from fem_check.cli import cli as fem_check
 from qsbearing.cli import cli as qsbearing
+from qsbearing.model.solution.result_keys import Place, spelled
+from qsbearing.readings.asked import every_group
 from qsbearing.studies.schema import file_schema
+from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM
 
 KEPT = Path(__file__).with_name("interface.json")
 PAIR = '{start}\n[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
@@ -28,7 +31,8 @@ Names = dict[str, list[str]]
 
 def found() -> dict[str, Names]:
     """Names by kind and group, each group in order."""
-    return {"files": files(), "python": python(), "commands": commands(), "json": output()}
+    kinds = {"files": files(), "python": python(), "commands": commands(), "json": output()}
+    return kinds | {"results": results()}
 
 
 def files() -> Names:
@@ -91,6 +95,16 @@ def output() -> Names:
         done = runner.invoke(qsbearing, ["run", "-", "--json"], input=text)
         _keys(json.loads(done.stdout), "", keys)
     return {name or "run --json": sorted(each) for name, each in sorted(keys.items())}
+
+
+def results() -> Names:
+    """Names of results for studies and limits, without the row of a set and without what says over which balls."""
+    every = every_group()
+    groups = {"of a bearing": every, "of a row": OF_ROWS, "of a set": [*OF_SHAFT, SYSTEM]}
+    return {
+        name: sorted({spelled(Place(group, each)) for group in of for each in group.results})
+        for name, of in groups.items()
+    }
 
 
 def _keys(value: Any, path: str, keys: dict[str, set[str]]) -> None:

@@ -15,8 +15,10 @@ BUDGETS = {
     # Wanted: 12,400. Each effect, and plain Python in place of a kernel that is not compiled yet, took its lines here;
     # 15 are a process that compiles before anything is asked, 10 the ranges of ring expansion, for its keys too.
     # 475 more: the range over hypotheses, a temperature of every part, one scale of rounding, sizes of signed results.
-    # 1,500 more: balls moved by friction in place of raceway control, their kernel and stiffness included.
-    "model": 15500,
+    # 250 more: what a result is, described once for text, JSON, CSV, names and pictures, and a name for every number.
+    # 1,750 more: balls moved by friction in place of raceway control, with kernel, stiffness, drag, margins.
+    # 250 more: the least thrust under inner control.
+    "model": 16500,
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     # 250 more: sets with gaps, loads on the shaft alone, temperatures of the balls in heat balances.
     "systems": 5950,

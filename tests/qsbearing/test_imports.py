@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import qsbearing
+from tests.qsbearing.source_text import PACKAGES, trees
 
 ROOT = Path(qsbearing.__file__).parent
 
@@ -59,9 +60,7 @@ def private_reads(tree: ast.Module) -> Iterator[str]:
 
 def test_no_file_reads_what_is_private_to_another() -> None:
     found = {
-        file.relative_to(ROOT.parent).as_posix(): list(private_reads(ast.parse(file.read_text(encoding="utf-8"))))
-        for package in ("qsbearing", "fem_check")
-        for file in (ROOT.parent / package).rglob("*.py")
+        file.relative_to(ROOT.parent).as_posix(): list(private_reads(tree)) for file, tree in trees(r"\._", *PACKAGES)
     }
     assert [name for name, reads in found.items() if reads] == []
     assert list(private_reads(ast.parse("solution._maker.count")))

@@ -42,6 +42,13 @@ ALL: dict[str, Any] = {
     "lubricant": {"iso_viscosity_grade": 68, "oil_temperature_C": 70},
     "film": {"ball_roughness_um": 0.05, "raceway_roughness_um": 0.2},
     "friction": {"friction_coefficient": 0.05, "drag_coefficient": 0.5, "fluid_density_kg_m3": 20},
+    "ball_slip": {
+        "friction_coefficient": 0.05,
+        "drag_coefficient": 0.5,
+        "least_oil_share": 0.02,
+        "most_oil_share": 0.2,
+        "minimum_load_factor_N": 30,
+    },
     "pivot_points": True,
     "ball_advance": {"pocket_clearance_mm": 0.2},
     "friction_estimate": {

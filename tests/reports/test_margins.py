@@ -96,7 +96,8 @@ def every_margin() -> dict[str, Margin]:
     fits = (qs.RingExpansion(0.09, 0.16, shaft_interference=20 * qs.um),)
     turning = qs.Operation(speed=9_000 * qs.rpm)
     preload = qs.Preload(rigid=6_000.0)
-    readings = {"overrun": shoulders}
+    oil = {"drag_coefficient": 1.5, "least_oil_share": 0.02, "most_oil_share": 0.2, "minimum_load_factor": 10.0}
+    readings = {"overrun": shoulders, "ball_slip": {"friction_coefficient": 0.07} | oil}
     found = of(turning, preload=preload, ring_effects=fits, readings=readings, **BALLS)
     hot = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000}))
     return found | {each.what: each for each in margins(hot, {}) if each.what == "speed"}

@@ -9,10 +9,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from fem_check.report.figures.style import Entry, map_of
+from fem_check.report.figures.style import map_of
+from fem_check.rows.record import Record
 
 
-def pressure_map(entry: Entry) -> Figure:
+def pressure_map(entry: Record) -> Figure:
     """Pressure over the ellipse, with Hertz's outline."""
     contact = entry["pictures"]["contact"]
     x, y, p = (np.asarray(contact["ellipse"][name]) for name in "xyp")

@@ -9,7 +9,8 @@ import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from fem_check.report.figures import contact, sector, series, shares
-from fem_check.report.figures.style import INCHES, Entry
+from fem_check.report.figures.style import INCHES
+from fem_check.rows.record import Record
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Picture
 
@@ -17,7 +18,7 @@ from qsbearing.documents.model import Picture
 class RecordFigure(NamedTuple):
     """What draws a picture, its caption, and what it shows."""
 
-    draw: Callable[[Entry], Figure]
+    draw: Callable[[Record], Figure]
     caption: str
     alt: str
 
@@ -68,7 +69,7 @@ SHARES = RecordFigure(
 """Of a record that has numbers for none of these pictures."""
 
 
-def one(entry: Entry) -> list[Picture]:
+def one(entry: Record) -> list[Picture]:
     """The picture of a record's card; none where it has neither numbers for one nor a limit."""
     drawing = next((drawing for key, drawing in DRAWN.items() if key in entry["pictures"]), SHARES)
     if drawing is SHARES and not shares.drawable(entry["rows"]):

@@ -5,10 +5,11 @@ from __future__ import annotations
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from fem_check.report.figures.style import COLOURS, HERTZ, Entry, load_axis
+from fem_check.report.figures.style import COLOURS, HERTZ, load_axis
+from fem_check.rows.record import Record
 
 
-def micrometres(entry: Entry, series: str, state: str, load: float) -> tuple[float, float]:
+def micrometres(entry: Record, series: str, state: str, load: float) -> tuple[float, float]:
     """Axial displacement, elements minus model, and its uncertainty [µm]: at speed it passes through zero as the load
     falls, where a per cent of it says nothing.
 
@@ -28,7 +29,7 @@ def micrometres(entry: Entry, series: str, state: str, load: float) -> tuple[flo
     return 1e6 * (row["found"] - row["reference"]), 1e4 * row["uncertainty_percent"] * abs(row["reference"])
 
 
-def displacement(entry: Entry) -> Figure:
+def displacement(entry: Record) -> Figure:
     """Axial displacement at speed, elements minus model, over the load."""
     figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
     for colour, (support, states) in zip(COLOURS, entry["pictures"]["bearing_sector"].items(), strict=False):

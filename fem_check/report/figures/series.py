@@ -6,11 +6,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from fem_check.report.figures.style import COLOURS, HERTZ, Entry, load_axis
+from fem_check.report.figures.style import COLOURS, HERTZ, load_axis
 from fem_check.report.rows import quantity
+from fem_check.rows.record import Record
 
 
-def load_series(entry: Entry) -> Figure:
+def load_series(entry: Record) -> Figure:
     """Deviation from Hertz over the load, one mesh."""
     series = entry["pictures"]["load_series"]
     figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
@@ -24,7 +25,7 @@ def load_series(entry: Entry) -> Figure:
     return figure
 
 
-def body_size(entry: Entry) -> Figure:
+def body_size(entry: Record) -> Figure:
     """Approach of clamped boxes over their size."""
     series = entry["pictures"]["body_size"]
     figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
@@ -38,7 +39,7 @@ def body_size(entry: Entry) -> Figure:
     return figure
 
 
-def convergence(entry: Entry) -> Figure:
+def convergence(entry: Record) -> Figure:
     """Errors over element size."""
     series = entry["pictures"]["convergence"]
     figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")
@@ -57,7 +58,7 @@ def convergence(entry: Entry) -> Figure:
     return figure
 
 
-def true_geometry(entry: Entry) -> Figure:
+def true_geometry(entry: Record) -> Figure:
     """The true contact and the gap's shape alone, over Hertz, against the load."""
     series = entry["pictures"]["true_geometry"]
     figure, grid = plt.subplots(2, 2, figsize=(8.4, 4.0), sharex=True, layout="constrained")
@@ -86,7 +87,7 @@ def true_geometry(entry: Entry) -> Figure:
     return figure
 
 
-def conformity(entry: Entry) -> Figure:
+def conformity(entry: Record) -> Figure:
     """Worst deviation over load for each groove."""
     series = entry["pictures"]["conformity"]
     figure, axes = plt.subplots(figsize=(5.0, 2.8), layout="constrained")

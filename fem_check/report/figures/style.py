@@ -11,13 +11,12 @@ from matplotlib.tri import Triangulation
 from numpy.polynomial.polynomial import polyval2d, polyvander2d
 from numpy.typing import NDArray
 
-Entry = dict[str, Any]
 INCHES = 11.0
 """Width of a figure that would fill the page."""
 HERTZ: dict[str, Any] = {"color": "black", "linewidth": 1.2}
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9")
 """Of series, in turn: told apart by every kind of colour vision."""
-FOUND: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
+COMPUTED: dict[str, Any] = {"color": "#d55e00", "marker": ".", "linestyle": "none", "markersize": 3}
 
 
 PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#f2f5f7", "#a9c4d3", "#0072b2", "#d55e00", "#7a1f00"])

@@ -94,11 +94,11 @@ class ElasticRings:
         SceneError: every error, at once.
     """
 
-    outside_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
+    outside_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER, printed=True))
     """Of the outer ring [m]."""
-    outer_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
+    outer_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER, printed="width"))
     """Of the outer ring, axially [m]."""
-    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
+    outer_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER, printed=True))
     """Of the shoulder on the side that contact angles above zero lean to [m]; None: no shoulder, which bends up to four
     times as far."""
     outer_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=OUTER))
@@ -114,11 +114,11 @@ class ElasticRings:
         default=None, metadata=given_in("um/N", part=HOUSING, is_list=True)
     )
     """In place of all of that: c_0, c_1, c_2, ... [m/N]; c_1 is that of the mount, 0 where it is rigid."""
-    bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
+    bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed=True))
     """Of the inner ring [m]."""
-    inner_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
+    inner_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed="width"))
     """[m]"""
-    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
+    inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed=True))
     inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
     """Likewise, of the inner ring [m]."""
     shaft: str | None = None

@@ -4,9 +4,8 @@ A hypothesis (Jones 1960; Harris & Kotzalas). It closes the kinematics in place 
 where gyroscopic moments are carried by dry or thin-film friction at moderate speed, doubtful at light load and very
 high speed, where balls slip on both raceways.
 
-Outer, inner and per-ball control let one contact spin with all the friction that it has, and the other not at all:
-dry friction. Minimum dissipation is the opposite limit, friction moments in proportion to the spin speeds as of a
-lubricated contact that spins slowly:
+Outer, inner and per-ball control let one contact spin with all the friction that it has, and the other not at all.
+Minimum dissipation lies between, for balls that spin on both: friction moments c ws, whose weights c are Coulomb's.
 
 Source        derived here, below; weights Q a E from the friction moment of a spinning ellipse (Jones 1959; Harris &
               Kotzalas), M = 3/8 mu Q a E. Ding, Zhang, Zhu & Chai (Chinese J. Mech. Eng. 37(2), 2001) balance both
@@ -21,8 +20,10 @@ Equation      of all axes (p, q), tan(beta) = p/q, that of least ci wsi^2 + co w
                   (p, q) = w (sin ai, cos ai - g) + (1 - w) (sin ao, cos ao + g),    w = ci A/(ci A + co B)
 Limits        w = 1 is inner control, w = 0 outer control; equal angles and weights: tan(beta) = tan(a)/(1 - g^2).
               A ball that has lost the inner raceway has w = 0
-Assumes       traction in proportion to slip, with one factor for both raceways; E and a/Q^(1/3) at the angle of the
-              scene's constant Hertz stiffness (the free one under hertz_angle = "actual"), Q as it is
+Assumes       no law of friction gives it: Coulomb's weights with moments that grow with the spin, where friction in
+              proportion to slip has the weights Q (a^2 + b^2) and divides the gyroscopic moment as Qi to Qo. E and
+              a/Q^(1/3) at the angle of the scene's constant Hertz stiffness (the free one under hertz_angle =
+              "actual"), Q as it is
 Shares        of the gyroscopic moment go with the weights: full w on the inner raceway, 2 - full w on the outer one;
               full is what inner control puts there, 2 ("controlling") or 1 ("harris")
 When not      balls that slip grossly, dry contacts
@@ -53,7 +54,7 @@ class RacewayControl(StrEnum):
     PER_BALL = "per_ball"
     """Jones's criterion, ball by ball: outer where Qo ao Eo cos(ai - ao) > Qi ai Ei."""
     MINIMUM_DISSIPATION = "minimum_dissipation"
-    """Every ball spins on both raceways, with the least friction power of moments in proportion to spin speeds."""
+    """Every ball spins on both raceways, with the least sum of Q a E ws^2: Coulomb's weights on squared spin speeds."""
 
 
 CONTROL_CODES = {control: code for code, control in enumerate(RacewayControl)}

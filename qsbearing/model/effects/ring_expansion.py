@@ -116,9 +116,9 @@ class RingExpansion:
         SceneError: every error, at once.
     """
 
-    bore_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["bore_diameter"]))
+    bore_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["bore_diameter"], printed=True))
     """Of the inner ring, which is its seat on the shaft [m]."""
-    outside_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["outside_diameter"]))
+    outside_diameter: ArrayLike = field(metadata=given_in("mm", RANGES["outside_diameter"], printed=True))
     """Of the outer ring, which is its seat in the housing [m]."""
     shaft_interference: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Shaft diameter less bore, at rest and at the reference temperature [m]; None: no shaft is regarded."""

@@ -10,7 +10,8 @@ Assumes       friction knows pressure and slip alone: no film, no temperature; f
 When not      thermal laws, whose friction falls again with slip: motions are then several, and unsteady. The heat of
               the linear law means nothing: it is the limit of small slip
 Parameters    friction_coefficient: mu, at most 0.3; slip_speed: vc [m/s]; law; has_curvature: False takes contacts for
-              flat, at D/2 from the ball's centre, the textbooks' simplification
+              flat, at D/2 from the ball's centre, the textbooks' simplification; cage_drag, drag_coefficient with
+              fluid_density: what holds balls back on their way
 Example       Traction(friction_coefficient=0.05, slip_speed=0.1)
 """
 
@@ -20,8 +21,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from math import sqrt
 
+from numpy.typing import ArrayLike
+
 from qsbearing.model.compiler.compiled import inlined
-from qsbearing.model.validation import RATIO, Quantity, choose, raise_if_any, within
+from qsbearing.model.validation import DENSITY, FORCE, RATIO, ErrorDetail, Quantity, choose, raise_if_any, within
 
 SLIP_SPEED = Quantity("m/s", (("m_s", "metres per second", 1.0), ("mm_s", "millimetres per second", 1e-3)))
 
@@ -47,19 +50,33 @@ class Traction:
         SceneError: a number out of range, or no such law.
     """
 
-    friction_coefficient: float = 0.07
-    """mu, at slips far above the slip speed [-]."""
-    slip_speed: float = 0.1
+    friction_coefficient: ArrayLike = 0.07
+    """mu, at slips far above the slip speed [-]; an array spans cases, as it does for `slip_speed`."""
+    slip_speed: ArrayLike = 0.1
     """vc, at which friction has reached 0.71 mu [m/s]."""
     law: TractionLaw = TractionLaw.COULOMB
     has_curvature: bool = True
     """Whether contacts lie on the common curvature of ball and groove, whose parts slide; False: they are flat."""
+    cage_drag: float = 0.0
+    """Force of the cage on each ball against its orbit [N]."""
+    drag_coefficient: float | None = None
+    """cd of a ball between its neighbours: drag of cd rho (pi D^2/8) v^2 against its orbit [-]."""
+    fluid_density: float | None = None
+    """rho, of the mixture of air and oil between the rings [kg/m^3]; with `drag_coefficient`."""
 
     def __post_init__(self) -> None:
         law, errors = choose("law", self.law, TractionLaw)
         object.__setattr__(self, "law", law)
         errors += within("friction_coefficient", self.friction_coefficient, RATIO, 1e-3, 0.3)
         errors += within("slip_speed", self.slip_speed, SLIP_SPEED, 1e-4, 10.0)
+        errors += within("cage_drag", self.cage_drag, FORCE, 0.0, 1e5)
+        drag = {"drag_coefficient": (RATIO, 10.0), "fluid_density": (DENSITY, 2e3)}
+        for name, (quantity, most) in drag.items():
+            if getattr(self, name) is not None:
+                errors += within(name, getattr(self, name), quantity, 0.0, most)
+        if (self.drag_coefficient is None) != (self.fluid_density is None):
+            missing = "fluid_density" if self.fluid_density is None else "drag_coefficient"
+            errors.append(ErrorDetail(missing, "is missing: drag needs both"))
         raise_if_any(errors)
 
 

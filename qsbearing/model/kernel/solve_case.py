@@ -1,7 +1,8 @@
 """One case, directly: Newton's method from two starts, and the admissibility of what it finds.
 
 The starts are closed forms and the equilibrium at rest; each converges in cases that the other does not. That is all
-for nearly every case. What does not end in an admissible equilibrium is left to the fallback.
+for nearly every case. What does not end in an admissible equilibrium is left to the fallback, but for a thrust under
+inner raceway control that is too small to have one.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from qsbearing.model.effects.gyroscopic_moment import NO_BOUND
 from qsbearing.model.effects.raceway_control import INNER, OUTER, PER_BALL
 from qsbearing.model.kernel.admissibility import (
     CONVERGED,
+    FRICTION_WITHOUT_LOAD,
     NO_CONSISTENT_CONTROL,
+    NO_EQUILIBRIUM,
     NO_FORCE,
     NO_ORBIT,
     UNLOADED_RING,
@@ -34,6 +37,7 @@ from qsbearing.model.kernel.initial_guess import (
     is_thrust_like,
     split_contacts,
 )
+from qsbearing.model.kernel.least_thrust import is_below_least_thrust
 from qsbearing.model.kernel.loop_closure import load_position, set_inner_line, set_outer_line, store_position
 from qsbearing.model.kernel.newton import newton, newton_at_rest
 from qsbearing.model.kernel.newton_step import has_room
@@ -293,6 +297,16 @@ def deliver_solved(
     deliver(case, work, balls, result, position, control)
 
 
+@kernel
+def deliver_refused(
+    case: recarray, work: recarray, balls: ndarray, result: recarray, position: ndarray, control: ndarray
+) -> None:
+    """Write that friction alone would carry more than the case's thrust; ring and balls are where they were put."""
+    result.iterations, result.residual, result.reached = 0, 1.0, 1.0
+    result.notes, result.status = FRICTION_WITHOUT_LOAD, NO_EQUILIBRIUM
+    deliver(case, work, balls, result, position, control)
+
+
 @entry(*GIVEN, float, int, bool, *FOUND)
 def solve_cases(
     cases: ndarray,
@@ -320,6 +334,9 @@ def solve_cases(
         case, result = cases[k], results[k]
         prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
         if is_moving(case):
+            if is_below_least_thrust(case, work, balls[0]):
+                deliver_refused(case, work, balls, result, positions[k], controls[k])
+                continue
             found = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:
             found = solve_at_rest(case, work, balls, tolerance, is_warm)

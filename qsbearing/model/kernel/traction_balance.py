@@ -129,6 +129,15 @@ def place_balls(case: recarray, motion: recarray, balls: ndarray, position: ndar
 
 
 @kernel
+def stop(motion: recarray, balls: ndarray) -> None:
+    """Let nothing turn, where no ring does: friction has no slip, and balls lie as pressed."""
+    motion.is_carried = False
+    for j in range(motion.ball_count):
+        for k in range(WX, ORBIT + 1):
+            balls[j].unknown[k] = 0.0
+
+
+@kernel
 def balance(
     case: recarray, law: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray
 ) -> bool:
@@ -158,16 +167,16 @@ def balance_through_slips(
 ) -> bool:
     """The same, from a slip speed so high that friction hardly saturates, down to the law's own."""
     slip_speed = law.slip_speed
-    first = FIRST_SLIP * motion.speed
-    steps = 0
-    while slip_speed * SLIP_RATIO**-steps < first:
-        steps += 1
+    larger, steps = slip_speed, 0
+    while larger < FIRST_SLIP * motion.speed:
+        larger, steps = larger / SLIP_RATIO, steps + 1
     found = True
-    for k in range(steps, -1, -1):
-        law.slip_speed = slip_speed * SLIP_RATIO**-k
+    for k in range(steps + 1):
+        law.slip_speed = larger if k < steps else slip_speed
         found = balance(case, law, grooves, arrays, motion, balls)
         if not found:
             break
+        larger *= SLIP_RATIO
     law.slip_speed = slip_speed
     return found
 
@@ -203,6 +212,7 @@ def solve_motions(
         contacts: (case, ball, groove, quantity), quantities those of `traction_ball`; inner ring first.
         torques: on the inner ring, by case.
     """
+    points, _, _, derivative = arrays
     for k in range(cases.size):
         result = results[k]
         if result.status != CONVERGED:
@@ -211,16 +221,18 @@ def solve_motions(
         set_groove(case, law, grooves[0], INNER_SIDE)
         set_groove(case, law, grooves[1], OUTER_SIDE)
         set_ring(case, motion, result, is_carried)
-        set_derivative(arrays[3], motion.ball_count)
+        set_derivative(derivative, motion.ball_count)
         place_balls(case, motion, balls, positions[k])
+        if motion.speed == 0.0:
+            stop(motion, balls)
         found = balance(case, law, grooves, arrays, motion, balls)
-        if not found:
-            set_ring(case, motion, result, is_carried)
+        if not found and motion.speed > 0.0:
+            set_ring(case, motion, result, motion.is_carried)
             place_balls(case, motion, balls, positions[k])
             found = balance_through_slips(case, law, grooves, arrays, motion, balls)
         result.status = CONVERGED if found else NOT_CONVERGED
         result.residual, result.iterations = motion.residual, motion.iterations
-        torques[k] = deliver(case, law, grooves, arrays[0], motion, balls, result, places[k], contacts[k])
+        torques[k] = deliver(case, law, grooves, points, motion, balls, result, places[k], contacts[k])
 
 
 @kernel

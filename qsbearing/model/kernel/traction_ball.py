@@ -52,8 +52,9 @@ GROOVE = record(
 )
 """One arc of a ring's groove."""
 
-X1, X2, WX, WY, WZ, ORBIT = range(6)
-"""Unknowns of a ball; X from touching at the free angle. Its equations stand in the order of its forces."""
+X1, X2, WX, WY, WZ, ORBIT, BY_RADIUS = range(7)
+"""Unknowns of a ball, X from touching at the free angle; and X2 as far as it is part of the orbit's radius. Its
+equations stand in the order of its forces."""
 FX, FZ, FY, MX, MY, MZ = range(6)
 RING_FORCES = 4  # axial, radial, along y, torque
 
@@ -149,66 +150,78 @@ def add_groove(
     sums = contact_sums(law, points, load, a, b, groove.curvature, slips)
     mx, mz = sums.mn * n1 + sums.mt * n2, sums.mn * n2 - sums.mt * n1
     fx, fz = -load * n1 + sums.t * n2, -load * n2 - sums.t * n1
-    ball.residual[FX] += fx
-    ball.residual[FZ] += fz
-    ball.residual[FY] += sums.y
-    ball.residual[MX] += mx
-    ball.residual[MY] += sums.my
-    ball.residual[MZ] += mz
+    column = ball.column
+    column[FX], column[FZ], column[FY], column[MX], column[MY], column[MZ] = fx, fz, sums.y, mx, sums.my, mz
+    add_force(groove, ball, radius)
     ring = groove.speed - ball.unknown[ORBIT]
-    if groove.follows_ring:
-        ball.ring_force[0] -= fx
-        ball.ring_force[1] -= fz
-        ball.ring_force[2] -= sums.y
-        ball.ring_force[3] -= mx - radius * sums.y
-    for k in range(7):
-        # (load, angle of n towards t, wy, ws, wr, vr) by the unknown; the last are X2 through the radius alone.
-        by_load, turn, d_wy, d_ws, d_wr, d_vr = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        if k == X1:
-            by_load, turn = load_slope * n1, n2 * inverse
-            d_ws, d_wr = wr * turn, -ws * turn
-        elif k == X2:
-            by_load, turn = load_slope * n2, -n1 * inverse
-            d_ws, d_wr = wr * turn, -ws * turn
-        elif k == WX:
-            d_ws, d_wr = n1, n2
-        elif k == WY:
-            d_wy = 1.0
-        elif k == WZ:
-            d_ws, d_wr = n2, -n1
-        elif k == ORBIT:
-            d_ws, d_wr, d_vr = n1, n2, -radius
-        elif case.displaced_orbit:
-            d_vr = ring
-        else:
-            break
-        changes = (d_wy, d_ws, d_wr, d_vr, by_load)
+    for k in range(BY_RADIUS + 1 if case.displaced_orbit else BY_RADIUS):
+        by_load, turn, changes = changes_by(k, load_slope, inverse, n1, n2, ws, wr, radius, ring)
         t, y = changed(sums.t_slopes, changes), changed(sums.y_slopes, changes)
         mn, mt = changed(sums.mn_slopes, changes), changed(sums.mt_slopes, changes)
-        d_fx = -by_load * n1 + t * n2 - turn * (load * n2 + sums.t * n1)
-        d_fz = -by_load * n2 - t * n1 + turn * (load * n1 - sums.t * n2)
-        d_mx, d_mz = mn * n1 + mt * n2 + turn * mz, mn * n2 - mt * n1 - turn * mx
-        column = ball.column
-        column[FX], column[FZ], column[FY], column[MX] = d_fx, d_fz, y, d_mx
-        column[MY], column[MZ] = changed(sums.my_slopes, changes), d_mz
-        torque = d_mx - radius * y
-        at = k
-        if k == 6:
-            at, torque = X2, torque - sums.y
-        for row in range(6):
-            ball.matrix[row, at] += column[row]
-        if groove.follows_ring:
-            ball.ring_matrix[0, at] -= d_fx
-            ball.ring_matrix[1, at] -= d_fz
-            ball.ring_matrix[2, at] -= y
-            ball.ring_matrix[3, at] -= torque
-            if k <= X2:
-                for row in range(6):
-                    ball.by_ring[row, k] -= column[row]
-                ball.ring_by_ring[0, k] += d_fx
-                ball.ring_by_ring[1, k] += d_fz
-                ball.ring_by_ring[2, k] += y
-                ball.ring_by_ring[3, k] += torque
+        column[FX] = -by_load * n1 + t * n2 - turn * (load * n2 + sums.t * n1)
+        column[FZ] = -by_load * n2 - t * n1 + turn * (load * n1 - sums.t * n2)
+        column[FY], column[MY] = y, changed(sums.my_slopes, changes)
+        column[MX], column[MZ] = mn * n1 + mt * n2 + turn * mz, mn * n2 - mt * n1 - turn * mx
+        torque = column[MX] - radius * y
+        if k == BY_RADIUS:
+            torque -= sums.y
+        add_column(groove, ball, k, torque)
+
+
+@inlined
+def changes_by(
+    k: int, load_slope: float, inverse: float, n1: float, n2: float, ws: float, wr: float, radius: float, ring: float
+) -> tuple[float, float, tuple[float, float, float, float, float]]:
+    """What an unknown of the ball changes at a contact: the load, the angle of n towards t; (wy, ws, wr, vr, load)."""
+    if k <= X2:
+        along, across = (n1, n2) if k == X1 else (n2, -n1)
+        by_load, turn = load_slope * along, across * inverse
+        return by_load, turn, (0.0, wr * turn, -ws * turn, 0.0, by_load)
+    if k == WX:
+        return 0.0, 0.0, (0.0, n1, n2, 0.0, 0.0)
+    if k == WY:
+        return 0.0, 0.0, (1.0, 0.0, 0.0, 0.0, 0.0)
+    if k == WZ:
+        return 0.0, 0.0, (0.0, n2, -n1, 0.0, 0.0)
+    if k == ORBIT:
+        return 0.0, 0.0, (0.0, n1, n2, -radius, 0.0)
+    return 0.0, 0.0, (0.0, 0.0, 0.0, ring, 0.0)
+
+
+@inlined
+def add_force(groove: recarray, ball: recarray, radius: float) -> None:
+    """Add a contact's forces and moments on the ball, which stand in its column."""
+    force = ball.column
+    for row in range(6):
+        ball.residual[row] += force[row]
+    if groove.follows_ring:
+        ball.ring_force[0] -= force[FX]
+        ball.ring_force[1] -= force[FZ]
+        ball.ring_force[2] -= force[FY]
+        ball.ring_force[3] -= force[MX] - radius * force[FY]
+
+
+@inlined
+def add_column(groove: recarray, ball: recarray, k: int, torque: float) -> None:
+    """Add their change by an unknown, which stands there, and that of the torque; the ring displaced is X the other
+    way, but for R."""
+    column, at = ball.column, X2 if k == BY_RADIUS else k
+    for row in range(6):
+        ball.matrix[row, at] += column[row]
+    if not groove.follows_ring:
+        return
+    ball.ring_matrix[0, at] -= column[FX]
+    ball.ring_matrix[1, at] -= column[FZ]
+    ball.ring_matrix[2, at] -= column[FY]
+    ball.ring_matrix[3, at] -= torque
+    if k > X2:
+        return
+    for row in range(6):
+        ball.by_ring[row, k] -= column[row]
+    ball.ring_by_ring[0, k] += column[FX]
+    ball.ring_by_ring[1, k] += column[FZ]
+    ball.ring_by_ring[2, k] += column[FY]
+    ball.ring_by_ring[3, k] += torque
 
 
 @inlined

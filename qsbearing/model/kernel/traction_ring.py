@@ -54,7 +54,8 @@ def evaluate(
         a1, a2 = inner_groove_centre(case, motion.displacement, ball)
         moved_ball(case, law, grooves, points, ball, a1, a2)
         force = max(force, ball.largest_load)
-        mean_time += 1.0 / (ball.unknown[ORBIT] * count)
+        if motion.is_carried:
+            mean_time += 1.0 / (ball.unknown[ORBIT] * count)
         for k in range(6):
             largest = max(largest, abs(ball.residual[k]))
     motion.mean_time = mean_time

@@ -7,7 +7,8 @@ balance of friction (`kernel/traction_balance.py`).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from math import prod
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,31 +16,11 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.effects.traction import LAW_CODES, Traction
+from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw
+from qsbearing.model.kernel import traction_ball as kernel
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction import ANGLES, RADII, contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
-from qsbearing.model.kernel.traction_ball import (
-    APPROACH,
-    CONTACT_QUANTITIES,
-    COSINE,
-    GROOVE,
-    HEAT,
-    LAW,
-    LOAD,
-    MOVED_BALL,
-    ROLL_MOMENT,
-    SEMI_MAJOR,
-    SEMI_MINOR,
-    SIDEWAYS,
-    SINE,
-    SLIP_ACROSS,
-    SLIP_ALONG,
-    SPIN,
-    SPIN_MOMENT,
-    TRACTION,
-    TURN_MOMENT,
-)
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
@@ -47,6 +28,23 @@ from qsbearing.model.solution.status import STATUS_OF_CODE
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 INNER, OUTER = range(2)
+
+_OF_CONTACT = {
+    "load": (kernel.LOAD, "force"),
+    "approach": (kernel.APPROACH, "length"),
+    "semi_major_axis": (kernel.SEMI_MAJOR, "length"),
+    "semi_minor_axis": (kernel.SEMI_MINOR, "length"),
+    "traction": (kernel.TRACTION, "force"),
+    "sideways": (kernel.SIDEWAYS, "force"),
+    "spin_moment": (kernel.SPIN_MOMENT, "moment"),
+    "roll_moment": (kernel.ROLL_MOMENT, "moment"),
+    "turn_moment": (kernel.TURN_MOMENT, "moment"),
+    "heat": (kernel.HEAT, "power"),
+    "spin_speed": (kernel.SPIN, "speed"),
+    "slip_across": (kernel.SLIP_ACROSS, "velocity"),
+    "slip_along": (kernel.SLIP_ALONG, "velocity"),
+}
+"""What the kernel writes of a contact, and its unit."""
 
 
 @dataclass(frozen=True)
@@ -76,11 +74,15 @@ class ContactFriction:
     """Of the ball's surface at the centre of a flat contact, along t [m/s]."""
     slip_along: NDArray
     """The same along y."""
+    friction_use: NDArray
+    """|F|/(mu Q): 1 where all of the contact slides one way, 0 where slips of both ways balance; the linear law has no
+    bound, and so no number."""
 
 
 class Inside(NamedTuple):
     """What a solution was found from and where, in the kernel's units."""
 
+    shape: tuple[int, ...]
     cases: NDArray
     laws: NDArray
     points: NDArray
@@ -91,7 +93,8 @@ class Inside(NamedTuple):
 
 @dataclass(frozen=True)
 class FrictionMotion:
-    """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none."""
+    """Balls and ring in the balance of friction, (*cases, ...); SI. Nothing is a number where a case has none; at rest
+    nothing of the balls' motion is."""
 
     status: NDArray
     """Words of `Status`."""
@@ -117,6 +120,8 @@ class FrictionMotion:
     """Of the balls on the inner ring, (*cases)."""
     start: Solution
     """The solution under outer control."""
+    friction_coefficient: NDArray
+    """mu, (*cases); no number under the linear law."""
     inside: Inside
 
     @property
@@ -137,6 +142,26 @@ class FrictionMotion:
         return np.asarray(1.0 / np.mean(1.0 / self.orbital_speed, axis=-1))
 
     @property
+    def skid_margin(self) -> NDArray:
+        """mu Qi (1 + cos(ai - ao))/Fd of each ball: the drag at which it slides on both rings and falls behind, over
+        that which it has.
+
+        By equilibrium about the axis through both contacts' tangents; infinite without drag.
+        """
+        parted = self.inner.angle - self.outer.angle
+        most = self.friction_coefficient[..., None] * self.inner.load * (1.0 + np.cos(parted))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(most / np.abs(self.drag))
+
+    @property
+    def gyroscopic_margin(self) -> NDArray:
+        """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right."""
+        asked = self.start.outer.required_friction
+        assert asked is not None
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.friction_coefficient[..., None] / asked)
+
+    @property
     def heat(self) -> NDArray:
         """Of all contacts [W]."""
         return np.asarray((self.weight * (self.inner.heat + self.outer.heat)).sum(axis=-1))
@@ -150,7 +175,8 @@ def friction_motion(
     Args:
         scene: bearing, operation and constant Hertz stiffness; its ball effects and raceway control do not count, for
             the balance has all of the balls' inertia.
-        traction: the law of friction.
+        traction: the law of friction; its arrays broadcast with the scene's to the case axes, so that one scene takes a
+            band of friction coefficients.
         radii, angles: points of each contact, see `contact_points`.
         carried: balls are carried round with their inertia under radial load; False: each is balanced at its azimuth
             as if it stayed there.
@@ -164,25 +190,42 @@ def friction_motion(
     raise_if_any(refusals(scene))
     effects = (CentrifugalForce(), GyroscopicMoment())
     start = solve(replace(scene, ball_effects=effects, raceway_control=RacewayControl.OUTER))
-    cases = start.maker.make()
+    shape, which = spanned(start.maker.shape, traction)
+    cases, results = start.maker.make()[which], start.results[which]
+    positions = np.ascontiguousarray(start.positions[which][..., :3])
     balls, count = start.maker.ball_axis, cases.size
-    results, positions = start.results.copy(), np.ascontiguousarray(start.positions[..., :3])
     places = np.full((count, balls, len(PLACES)), np.nan)
-    contacts, torques = np.full((count, balls, 2, CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
-    size = 6 * balls + 3
+    contacts, torques = np.full((count, balls, 2, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
+    size = 4 * balls + 3  # of Newton's step
     arrays = contact_points(radii, angles), np.empty((size, size)), np.empty(size), np.empty(balls)
-    laws = laws_of(cases, traction)
-    memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
+    laws = laws_of(cases, traction, shape)
+    memory = np.zeros(2, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
     solve_motions(cases, laws, *memory, arrays, carried, results, positions, places, contacts, torques)
-    return _found(start, Inside(cases, laws, arrays[0], carried, results, places), contacts, torques)
+    inside = Inside(shape, cases, laws, arrays[0], carried, results, places)
+    bound = np.nan if traction.law is TractionLaw.LINEAR else traction.friction_coefficient
+    return _found(start, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
+
+
+def spanned(shape: tuple[int, ...], traction: Traction) -> tuple[tuple[int, ...], NDArray]:
+    """(case axes of a scene and a law together, which of the scene's cases each is).
+
+    Raises:
+        ValueError: they do not broadcast.
+    """
+    both = np.broadcast_shapes(shape, np.shape(traction.friction_coefficient), np.shape(traction.slip_speed))
+    of_scene = np.arange(prod(shape)).reshape(shape)
+    return both, np.broadcast_to(of_scene, both).reshape(-1)
 
 
 def refusals(scene: Scene) -> list[ErrorDetail]:
     """What the balance of friction does not know, by the scene's fields."""
     operation, errors = scene.operation, []
-    resting = (np.asarray(operation.speed) - np.asarray(operation.outer_speed or 0.0)) == 0.0
-    if resting.any():
-        errors.append(ErrorDetail("operation.speed", "moves no ball", operation.speed))
+    inner, outer = (
+        np.asarray(operation.speed),
+        np.asarray(0.0 if operation.outer_speed is None else operation.outer_speed),
+    )
+    if np.any((inner == outer) & (inner != 0.0)):
+        errors.append(ErrorDetail("operation.speed", "is the outer ring's too, so that nothing rolls", operation.speed))
     for effect in (scene.elastic_rings, scene.ball_diameter_deviations):
         if scene.ring_effects and effect is not None:
             errors.append(ErrorDetail(effect.name, "is not known to balls that friction moves"))
@@ -202,27 +245,38 @@ def refusals(scene: Scene) -> list[ErrorDetail]:
     return errors
 
 
-def laws_of(cases: NDArray, traction: Traction) -> NDArray:
-    """Records of the law, in each case's units."""
-    laws = np.zeros(cases.size, LAW)
+def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> NDArray:
+    """Records of the law, in the units of each of the cases, which have these axes."""
+    laws = np.zeros(cases.size, kernel.LAW)
     laws["law"] = LAW_CODES[traction.law]
-    laws["friction_coefficient"] = traction.friction_coefficient
-    laws["slip_speed"] = traction.slip_speed / (cases["speed"] * cases["length"])
+    friction, slip = (
+        np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
+        for each in (traction.friction_coefficient, traction.slip_speed)
+    )
+    laws["friction_coefficient"] = friction
+    laws["slip_speed"] = slip / (cases["speed"] * cases["length"])
     laws["has_curvature"] = traction.has_curvature
+    laws["drag_force"] = traction.cage_drag / cases["force"]
+    if traction.drag_coefficient is not None and traction.fluid_density is not None:
+        disc = traction.drag_coefficient * traction.fluid_density * np.pi / 8.0  # over D^2, a length of the case
+        laws["drag_factor"] = disc * (cases["length"] ** 2 * cases["speed"]) ** 2 / cases["force"]
     return laws
 
 
-def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray) -> FrictionMotion:
-    shape, cases, results, places = start.maker.shape, inside.cases, inside.results, inside.places
+def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray) -> FrictionMotion:
+    shape, cases, results, places = inside.shape, inside.cases, inside.results, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
     force, length, speed = (cases[name][:, None] for name in ("force", "length", "speed"))
     moments = force * length
-    w, orbit = places[..., 2:5] * speed[..., None], places[..., 5] * speed
+    turning = np.where((cases["inner_speed"] != 0.0) | (cases["outer_speed"] != 0.0), 1.0, np.nan)[:, None]
+    w, orbit = places[..., 2:5] * (speed * turning)[..., None], places[..., 5] * (speed * turning)
     bearing = start.scene.operating_bearing
     inertia, mass = (np.asarray(each)[..., None] for each in (bearing.ball_inertia, bearing.ball_mass))
-    radius = 0.5 * cases["pitch_diameter"][:, None] * length
+    radius = 0.5 * cases["pitch_diameter"][:, None] + cases["displaced_orbit"][:, None] * places[..., 1]
+    units = {"force": force, "length": length, "moment": moments, "speed": speed}
+    units |= {"velocity": speed * length, "power": moments * speed}
 
     def shaped(array: NDArray) -> NDArray:
         return array.reshape((*shape, *array.shape[1:]))
@@ -230,15 +284,11 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray)
     def side(which: int) -> ContactFriction:
         sign = -1.0 if which == INNER else 1.0
         found = contacts[:, :, which]
-        units: list[tuple[int, Any]] = [
-            *((what, length) for what in (APPROACH, SEMI_MAJOR, SEMI_MINOR)),
-            *((what, force) for what in (TRACTION, SIDEWAYS)),
-            *((what, moments) for what in (SPIN_MOMENT, ROLL_MOMENT, TURN_MOMENT)),
-            (HEAT, moments * speed), (SPIN, speed), (SLIP_ACROSS, speed * length), (SLIP_ALONG, speed * length),
-        ]  # fmt: skip
-        values = [shaped(found[..., what] * unit) for what, unit in units]
-        angle = np.arctan2(sign * found[..., SINE], sign * found[..., COSINE])
-        return ContactFriction(shaped(angle), shaped(found[..., LOAD] * force), *values)
+        values = {name: shaped(found[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
+        values["angle"] = shaped(np.arctan2(sign * found[..., kernel.SINE], sign * found[..., kernel.COSINE]))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            use = np.hypot(values["traction"], values["sideways"]) / (bound[..., None] * values["load"])
+        return ContactFriction(**values, friction_use=use)
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
     orbits = shaped(orbit)
@@ -252,11 +302,12 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray)
         orbital_speed=orbits,
         weight=shaped(places[..., 6]),
         drag=shaped(places[..., 7] * force),
-        centrifugal_force=mass * orbits**2 * shaped(radius),
+        centrifugal_force=mass * orbits**2 * shaped(radius * length),
         gyroscopic_moment=inertia * orbits * shaped(w[..., 2]),
         inner=side(INNER),
         outer=side(OUTER),
         torque=shaped(torques * moments[:, 0]),
         start=start,
+        friction_coefficient=bound,
         inside=inside,
     )

@@ -56,6 +56,7 @@ CONTACT_LOAD = Result("load", "N", "normal load of a contact", "Q", BALANCE, of_
 ANGLE = Result(
     "angle", "deg", "angle of the loaded contact", r"\alpha", BALANCE, is_signed=True, of_rows=ANGLES, heading="angle"
 )
+MAX_PRESSURE = Result("max_pressure", "MPa", "pressure at the centre of the ellipse", "p_0", HERTZ, of_rows=("max",))
 FRICTION = Result("required_friction", words="coefficient that the moment Mg requires", symbol=r"\mu", source=BALANCE)
 CONTACT = (
     CONTACT_LOAD,
@@ -63,7 +64,7 @@ CONTACT = (
     Result("approach", "um", "negative: gap of an unloaded contact", r"\delta", HERTZ),
     Result("semi_major_axis", "mm", "semi-axis of the contact ellipse, across rolling", "a", HERTZ),
     Result("semi_minor_axis", "mm", "semi-axis of the contact ellipse, along rolling", "b", HERTZ),
-    Result("max_pressure", "MPa", "pressure at the centre of the ellipse", "p_0", HERTZ, of_rows=("max",)),
+    MAX_PRESSURE,
     FRICTION,
 )
 SPEEDS = (
@@ -216,28 +217,29 @@ def channels(before: str) -> tuple[Group, ...]:
     """The five channels of the ring, or of a set's shaft: how it moves, what loads it, and how stiff it is."""
     kinds = ("displacement", DISPLACEMENT), ("load", LOAD), ("locked_stiffness", STIFFNESS)
     every = (*kinds, ("effective_stiffness", STIFFNESS))
-    return tuple(Group(each, before, prefix=f"{kind}_", holder=kind, table=(kind,)) for kind, each in every)
+    return tuple(Group(each, before, prefix=kind, holder=kind, table=(kind,)) for kind, each in every)
 
 
 def _of_sides(results: tuple[Result, ...], prefix: str, holder: str, table: str, axis: str = "") -> tuple[Group, ...]:
     return tuple(Group(results, "", side, prefix, f"{side}{holder}", axis, (table, side)) for side in SIDES)
 
 
-RING = "ring_"
+RING = "ring"
 CONTACTS = _of_sides(CONTACT, "", "", "balls", BALL)
 BALLS = Group(OF_BALL, axis=BALL, table=("balls",))
-RINGS = tuple(Group(RING_STATE, prefix=f"{side}_ring_", holder=f"{side}_ring", table=("rings", side)) for side in SIDES)
-SHAPES = _of_sides(RING_SHAPE, "elastic_", "_shape", "elastic_rings")
+RINGS = tuple(Group(RING_STATE, prefix=f"{side}_ring", holder=f"{side}_ring", table=("rings", side)) for side in SIDES)
+SHAPES = _of_sides(RING_SHAPE, "elastic", "_shape", "elastic_rings")
 TEMPERATURES = tuple(
-    Group(TEMPERATURE, prefix=f"{body}_", holder=f"scene.temperatures.{body}", table=("temperatures", body))
+    Group(TEMPERATURE, prefix=body, holder=f"scene.temperatures.{body}", table=("temperatures", body))
     for body in BODIES
 )
-OPERATING = Group(GEOMETRY, prefix="operating_", holder=_reshaped, table=("operating_geometry",))
-OF_PRELOAD = Group(PRELOAD, prefix="preload_", table=("preload",), is_asked=_has_preload, by_words=True)
+OPERATING = Group(GEOMETRY, prefix="operating", holder=_reshaped, table=("operating_geometry",))
+OF_PRELOAD = Group(PRELOAD, prefix="preload", table=("preload",), is_asked=_has_preload, by_words=True)
 STEADY = Group(
     tuple(Result(f"{node}_temperature", "C", path=node, entry=node) for node in NODES),
-    prefix="steady_", holder="thermal.temperatures", table=("thermal", "temperatures_C"),
+    prefix="steady", holder="thermal.temperatures", table=("thermal", "temperatures_C"),
 )  # fmt: skip
+OF_MIDDLE = Group(MIDDLE, table=(), by_words=True)
 OF_AZIMUTH = Group(AZIMUTH, axis=BALL, table=("balls",))
 GROUPS = (
     *CONTACTS,
@@ -249,11 +251,11 @@ GROUPS = (
     *RINGS,
     *SHAPES,
     STEADY,
-    Group((Result("friction", "W", path=_steady_friction),), prefix="steady_"),
+    Group((Result("friction", "W", path=_steady_friction),), prefix="steady"),
     Group(DERIVED),
     OF_AZIMUTH,
     *TEMPERATURES,
-    Group(MIDDLE, table=(), by_words=True),
+    OF_MIDDLE,
     Group(SHARE, table=("elastic_rings",), is_asked=_has_elastic_rings, by_words=True),
 )
 """Of every solution of a bearing; a group that its scene does not call for has no numbers."""

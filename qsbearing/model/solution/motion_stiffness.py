@@ -92,6 +92,24 @@ def turning_stiffness(found: FrictionMotion, frequency: ArrayLike) -> TurningSti
     return TurningStiffness(*values.reshape(3, *found.status.shape, nu.size))
 
 
+def motion_rates(found: FrictionMotion) -> NDArray:
+    """How fast each ball's motion returns to balance: eigenvalues (*cases, ball, 4) of (wx, wy, wz, omega_m) [1/s],
+    the slowest first; complex, negative where stable.
+
+    Its place and the ring held where they are found: r_u u + r_u' u'/omega_m = 0, the place following at once. A ball
+    whose slowest rate is far below its orbit's does not follow what its azimuth asks for.
+    """
+    rates = np.full((*found.inside.places.shape[:2], 4), np.nan, complex)
+    for k, blocks in enumerate(_blocks(found)):
+        for j in range(len(blocks.force)):
+            a, c = blocks.by_unknown[j], blocks.by_rate[j] / found.inside.places[k, j, ORBIT]
+            if np.isfinite(a).all():
+                motion = a[2:, 2:] - a[2:, :2] @ np.linalg.solve(a[:2, :2], a[:2, 2:])
+                values = np.linalg.eigvals(-np.linalg.solve(c[2:, 2:], motion))
+                rates[k, j] = values[np.argsort(np.abs(values))] * found.inside.cases["speed"][k]
+    return rates.reshape(*found.status.shape, *rates.shape[1:])
+
+
 def _response(blocks: Blocks, orbit: float, s: float, along: int) -> NDArray:
     """(axial, radial, along y, orbit) of the first ball to a displacement of the groove centre at this frequency."""
     matrix = blocks.by_unknown[0] + 1j * (s / orbit) * blocks.by_rate[0]
@@ -124,7 +142,7 @@ def _static(found: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     each = np.arange(count)
     by_unknown[each, :, each] = blocks.by_unknown
     force_by_unknown = turns @ blocks.force_by_unknown
-    if found.inside.is_carried:
+    if found.inside.is_carried and case["inner_speed"] != case["outer_speed"]:
         derivative = np.zeros(count)
         set_derivative(derivative, count)
         by_unknown += derivative[(each[:, None] - each) % count][:, None, :, None] * blocks.by_rate[:, :, None]

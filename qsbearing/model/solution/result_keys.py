@@ -149,11 +149,11 @@ class Group(NamedTuple):
 
     results: tuple[Result, ...]
     before: str = ""
-    """What their names begin with, and what people may leave out: `ring_`."""
+    """What their names begin with, and what people may leave out: `ring`."""
     raceway: str = ""
     """Inner or outer, where it is of one."""
     prefix: str = ""
-    """In front of each one's own name."""
+    """Before each one's own name."""
     holder: Path = ""
     """Of what has them, from the solution; of a reading from all readings by name."""
     axis: str = ""
@@ -260,12 +260,23 @@ class Place(NamedTuple):
         return np.broadcast_to(values, whole.shape)
 
 
-def spelled(place: Place, with_unit: bool = False) -> str:
+IN_FULL, WITHOUT_BEFORE, WITHOUT_READING = range(3)
+"""How much of a name is left out."""
+
+
+def spelled(place: Place, with_unit: bool = False, left_out: int = IN_FULL) -> str:
     """The name of a place: `inner_load`, `row_2_inner_load_max`, with its unit `row_2_inner_load_max_N`."""
     group = place.group
-    of = (f"row_{place.row}_" if place.row else "") + group.before + (f"{group.raceway}_" if group.raceway else "")
-    ending = UNITS[place.unit].ending if with_unit else ""
-    return "_".join(filter(None, (f"{of}{group.prefix}{place.result.name}", place.over, ending)))
+    parts = (
+        f"{ROW}_{place.row}" if place.row else "",
+        group.before if left_out == IN_FULL else "",
+        group.raceway,
+        "" if group.reading and left_out == WITHOUT_READING else group.prefix,
+        place.result.name,
+        place.over,
+        UNITS[place.unit].ending if with_unit else "",
+    )
+    return "_".join(filter(None, parts))
 
 
 def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) -> Place | None:
@@ -279,55 +290,20 @@ def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) 
     """
     name = text.replace(".", "_")
     first, _, rest = name.partition("_")
-    number, _, own = rest.partition("_")
-    row, among = 0, tuple(groups)
-    if first == ROW and number.isdecimal() and int(number):
-        row, name, among = int(number), own, tuple(of_rows)
-    for heads in (_in_full, _without_before):
-        for group in among:
-            if place := _within(group, heads(group), name, row) or _by_alias(group, name, row):
-                return place
-    short = {place for group in among if group.reading and (place := _within(group, _short(group), name, row))}
+    number = rest.partition("_")[0]
+    row = int(number) if first == ROW and number.isdecimal() else 0
+    whole = [Place(group, each, row) for group in (of_rows if row else groups) for each in group.results]
+    near = [each for each in whole if each.result.name in name]
+    near += [over for each in near for over in each.overs]
+    for left_out in (IN_FULL, WITHOUT_BEFORE):
+        for each in near:
+            if name in (spelled(each, False, left_out), spelled(each, True, left_out)):
+                return each
+    short = {
+        each for each in near if name in (spelled(each, False, WITHOUT_READING), spelled(each, True, WITHOUT_READING))
+    }
+    short |= {each for each in whole if name in each.result.aliases}
     return short.pop() if len(short) == 1 else None
-
-
-def _by_alias(group: Group, name: str, row: int) -> Place | None:
-    for result in group.results:
-        for alias in result.aliases:
-            if name in (alias, f"{alias}_{UNITS[result.unit].ending}"):
-                return Place(group, result, row)
-    return None
-
-
-def _in_full(group: Group) -> str:
-    return group.before + _without_before(group)
-
-
-def _without_before(group: Group) -> str:
-    return (f"{group.raceway}_" if group.raceway else "") + group.prefix
-
-
-def _short(group: Group) -> str:
-    """Without the reading."""
-    return f"{group.raceway}_" if group.raceway else ""
-
-
-def _within(group: Group, head: str, name: str, row: int) -> Place | None:
-    if not name.startswith(head):
-        return None
-    own = name[len(head) :]
-    for result in group.results:
-        if own.startswith(result.name):
-            whole = Place(group, result, row)
-            for place in (whole, *whole.overs):
-                if own in (_own(place, False), _own(place, True)):
-                    return place
-    return None
-
-
-def _own(place: Place, with_unit: bool) -> str:
-    """What a name ends with: of the result itself."""
-    return spelled(Place(Group(place.group.results, axis=place.group.axis), place.result, over=place.over), with_unit)
 
 
 _STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")

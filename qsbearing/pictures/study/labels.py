@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from qsbearing.model.solution.groups import RING
 from qsbearing.model.solution.result_keys import SAID, Place, place_of, printed_unit, spelled
 from qsbearing.readings.asked import every_group
-from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM
+from qsbearing.systems.sets.set_groups import OF_SHAFT, SYSTEM, groups_of_row
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,7 +54,7 @@ def place_named(name: str) -> Place | None:
     or of a point of a shaft."""
     groups = every_group()
     unsided = [group._replace(raceway="") for group in groups if group.raceway]
-    place = place_of(name, [*groups, *OF_SHAFT, SYSTEM, *unsided], [*groups, *OF_ROWS])
+    place = place_of(name, [*groups, *OF_SHAFT, SYSTEM, *unsided], groups_of_row(groups))
     return place if place is not None and place.name == name else None
 
 
@@ -68,7 +68,7 @@ def stem(name: str) -> tuple[str, str]:
         return spelled(place._replace(row=0)), f"row {place.row}"
     if group.raceway:
         return spelled(place._replace(group=group._replace(raceway=""))), group.raceway
-    return (group.prefix.removesuffix("_"), place.result.name) if group.before == RING else (name, "")
+    return (group.prefix, place.result.name) if group.before == RING else (name, "")
 
 
 def words(name: str) -> str:

@@ -50,14 +50,30 @@ SHOWN = (
 """Of one bearing; with them every number of its readings that is not of single balls."""
 
 
-@dataclass(frozen=True)
-class Line:
-    """One number of each bearing."""
+class Input(NamedTuple):
+    """A number of a bearing, by its path in a file."""
 
     name: str
     unit: str
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One number of each bearing."""
+
+    of: Input | Place
     values: tuple[float, ...]
     """NaN where there is none."""
+
+    @property
+    def name(self) -> str:
+        """Of the input or result."""
+        return self.of.name
+
+    @property
+    def unit(self) -> str:
+        """Of all values."""
+        return self.of.unit
 
     def difference(self, number: int) -> float:
         """Of a bearing from the first, as a part of the first; 0 where either has none, or they have not one sign."""
@@ -71,9 +87,9 @@ class Comparison:
 
     labels: tuple[str, ...]
     statuses: tuple[str, ...]
-    inputs: tuple[Line, ...]
+    inputs: tuple[Compared, ...]
     """Numbers of the bearings in which they differ."""
-    results: tuple[Line, ...]
+    results: tuple[Compared, ...]
     job: str
     """Where the job stands."""
     conditions: tuple[tuple[str, float, str], ...]
@@ -231,19 +247,21 @@ def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:
     return tuple(f"{name} #{i + 1}" if names.count(name) > 1 else name for i, name in enumerate(names))
 
 
-def _inputs(bearings: list[BallBearing]) -> tuple[Line, ...]:
+def _inputs(bearings: list[BallBearing]) -> tuple[Compared, ...]:
     lines = [
-        Line(key.name, key.unit, tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings))
+        Compared(
+            Input(key.name, key.unit), tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings)
+        )
         for key in BEARING
     ]
     for side in MATERIALS:
         for key in required_of(Material):
             values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
-            lines.append(Line(f"{side}.{key.name}", key.unit, values))
+            lines.append(Compared(Input(f"{side}.{key.name}", key.unit), values))
     return tuple(line for line in lines if len(set(line.values)) > 1)
 
 
-def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Line, ...]:
+def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Compared, ...]:
     """The numbers of sets in which these differ, by their paths in a file."""
     tables = [input_tables(each) for each in sets]
     names = dict.fromkeys(path for table in tables for path in paths.numbers_of(table))
@@ -253,7 +271,7 @@ def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Line, ...]:
         if any(value != values[0] for value in values) and path[0] not in OF_JOB:
             key = paths.key_at(path)
             numbers = tuple(np.nan if value is None else float(value) for value in values)
-            lines.append(Line(".".join(path), key.unit if key else "", numbers))
+            lines.append(Compared(Input(".".join(path), key.unit if key else ""), numbers))
     return tuple(lines)
 
 
@@ -265,7 +283,7 @@ def main_results(solution: Solution | SetSolution) -> dict[str, Place]:
     return {each.name: each for name in names if (each := find_result(name, known)) is not None}
 
 
-def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
+def _results(solutions: list[Solution | SetSolution]) -> tuple[Compared, ...]:
     every: dict[str, Place] = {}
     values: list[dict[str, float]] = []
     for solution in solutions:
@@ -273,5 +291,5 @@ def _results(solutions: list[Solution | SetSolution]) -> tuple[Line, ...]:
         every |= {name: each for name, each in kept.items() if name not in every}
         found = read(solution, kept.values())
         values.append({name: float(np.asarray(each)) for name, each in found.items()})
-    lines = (Line(name, each.unit, tuple(found.get(name, np.nan) for found in values)) for name, each in every.items())
+    lines = (Compared(each, tuple(found.get(name, np.nan) for found in values)) for name, each in every.items())
     return tuple(line for line in lines if any(np.isfinite(each) and each != 0.0 for each in line.values))

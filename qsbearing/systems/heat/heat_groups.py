@@ -13,7 +13,7 @@ WHOLE = Group(
         Result("imbalance", "W", entry="imbalance_W", is_usual=False),
         Result("feedback", words="by how much a further watt of heat makes friction grow", is_usual=False),
     ),
-    prefix="steady_", holder="thermal", table=("thermal",),
+    prefix="steady", holder="thermal", table=("thermal",),
 )  # fmt: skip
 
 
@@ -31,7 +31,7 @@ def groups_of_heat(state: ThermalState | None) -> list[Group]:
         )
         for one, other in state.flows
     )
-    paths = Group(flows, prefix="steady_", holder="thermal.flows", table=("thermal", "flows_W"))
+    paths = Group(flows, prefix="steady", holder="thermal.flows", table=("thermal", "flows_W"))
     return [nodes, sources, paths, WHOLE]
 
 
@@ -39,7 +39,7 @@ def _one_each(parts: Iterable[Part], what: str, unit: str, table: str, holder: s
     results = tuple(
         Result(f"{_named(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
     )
-    return Group(results, prefix="steady_", holder=f"thermal.{holder}", table=("thermal", table))
+    return Group(results, prefix="steady", holder=f"thermal.{holder}", table=("thermal", table))
 
 
 def _named(part: str) -> str:

@@ -5,13 +5,13 @@ A row also has whatever a bearing has (`GROUPS`, and its readings'); rows count 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.groups import channels, unasked
+from qsbearing.model.solution.groups import OF_PRELOAD, channels, unasked
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result
 from qsbearing.systems.sets.system_life import system_life
 
@@ -25,7 +25,7 @@ def _is_opposed(of: BearingSet) -> bool:
 
 
 AXIAL_LOAD = Group((Result("axial_load", "N", path="axial_loads"),), axis=ROW, table=("rows",))
-SHARE = Group(unasked(LOAD), prefix="share_", holder="row_loads", axis=ROW, table=("rows", "share"))
+SHARE = Group(unasked(LOAD), prefix="share", holder="row_loads", axis=ROW, table=("rows", "share"))
 PRELOAD = Group(
     (
         Result("given", "N", path="preload_given", entry="preload_given_N", is_usual=False),
@@ -37,12 +37,18 @@ PRELOAD = Group(
         Result("carried", "N", path="axial_loads", entry="preload_carried_N", is_usual=False),
         Result("share", path="preload_share", entry="preload_share", is_usual=False),
     ),
-    prefix="preload_", axis=ROW, table=("rows",), is_asked=_is_opposed,
+    prefix="preload", axis=ROW, table=("rows",), is_asked=_is_opposed,
 )  # fmt: skip
 """Of each row. `in_operation` is what is left without external loads; of a bearing it is what it carries with them."""
 OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
 
-SHAFT = "shaft_"
+
+def groups_of_row(of_bearing: Iterable[Group]) -> list[Group]:
+    """Of a row: its own, and those of a bearing but of a preload, which is the set's."""
+    return [*OF_ROWS, *(each for each in of_bearing if each is not OF_PRELOAD)]
+
+
+SHAFT = "shaft"
 OF_SHAFT = channels(SHAFT)
 
 
@@ -50,7 +56,7 @@ def _slides(of: BearingSet) -> bool:
     return any(row.sprung for row in of.rows)
 
 
-SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload_", table=("preload",), is_asked=_slides)
+SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=("preload",), is_asked=_slides)
 
 
 class OfAllRows(NamedTuple):
@@ -70,26 +76,28 @@ class OfAllRows(NamedTuple):
 SYSTEM = Group(
     tuple(
         Result(f"{name}duration", "h", path=OfAllRows(f"{name}duration"), size=1.0, entry=f"system_{name}life_h",
-               aliases=(f"system_{name}life",))
+               aliases=(f"system_{name}life", f"system_{name}life_h"))
         for name in ("basic_", "")
     ),
-    before="system_", prefix="life_", table=(), reading="life",
+    before="system", prefix="life", table=(), reading="life",
 )  # fmt: skip
 """The lives of all rows together."""
 
 
 class OfShaft(NamedTuple):
-    """What the shaft does at a position [m]: the name of a method of a solution, which takes positions."""
+    """What the shaft does at one of several positions [m]: the name of a method of a solution, which takes them all, so
+    that a study and a record have the same digits."""
 
     method: str
-    position: float
+    positions: tuple[float, ...]
+    number: int
 
     def __call__(self, solution: SetSolution) -> NDArray | None:
         """Its channels, or its only number, of the cases."""
-        along = getattr(solution, self.method)(self.position)
+        along = getattr(solution, self.method)(self.positions)
         if along is None:
             return None
-        return np.asarray(along[..., 0] if self.method == "axial_growth" else along[..., 0, :])
+        return np.asarray(along[..., self.number] if self.method == "axial_growth" else along[..., self.number, :])
 
 
 class OfSupport(NamedTuple):
@@ -111,42 +119,57 @@ def groups_of_set(solution: SetSolution) -> list[Group]:
     if shaft is None:
         return [*OF_SHAFT, SLIDE, SYSTEM]
     points = [group for name in shaft.points for group in _of_point(solution, name)]
-    line = [group for name, at in places_on_shaft(solution.set).items() for group in _of_line(name, float(at))]
-    supports = [
-        Group(unasked(LOAD), prefix=f"support_{i + 1}_load_", holder=OfSupport(i), table=("shaft", "supports", str(i)))
-        for i in range(len(shaft.supports))
-    ]
+    along = places_on_shaft(solution.set)
+    line = [group for number, name in enumerate(along) for group in _of_line(name, tuple(along.values()), number)]
+    supports = [_of_support(number) for number in range(len(shaft.supports))]
     return [*OF_SHAFT, *points, SLIDE, *line, *supports, SYSTEM]
 
 
 def _of_point(solution: SetSolution, name: str) -> list[Group]:
     table, of = ("shaft", "points", name), ("points", name)
     moved = Group(
-        DISPLACEMENT, prefix=f"{name}_displacement_", holder=(*of, "displacement"), table=(*table, "displacement")
+        DISPLACEMENT, prefix=f"{name}_displacement", holder=(*of, "displacement"), table=(*table, "displacement")
     )
     kind = "effective_stiffness"
-    stiff = Group(STIFFNESS, prefix=f"{name}_{kind}_", holder=(*of, kind), table=(*table, kind))
-    grown = Group((GROWTH,), prefix=f"{name}_", holder=of, table=table)
-    shares = [
-        Group(CHANNELS, prefix=f"{name}_share_{part.replace(' ', '_')}_", holder=(*of, "relative_shares", part),
-              table=(*table, "shares", part))
-        for part in solution.points[name].shares
-    ]  # fmt: skip
-    return [moved, stiff, grown, *shares]
+    stiff = Group(STIFFNESS, prefix=f"{name}_{kind}", holder=(*of, kind), table=(*table, kind))
+    grown = Group((GROWTH,), prefix=name, holder=of, table=table)
+    shares = [_of_part(name, part) for part in solution.points[name].shares]
+    return [moved, grown, stiff, *shares]
 
 
-CHANNELS = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
+SHARES = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
 
 
-def _of_line(name: str, position: float) -> list[Group]:
-    table, prefix = ("shaft", "line", name), f"line_{name.replace(' ', '_')}_"
-    kinds = ("displacement", DISPLACEMENT, "deflection"), ("inner_forces", LOAD, "inner_forces")
+def _always(of: BearingSet) -> bool:
+    """Of every set whose shaft has what they are of."""
+    return True
+
+
+def _of_part(point: str, part: str) -> Group:
+    """What part of the deflection at a point it is."""
+    table, of = ("shaft", "points", point, "shares", part), ("points", point, "relative_shares", part)
+    return Group(SHARES, prefix=f"{point}_share_{_named(part)}", holder=of, table=table, is_asked=_always)
+
+
+def _of_support(number: int) -> Group:
+    table, prefix = ("shaft", "supports", str(number)), f"support_{number + 1}_load"
+    return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_asked=_always)
+
+
+def _named(place: str) -> str:
+    return place.replace(" ", "_")
+
+
+def _of_line(name: str, positions: tuple[float, ...], number: int) -> list[Group]:
+    table, prefix, at = ("shaft", "line", name), f"line_{_named(name)}", (positions, number)
+    moved = Group(unasked(DISPLACEMENT), prefix=f"{prefix}_displacement", holder=OfShaft("deflection", *at))
+    forces = Group(unasked(LOAD), prefix=f"{prefix}_inner_forces", holder=OfShaft("inner_forces", *at))
     growth = GROWTH._replace(path="", is_usual=False)
     return [
-        *(Group(unasked(results), prefix=f"{prefix}{kind}_", holder=OfShaft(method, position), table=(*table, kind))
-          for kind, results, method in kinds),
-        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", position), table=table),
-    ]  # fmt: skip
+        moved._replace(table=(*table, "displacement"), is_asked=_always),
+        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", *at), table=table),
+        forces._replace(table=(*table, "inner_forces"), is_asked=_always),
+    ]
 
 
 def places_on_shaft(of: BearingSet) -> dict[str, float]:

@@ -8,6 +8,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
+from qsbearing.readings.ball_advance import _of_cases as advance_of
 from tests.model.solution.test_friction_motion import (
     B218,
     LINEAR,
@@ -84,6 +85,15 @@ def test_slow_balls_have_all_the_time_they_need() -> None:
     assert gaps[0] < 3e-3
     assert gaps[1] < 0.55 * gaps[0]
     assert gaps[2] < 0.55 * gaps[1]
+
+
+@pytest.mark.parametrize(("axial", "radial", "expected"), [(17.8e3, 3e3, 1.4), (17.8e3, 8e3, 4.7), (8e3, 4e3, 8.05)])
+def test_balls_run_ahead_and_behind_as_another_program_has_it(axial: float, radial: float, expected: float) -> None:
+    """Their excursion [mm], from their orbits by the reading of ball advance."""
+    found = friction_motion(scene(B218, axial, 10_000, radial), Traction())
+    mean, lead, lag, _ = advance_of(found.orbital_speed[None], np.array([16]))
+    assert (lead + lag)[0] * 0.5 * B218.pitch_diameter / qs.mm == pytest.approx(expected, abs=0.05)
+    assert mean[0] == pytest.approx(float(found.cage_speed), rel=1e-9)
 
 
 def test_balls_that_leave_the_inner_ring_go_round_with_the_others() -> None:

@@ -13,6 +13,7 @@ import qsbearing as qs
 from qsbearing.model.effects.entry import with_found
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
+from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.model.validation import SceneError
 from tests.qsbearing.scenes import B218, BOTH, OUTER, UPRIGHT
 
@@ -37,7 +38,7 @@ SMALL = bearing(20, 11.1125, 90.0, 0.53, 0.52, 15.0)
 TURBINE = bearing(15, 20.64, 154.5, 0.54, 0.52, 24.0)
 
 
-def scene(of: qs.BallBearing, axial: float, revolutions: float, radial: float = 0.0) -> qs.Scene:
+def scene(of: qs.BallBearing, axial: Any, revolutions: Any, radial: float = 0.0) -> qs.Scene:
     held = {"radial_load_y": radial, **UPRIGHT} if radial else {}
     return qs.Scene(of, qs.Operation(speed=revolutions * qs.rpm, axial_load=axial, **held))
 
@@ -170,6 +171,24 @@ def test_without_speed_nothing_parts_the_contacts() -> None:
     assert np.abs(slow.outer.traction).max() < 1e-5
 
 
+@pytest.mark.parametrize("radial", [0.0, 3e3])
+def test_at_rest_it_is_the_static_solution(radial: float) -> None:
+    """So that a sweep may begin there."""
+    of = scene(B218, 17.8e3, 0, radial)
+    found = friction_motion(of, Traction())
+    static = qs.solve(of)
+    assert found.status == "converged"
+    np.testing.assert_allclose(found.displacement, static.displacement, rtol=1e-10)
+    np.testing.assert_allclose(found.inner.load, static.inner.load, rtol=1e-9)
+    np.testing.assert_allclose(motion_stiffness(found), static.stiffness[:3, :3], rtol=1e-6, atol=10.0)
+    assert found.heat == 0.0
+    for each in (found.angular_velocity, found.orbital_speed, found.cage_speed, found.gyroscopic_moment):
+        assert np.isnan(each).all()
+    sweep = friction_motion(scene(B218, 17.8e3, np.array([0.0, 10_000.0]), radial), Traction())
+    assert (sweep.status == "converged").all()
+    assert np.isfinite(sweep.orbital_speed[1]).all()
+
+
 @pytest.mark.parametrize(("friction", "slip", "share"), [(1.0, 0.01, 0.01125), (10.0, 0.001, 0.00112)])
 def test_outer_control_is_the_limit_of_great_friction_in_flat_contacts(
     friction: float, slip: float, share: float
@@ -221,6 +240,55 @@ def test_balls_balanced_at_their_azimuths_have_the_numbers_of_another_program() 
     assert outward(found)[1] == pytest.approx(-1353, abs=150)  # what inertia does not allow
 
 
+def test_drag_is_carried_by_friction_until_the_ball_skids() -> None:
+    """The moment's work is heat and what drag takes; near the closed form's limit the orbit falls behind."""
+    light, limit = scene(B218, 2e3, 10_000), 16.1824
+    free = friction_motion(light, Traction())
+    assert np.isinf(free.skid_margin).all()
+    orbits = []
+    for part in (0.0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95):
+        found = friction_motion(light, Traction(cage_drag=part * limit))
+        assert found.status == "converged"
+        lost = (found.drag * 0.5 * B218.pitch_diameter * found.orbital_speed).sum()
+        assert -found.torque * SPEED == pytest.approx(found.heat + lost, rel=1e-9)
+        np.testing.assert_allclose(found.inner.sideways + found.outer.sideways, -part * limit, rtol=1e-9, atol=1e-9)
+        orbits.append(found.orbital_speed[0] / free.orbital_speed[0])
+    assert (np.diff(orbits) < 0.0).all()
+    assert found.inner.friction_use[0] == pytest.approx(0.9988, abs=1e-3)
+    assert 1.0 < found.skid_margin[0] < 1.1
+    assert friction_motion(light, Traction(cage_drag=1.05 * limit)).status == "not_converged"
+
+
+def test_drag_of_the_oil_is_that_of_a_disc() -> None:
+    """cd rho (pi D^2/8) v^2, as the reading of friction has it."""
+    found = friction_motion(THRUST, Traction(drag_coefficient=0.4, fluid_density=90.0))
+    speed = 0.5 * B218.pitch_diameter * found.orbital_speed
+    np.testing.assert_allclose(found.drag, 0.4 * 90.0 * np.pi / 8.0 * B218.ball_diameter**2 * speed**2, rtol=1e-12)
+    back = friction_motion(scene(B218, 17.8e3, -10_000), Traction(drag_coefficient=0.4, fluid_density=90.0))
+    np.testing.assert_allclose(back.drag, -found.drag, rtol=1e-9)
+
+
+def test_margins_say_how_far_it_is_from_outer_control() -> None:
+    fast, slow = (friction_motion(scene(B218, 17.8e3, n), Traction()) for n in (10_000, 3000))
+    assert fast.gyroscopic_margin[0] == pytest.approx(0.07 / 0.0690, rel=2e-3)
+    assert slow.gyroscopic_margin[0] > 8.0
+    apart = [abs(each.displacement[0] / each.start.displacement[0] - 1.0) for each in (fast, slow)]
+    assert apart[0] > 0.3
+    assert apart[1] < 0.01
+    assert np.isnan(friction_motion(THRUST, LINEAR, radii=2, angles=4).inner.friction_use).all()
+
+
+def test_orbits_may_be_of_the_balls_own_radii() -> None:
+    """The radial balance of a ball is that of the radius at which it runs."""
+    displaced = replace(THRUST, ball_effects=BOTH, raceway_control=OUTER, orbit_radius="displaced")
+    found = balanced(friction_motion(displaced, Traction()))
+    outer, inner = found.outer, found.inner
+    inward = outer.load * np.cos(outer.angle) + outer.traction * np.sin(outer.angle)
+    outward_force = inner.load * np.cos(inner.angle) + inner.traction * np.sin(inner.angle)
+    np.testing.assert_allclose(inward - outward_force, found.centrifugal_force, rtol=1e-9)
+    assert abs(found.displacement[0] / friction_motion(THRUST, Traction()).displacement[0] - 1.0) > 1e-4
+
+
 def test_random_bearings_are_solved() -> None:
     """6 to 25 mm, 15 to 40 degrees, dn 0.3 to 2 million, 0.1 to 4 N/mm^2: as the dimensions of catalogues go."""
     rng = np.random.default_rng(2)
@@ -245,6 +313,21 @@ def test_cases_are_solved_one_by_one() -> None:
     np.testing.assert_array_equal(many.torque[0, 1], one.torque)
 
 
+def test_one_scene_takes_a_band_of_friction() -> None:
+    band = friction_motion(THRUST, Traction(np.array([0.03, 0.07, 0.1])))
+    assert band.displacement.shape == (3, 5)
+    assert band.start.displacement.shape == (5,)
+    one = friction_motion(THRUST, Traction(0.1))
+    np.testing.assert_array_equal(band.outer.heat[2], one.outer.heat)
+    np.testing.assert_array_equal(band.outer.friction_use[2], one.outer.friction_use)
+    np.testing.assert_array_equal(band.gyroscopic_margin[2], one.gyroscopic_margin)
+    np.testing.assert_array_equal(motion_stiffness(band)[2], motion_stiffness(one))
+    both = friction_motion(scene(B218, np.array([[9e3], [17.8e3]]), 10_000), Traction(np.array([0.03, 0.07, 0.1])))
+    np.testing.assert_array_equal(both.displacement[1], band.displacement)
+    with pytest.raises(ValueError, match="broadcast"):
+        friction_motion(scene(B218, np.array([9e3, 17.8e3]), 10_000), Traction(np.array([0.03, 0.07, 0.1])))
+
+
 def test_what_has_no_equilibrium_has_no_motion() -> None:
     found = friction_motion(scene(B218, np.array([-5e3, 17.8e3]), 10_000), Traction())
     assert list(found.status) == ["no_equilibrium", "converged"]
@@ -256,7 +339,7 @@ def test_what_has_no_equilibrium_has_no_motion() -> None:
 @pytest.mark.parametrize(
     ("changed", "field"),
     [
-        ({"operation": qs.Operation(axial_load=1e3)}, "operation.speed"),
+        ({"operation": qs.Operation(axial_load=1e3, speed=SPEED, outer_speed=SPEED)}, "operation.speed"),
         ({"hertz_angle": "actual"}, "hertz_angle"),
         ({"operation": qs.Operation(speed=SPEED, radial_load_y=1.0, moment_z=0.0, tilt_y=0.0)}, "operation.tilt_z"),
         ({"operation": qs.Operation(speed=SPEED, axial_load=1e3, tilt_y=1e-3, tilt_z=0.0)}, "operation.tilt_y"),
@@ -275,6 +358,9 @@ def test_what_is_not_known_is_refused_by_name(changed: dict[str, Any], field: st
         ({"friction_coefficient": 0.31}, "friction_coefficient"),
         ({"slip_speed": 0.0}, "slip_speed"),
         ({"law": "eyring"}, "law"),
+        ({"cage_drag": -1.0}, "cage_drag"),
+        ({"drag_coefficient": 0.4}, "fluid_density"),
+        ({"drag_coefficient": 0.4, "fluid_density": 1e4}, "fluid_density"),
     ],
 )
 def test_laws_out_of_range_are_refused(given: dict[str, Any], field: str) -> None:

@@ -10,7 +10,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution.friction_motion import friction_motion
-from qsbearing.model.solution.motion_stiffness import motion_stiffness, turning_stiffness
+from qsbearing.model.solution.motion_stiffness import motion_rates, motion_stiffness, turning_stiffness
 from tests.model.solution.test_friction_motion import (
     B218,
     LINEAR,
@@ -105,3 +105,16 @@ def test_held_and_loaded_alike() -> None:
     np.testing.assert_allclose(
         motion_stiffness(friction_motion(held, Traction())), motion_stiffness(loaded), rtol=1e-9, atol=1.0
     )
+
+
+def test_axes_are_slow_and_stable() -> None:
+    """Slower than the orbit at 10,000 rpm, so that they do not follow an azimuth; faster at 3000."""
+    for of, speed in ((THRUST, SPEED), (scene(SMALL, 600, 18_000), 18_000 * qs.rpm)):
+        found = friction_motion(of, Traction())
+        rates = motion_rates(found)
+        assert rates.shape[-1] == 4
+        assert rates.real.max() < 0.0
+        assert 49.0 < -rates[0, 0].real < 317.0
+        assert -rates[0, 0].real < found.orbital_speed[0] < 0.5 * speed
+    slow = friction_motion(scene(B218, 17.8e3, 3000), Traction())
+    assert -motion_rates(slow)[0, 0].real > slow.orbital_speed[0]

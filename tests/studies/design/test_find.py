@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,9 @@ PENALTY = 1e3
 """Of the violation against the cost, exact for any multiplier below it (costs are scaled to one)."""
 
 
-def of_spindle(problem: Problem) -> Found:
+@cache
+def of_spindle(name: str) -> Found:
+    problem = PROBLEMS[name]
     return qs.find(copy.deepcopy(SPINDLE), problem.vary, **problem.words)
 
 
@@ -73,8 +76,7 @@ def by_evolution(problem: Problem, scale: float) -> tuple[NDArray, qs.Solution]:
 @pytest.mark.parametrize("name", PROBLEMS)
 @pytest.mark.heavy
 def test_it_meets_differential_evolution(name: str) -> None:
-    problem = PROBLEMS[name]
-    found = of_spindle(problem)
+    problem, found = PROBLEMS[name], of_spindle(name)
     assert found.is_feasible == problem.is_feasible
     ours = problem.solved(np.array(list(found.values.values())))
     scale = float(np.abs(problem.cost(ours))) or 1.0
@@ -88,8 +90,8 @@ def test_it_meets_differential_evolution(name: str) -> None:
 
 
 def test_a_goal_is_met_by_the_solver_itself() -> None:
-    problem = PROBLEMS["stiffness by preload"]
-    found = of_spindle(problem)
+    name = "stiffness by preload"
+    problem, found = PROBLEMS[name], of_spindle(name)
     assert problem.violation(problem.solved(np.array(list(found.values.values())))) <= 2e-6
     assert found.is_feasible and found.failed == ()
     assert qs.solve(found.scene).effective_stiffness[1] / 1e6 == pytest.approx(200.0, rel=1e-6)
@@ -98,7 +100,7 @@ def test_a_goal_is_met_by_the_solver_itself() -> None:
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_head_says_that_goals_are_met_or_that_no_point_meets_them(name: str) -> None:
     """Of a point between the sampled ones in one sentence."""
-    found = of_spindle(PROBLEMS[name])
+    found = of_spindle(name)
     for share in {found.feasible_share, 0.0}:
         said = heading(replace(found, feasible_share=share))
         assert ("No point" in said) == (not found.is_feasible), said
@@ -123,8 +125,8 @@ def test_the_benchmark_of_bearing_design_is_met() -> None:
 
 
 def test_limits_bind_and_ranges_hold_what_they_say() -> None:
-    problem = PROBLEMS["stiffest at any speed"]
-    found = of_spindle(problem)
+    name = "stiffest at any speed"
+    problem, found = PROBLEMS[name], of_spindle(name)
     assert "inner_max_pressure_max <= 1400" in found.binding
     best = np.array(list(found.values.values()))
     top = stiffness(problem.solved(best))

@@ -6,11 +6,12 @@ import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from fem_check.report.figures.sector import micrometres
-from fem_check.report.figures.style import COLOURS, HERTZ, Entry, load_axis
+from fem_check.report.figures.style import COLOURS, HERTZ, load_axis
 from fem_check.report.rows import quantity
+from fem_check.rows.record import Record
 
 
-def bearing_sector(entry: Entry) -> Figure:
+def bearing_sector(entry: Record) -> Figure:
     """Deviation from the quasi-static model over the load, with uncertainty."""
     series = entry["pictures"]["bearing_sector"]
     names = (

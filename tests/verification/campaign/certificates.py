@@ -24,6 +24,9 @@ friction above the load, an equilibrium (evidence)
     With friction that is never more than the contact's load, or than a tenth of it, there is an equilibrium, checked as
     any other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
     whatever the load, have no equilibrium elsewhere is not proved.
+friction above the thrust (evidence)
+    Under inner control with thrust alone: more thrust has equilibria, and as it falls to where the last one is, checked
+    as any other, a contact loses its load, so that friction alone carries what is left. The scene has less.
 the same at part of the speed (evidence)
     So it is at a part of the speed, continued from rest: the equilibrium is checked at that part. Beyond it the one
     that comes from rest is none of a bearing.
@@ -52,6 +55,9 @@ NOT_ASKED = "not asked"
 
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
+
+FALLING, MOST_THRUST = 1e-3, 1e15
+"""Of the thrust: how far apart that with an equilibrium and that without may lie; so many times its own is none."""
 
 FRICTION_LIMITS = (None, 1.0, 0.1)
 """Of friction over load: none, what no material exceeds, what oiled steel carries."""
@@ -185,7 +191,34 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
                 where = "unique equilibrium"
             certificates[position] = Certificate(f"{words}, {where}")
             break
+        else:
+            if friction_takes_thrust(group.part([int(k)]).scene()):
+                certificates[position] = Certificate("friction above the thrust")
     return certificates
+
+
+def friction_takes_thrust(scene: qs.Scene) -> bool:
+    """Whether the least thrust that has an equilibrium is above the scene's (one case), and friction carries it."""
+    loads = [getattr(scene.operation, channel.load) for channel in CHANNELS]
+    others = [load for load in loads[1:] if load is not None]
+    if scene.raceway_control is not qs.RacewayControl.INNER or loads[0] is None or np.any(others):
+        return False
+
+    def under(factor: float) -> qs.Solution:
+        load = factor * np.asarray(loads[0], float)
+        return qs.solve(replace(scene, operation=replace(scene.operation, axial_load=load)))
+
+    low, high = 1.0, 2.0
+    while not under(high).converged.all() and high < MOST_THRUST:
+        low, high = high, 2.0 * high
+    while high > (1.0 + FALLING) * low:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if under(middle).converged.all() else (middle, high)
+    last = under(high)
+    if not last.converged.all() or any(bad.any() for bad in findings(last.scene, last).failed().values()):
+        return False
+    asked = [np.nanmax(np.asarray(side.required_friction)) for side in (last.inner, last.outer)]
+    return bool(max(asked) > 1.0 / FALLING)
 
 
 def directional(scene: qs.Scene) -> Certificate:

@@ -52,7 +52,9 @@ OVER_SHOULDER = HELD | {
 """The inner groove's centre lies radially inside the outer one's where the first ball is."""
 LOST = HELD | {"axial_displacement_um": -232.0}
 """At speed all balls lie on the outer raceway, and have only just lost the inner one."""
-SLIPPING = {"axial_load_N": 2e3}
+FAST = {"axial_load_N": 2e3}
+"""At 9600 rpm friction alone would carry more than this thrust."""
+SLIPPING = FAST | {"radial_load_y_N": 100.0}
 """At 9600 rpm the balls' gyroscopic moment asks the inner raceway for more friction than load."""
 UNPRESSED = {
     "free_contact_angle_deg": 10.5,
@@ -127,6 +129,7 @@ def refused(**values: Any) -> tuple[Group, qs.Solution]:
             "friction above the load, an equilibrium",
             marks=compiled_only,
         ),
+        pytest.param(INNER_CONTROL | FAST | {"speed_rpm": 9600.0}, "friction above the thrust", marks=compiled_only),
         pytest.param(
             INNER_CONTROL | UNPRESSED | ONLY_GYROSCOPIC | {"speed_rpm": 6000.0},
             "friction without load, an equilibrium",

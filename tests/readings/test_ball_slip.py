@@ -1,0 +1,116 @@
+"""How near balls are to slipping: closed forms by hand, limits, and what is said beyond them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import qsbearing as qs
+from qsbearing.readings import ball_slip, friction
+from tests.qsbearing.scenes import solved, turning
+
+OIL = {"drag_coefficient": 1.5, "least_oil_share": 0.02, "most_oil_share": 0.2}
+B218 = turning(10e3, axial_load=17.8e3)
+
+
+def codes(reading: Any) -> set[str]:
+    return {said.code for _, said in reading.remarks}
+
+
+def test_the_gyroscopic_moment_by_hand() -> None:
+    solution = solved(B218)
+    found = ball_slip(solution, 0.07)
+    moment, load = abs(solution.gyroscopic_moment[0]), solution.outer.load[0]
+    radius = 0.5 * 22.225e-3
+    assert found.outer.friction_used == pytest.approx(np.full(16, moment / radius / load / 0.07), rel=1e-12)
+    assert not found.inner.friction_used.any()
+    both = load + solution.inner.load[0]
+    assert found.axis_moment_used == pytest.approx(moment / (0.07 * both * radius), rel=1e-12)
+    assert found.least_drag_used is None
+    assert found.maker_axial_load is None
+    # No coefficient changes the solution: what is used goes with its inverse.
+    assert ball_slip(solution, 0.14).axis_moment_used == pytest.approx(0.5 * found.axis_moment_used, rel=1e-12)
+
+
+def test_drag_by_hand() -> None:
+    solution = solved(B218)
+    found = ball_slip(solution, 0.07, oil_density=900.0, **OIL)
+    orbit, angles = solution.orbital_speed[0], (solution.inner.angle[0], solution.outer.angle[0])
+    force = 0.5 * 1.5 * 900.0 * 0.25 * np.pi * 22.225e-3**2 * (orbit * 62.63e-3) ** 2
+    held = 0.07 * (1.0 + np.cos(angles[0] - angles[1]))
+    assert found.most_drag_used == pytest.approx(0.2 * force / (held * solution.inner.load[0]), rel=1e-10)
+    assert found.least_drag_used == pytest.approx(0.1 * found.most_drag_used, rel=1e-12)
+    assert found.least_axial_load == pytest.approx(16 * np.sin(angles[0]) * 0.2 * force / held, rel=1e-10)
+    # The same force as in the reading of friction, at the same density.
+    power = friction(solution, 0.07, drag_coefficient=1.5, fluid_density=180.0).drag_power[0]
+    assert power == pytest.approx(0.2 * force * orbit * 62.63e-3, rel=1e-10)
+
+
+def test_at_rest_nothing_is_used() -> None:
+    found = ball_slip(solved(turning(0.0, axial_load=17.8e3)), 0.07, minimum_load_factor=50.0, **OIL)
+    assert found.axis_moment_used == 0.0
+    assert found.most_drag_used == 0.0
+    assert found.maker_axial_load == 0.0
+    assert not found.remarks
+
+
+def test_without_the_moment_there_is_none() -> None:
+    scene = replace(B218, ball_effects=(qs.CentrifugalForce(),))
+    found = ball_slip(solved(scene), 0.07)
+    assert found.axis_moment_used is None
+    assert found.outer.friction_used is None
+
+
+def test_makers_least_load_goes_with_the_square_of_speed() -> None:
+    loads = [ball_slip(solved(turning(n, axial_load=17.8e3)), 0.07, minimum_load_factor=50.0) for n in (5e3, 10e3)]
+    assert [each.maker_axial_load for each in loads] == pytest.approx([1250.0, 5000.0])
+    assert loads[1].maker_load_used == pytest.approx(5000.0 / 17.8e3)
+
+
+@pytest.mark.parametrize(
+    ("load", "mu", "more", "code"),
+    [
+        (17.8e3, 0.03, {}, "axis_not_held"),
+        (2e3, 0.05, OIL | {"least_oil_share": 0.5, "most_oil_share": 1.0}, "balls_skid"),
+        (2e3, 0.05, OIL | {"least_oil_share": 0.001, "most_oil_share": 1.0}, "balls_may_skid"),
+        (2e3, 0.05, {"minimum_load_factor": 50.0}, "least_load_missed"),
+    ],
+)
+def test_what_is_beyond_its_limit_is_said(load, mu, more, code) -> None:  # type: ignore[no-untyped-def]
+    found = ball_slip(solved(turning(10e3, axial_load=load)), mu, **more)
+    assert code in codes(found)
+    assert code not in codes(ball_slip(solved(turning(1e3, axial_load=17.8e3)), 0.1, **more))
+
+
+def test_friction_of_contacts_says_when_it_may_be_too_low() -> None:
+    """B218 needs 0.069 at its outer contacts."""
+    needed = solved(B218).outer.required_friction[0]
+    said = [codes(friction(solved(B218), times * needed)) for times in (0.95, 1.05, 1.95, 2.05)]
+    assert [("friction_may_be_low" in each, "friction_given_exceeded" in each) for each in said] == [
+        (False, True),
+        (True, False),
+        (True, False),
+        (False, False),
+    ]
+
+
+def test_numbers_out_of_range_are_named_at_once() -> None:
+    with pytest.raises(qs.SceneError) as error:
+        ball_slip(solved(B218), 0.0, drag_coefficient=1.0, minimum_load_factor=-1.0)
+    assert {each.field for each in error.value.errors} == {
+        "friction_coefficient", "least_oil_share", "most_oil_share", "minimum_load_factor",
+    }  # fmt: skip
+    with pytest.raises(qs.SceneError, match="above most_oil_share"):
+        ball_slip(solved(B218), 0.07, drag_coefficient=1.0, least_oil_share=0.3, most_oil_share=0.2)
+
+
+def test_many_cases_are_those_one_by_one() -> None:
+    speeds = np.array([3e3, 10e3])
+    both = ball_slip(solved(turning(speeds, axial_load=17.8e3)), np.array([0.05, 0.07]), **OIL)
+    for k, speed in enumerate(speeds):
+        one = ball_slip(solved(turning(speed, axial_load=17.8e3)), (0.05, 0.07)[k], **OIL)
+        assert both.most_drag_used[k] == pytest.approx(one.most_drag_used, rel=1e-9)
+        assert both.axis_moment_used[k] == pytest.approx(one.axis_moment_used, rel=1e-9)
