@@ -85,17 +85,17 @@ def solved(document: Tables, label: str) -> Answer:
     """How the case ended, key results of the bearing or of the shaft and each row, remarks, of a bearing the section,
     the names of the pictures to ask for, and the effects with whether they can be switched."""
     solution = _solution(document, label)
-    found, is_solved = all_taken(solution), bool(solution.converged)
+    readings, is_solved = all_taken(solution), bool(solution.converged)
     key: list[KeyResult] = []
     rows: list[Answer] = []
     picture, pictures = "", drawn.names(solution) if is_solved else []
     if is_solved and isinstance(solution, Solution):
-        key, picture = results_of(solution, found), drawn.drawn(SECTION, solution)
+        key, picture = results_of(solution, readings), drawn.drawn(SECTION, solution)
         pictures.remove(SECTION)
     elif is_solved and isinstance(solution, SetSolution):
-        key = results_of_shaft(solution, found)
+        key = results_of_shaft(solution, readings)
         rows = [
-            {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, found[k]))}
+            {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, readings[k]))}
             for k, row in enumerate(solution.set.rows)
         ]
     said = [] if is_solved else [Remark(message(solution), "fail")]
@@ -103,38 +103,39 @@ def solved(document: Tables, label: str) -> Answer:
         "is_solved": is_solved,
         "key": _plain(key),
         "rows": rows,
-        "warnings": part([*said, *blocks(every_remark(solution, found), words=ON_PAGE)]),
+        "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),
         "picture": picture,
         "pictures": pictures,
         "effects": _switches(solution.scene if isinstance(solution, Solution) else solution.set),
     }
 
 
-def _plain(found: list[KeyResult]) -> list[Answer]:
+def _plain(key_results: list[KeyResult]) -> list[Answer]:
     return [
-        each._asdict() | {"parts": [one._asdict() | {"number": one.number} for one in each.parts]} for each in found
+        each._asdict() | {"parts": [one._asdict() | {"number": one.number} for one in each.parts]}
+        for each in key_results
     ]
 
 
 def _switches(of: Scene | BearingSet) -> list[Answer]:
     """Every effect and choice: whether it is in, and whether it can be switched."""
-    found = []
+    switches = []
     for entry in EFFECTS:
         other = {is_on: _with(entry, of, is_on) for is_on in (True, False)}
         is_in = other[True] is of and other[False] is not of
         can = other[not is_in] is not of
-        found.append(
+        switches.append(
             {"effect": entry.name, "words": words_of(entry.name), "what": entry.what, "is_in": is_in, "can": can}
         )
-    return found
+    return switches
 
 
 def _with(entry: Entry, of: Scene | BearingSet, is_on: bool) -> Scene | BearingSet:
     """The scene or set with an effect or choice in its finest form, or without it."""
     if not is_on and isinstance(of, BearingSet):
         return coarser(entry, of)
-    found: Scene | BearingSet = entry.finer(of) if is_on else entry.coarser(of)
-    return found
+    changed: Scene | BearingSet = entry.finer(of) if is_on else entry.coarser(of)
+    return changed
 
 
 def pictured(document: Tables, label: str, name: str, row: int = 0) -> Answer:
@@ -148,26 +149,26 @@ def pictured(document: Tables, label: str, name: str, row: int = 0) -> Answer:
 def detailed(document: Tables, label: str) -> Answer:
     """All tables of the solution."""
     solution = _solution(document, label)
-    found = all_taken(solution)
+    readings = all_taken(solution)
     if not solution.converged:
         return {"tables": ""}
     if isinstance(solution, SetSolution):
-        return {"tables": part(set_report.tables(solution, found))}
-    return {"tables": part([*report.tables(solution), *readings_tables(found, solution.scene)])}
+        return {"tables": part(set_report.tables(solution, readings))}
+    return {"tables": part([*report.tables(solution), *readings_tables(readings, solution.scene)])}
 
 
 def effects(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, found by solving with and without it, and whether it is needed."""
     of = _named(document, label)
     rows = (explain_set(of, TOLERANCE) if isinstance(of, BearingSet) else explain(of, TOLERANCE, ON_PAGE))[1]
-    found = []
+    records = []
     for row in rows:
         changes = {quantity: row.change(quantity) for quantity in QUANTITIES}
         largest = row.largest
         most = "" if not largest else "0 %" if changes[largest] == "0" else f"{WORDS[largest]} {row.change_in(largest)}"
         told = {"effect": row.effect, "what": row.what, "verdict": row.verdict, "why": row.why}
-        found.append(told | {"most": most, "changes": list(changes.values())})
-    return {"effects": found}
+        records.append(told | {"most": most, "changes": list(changes.values())})
+    return {"effects": records}
 
 
 def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:

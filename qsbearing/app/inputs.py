@@ -34,13 +34,13 @@ _NUMBERED = {table: word for word, table in NUMBERED.items()}
 
 def fields(document: dict[str, Any]) -> list[FieldOfPage]:
     """A field for every number and word of these tables; of a number with the ends of its slider."""
-    found = [
+    inputs = [
         _field(path, value)
         for path, value in _leaves(document)
         if path != ("bearing", "name") and _is_shown(document, path)
     ]
     place = {table: number for number, table in enumerate(DAILY)}
-    return sorted(found, key=lambda field: place.get(field["path"][0], len(place)))
+    return sorted(inputs, key=lambda field: place.get(field["path"][0], len(place)))
 
 
 def _is_shown(document: dict[str, Any], path: Path) -> bool:
@@ -70,15 +70,15 @@ def _field(path: Path, value: Any) -> FieldOfPage:
     own = _key(path)
     key, table, name = find(own), own.rpartition(".")[0], str(path[-1])
     words, unit = label(key.field if key else name), key.unit if key else ""
-    found: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
-    found |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
+    field: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
+    field |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
     if isinstance(value, str):
-        return found | {"options": _options(name)}
+        return field | {"options": _options(name)}
     if path[-1] == "ball_count":
-        return found | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
+        return field | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
     value = min(max(value, -FARTHEST), FARTHEST)
-    low, high = _span(float(value), found["unit"], path[0] == "bearing")
-    return found | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
+    low, high = _span(float(value), field["unit"], path[0] == "bearing")
+    return field | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
 
 
 def _options(name: str) -> list[str]:

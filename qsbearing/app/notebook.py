@@ -61,8 +61,8 @@ def _blocks(shown: Any) -> Sequence[Block]:
     return set_report.set_result(shown, [taken(row) for row in shown.rows], PYTHON)
 
 
-def _tables(found: Sequence[Block]) -> list[Block]:
-    return [each for each in found if isinstance(each, Table)]
+def _tables(blocks: Sequence[Block]) -> list[Block]:
+    return [each for each in blocks if isinstance(each, Table)]
 
 
 def _study(study: Study) -> list[Block]:

@@ -191,9 +191,9 @@ def _arguments(question: Callable[..., answers.Answer], data: bytes) -> dict[str
         SceneFileError: it is none of this page.
     """
     asked = Path("question")
-    found = parsed(data, asked, MOST_KEYS)
+    body = parsed(data, asked, MOST_KEYS)
     with suppress(TypeError):
-        given: dict[str, Any] = signature(question).bind(**found).arguments
+        given: dict[str, Any] = signature(question).bind(**body).arguments
         if all(isinstance(value, ARGUMENTS[name]) for name, value in given.items()):
             return given
     raise refused(asked, "is no question of this page")

@@ -46,18 +46,18 @@ async def answered(
     async with _places.setdefault(loop, asyncio.Semaphore(AT_ONCE)):
         done: asyncio.Future[Any] = loop.create_future()
 
-        def settle(put: Callable[[Any], None], found: Any) -> None:
+        def settle(put: Callable[[Any], None], outcome: Any) -> None:
             if not done.done():
-                put(found)
+                put(outcome)
 
         def work() -> None:
             with suppress(_EndError):
                 try:
-                    put, found = done.set_result, question(**given)
+                    put, outcome = done.set_result, question(**given)
                 except Exception as error:
-                    put, found = done.set_exception, error
+                    put, outcome = done.set_exception, error
                 with suppress(RuntimeError):  # the server has ended
-                    loop.call_soon_threadsafe(settle, put, found)
+                    loop.call_soon_threadsafe(settle, put, outcome)
 
         thread = Thread(target=work, daemon=True)
         thread.start()

@@ -39,12 +39,12 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
     if not is_choice:
         print_table(tables.catalogue(entries()))
         return
-    found = chosen(bore, angle, series, hybrid)
-    if not found:
+    bearings = chosen(bore, angle, series, hybrid)
+    if not bearings:
         bores = sorted({f"{entry.dimensions['bore_diameter_mm']:g}" for entry in chosen()}, key=float)
         listed = f"bores are {', '.join(bores)} mm, free contact angles 15, 17 and 25 deg"
         refuse(f"no spindle bearing matches all of these options; {listed}")
-    print_table(tables.spindle_table(found))
+    print_table(tables.spindle_table(bearings))
 
 
 def entry_named(name: str) -> Entry:

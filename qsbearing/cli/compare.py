@@ -55,33 +55,36 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
             problems.append(str(error))
         writers = claimed(stack, {"--csv": csv_target, "--plot": plot_target}, problems)
         with solving():
-            found = solved(job)
-        print_table(_tables(found))
-        make = {"--csv": lambda: csv_bytes(_columns(found)), "--plot": lambda: _picture(found, plot_target or "")}
+            comparison = solved(job)
+        print_table(_tables(comparison))
+        make = {
+            "--csv": lambda: csv_bytes(_columns(comparison)),
+            "--plot": lambda: _picture(comparison, plot_target or ""),
+        }
         write_files(writers, make)
-    if not found.all_solved:
+    if not comparison.all_solved:
         sys.exit(UNSOLVED)
 
 
-def _tables(found: Comparison) -> list[Block]:
+def _tables(comparison: Comparison) -> list[Block]:
     from qsbearing.documents.model import Paragraph, Table
     from qsbearing.model.solution.result_keys import printed_unit
     from qsbearing.results import remarks
 
-    given = [(name, f"{value:.7g}", printed_unit(unit)) for name, value, unit in found.conditions]
-    parts: list[Block] = [Table(("key", "value", "unit"), given, "lrl", f"Operating point of {found.job}")]
-    others = range(1, len(found.labels))
+    given = [(name, f"{value:.7g}", printed_unit(unit)) for name, value, unit in comparison.conditions]
+    parts: list[Block] = [Table(("key", "value", "unit"), given, "lrl", f"Operating point of {comparison.job}")]
+    others = range(1, len(comparison.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
-    at = f"Results at the operating point of {found.job}"
-    for title, lines in (("Bearings", found.inputs), (at, found.results)):
+    at = f"Results at the operating point of {comparison.job}"
+    for title, lines in (("Bearings", comparison.inputs), (at, comparison.results)):
         for block in blocks:
-            heading = ("", *(found.labels[i] for i in block), "unit")
-            rows = [("status", *(found.statuses[i] for i in block), "")] if lines is found.results else []
+            heading = ("", *(comparison.labels[i] for i in block), "unit")
+            rows = [("status", *(comparison.statuses[i] for i in block), "")] if lines is comparison.results else []
             for line in lines:
                 rows.append((line.name, *(_cell(line, i) for i in block), printed_unit(line.unit)))
             parts.append(Table(heading, rows, f"l{'r' * len(block)}l", title))
     note = "In brackets: the difference from the first bearing, where it is more than 1 % and both have one sign."
-    return [*parts, Paragraph(note, is_apart=True), *remarks.blocks(found.remarks, is_apart=True)]
+    return [*parts, Paragraph(note, is_apart=True), *remarks.blocks(comparison.remarks, is_apart=True)]
 
 
 def _cell(line: Compared, number: int) -> str:
@@ -92,21 +95,23 @@ def _cell(line: Compared, number: int) -> str:
     return f"{text} ({100.0 * difference:+.0f} %)" if abs(difference) > MARKED else text
 
 
-def _columns(found: Comparison) -> dict[str, list[object]]:
-    lines = (*found.inputs, *found.results)
+def _columns(comparison: Comparison) -> dict[str, list[object]]:
+    lines = (*comparison.inputs, *comparison.results)
     columns: dict[str, list[object]] = {
         "quantity": ["status", *(line.name for line in lines)],
         "unit": ["", *(line.unit for line in lines)],
     }
-    for i, label in enumerate(found.labels):
-        columns[label] = [found.statuses[i], *(line.values[i] for line in lines)]
+    for i, label in enumerate(comparison.labels):
+        columns[label] = [comparison.statuses[i], *(line.values[i] for line in lines)]
     return columns
 
 
-def _picture(found: Comparison, target: str) -> bytes:
+def _picture(comparison: Comparison, target: str) -> bytes:
     from qsbearing.pictures.side_by_side import side_by_side
 
-    lines = {line.name: line for line in found.results}
-    chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(found.results)[:PANELS]
+    lines = {line.name: line for line in comparison.results}
+    chosen = [lines[name] for name in PICTURED if name in lines][:PANELS] or list(comparison.results)[:PANELS]
     panels = [(line.name, line.unit, line.values) for line in chosen]
-    return picture_bytes(side_by_side(found.labels, panels, f"All at the operating point of {found.job}"), target)
+    return picture_bytes(
+        side_by_side(comparison.labels, panels, f"All at the operating point of {comparison.job}"), target
+    )

@@ -54,14 +54,14 @@ def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool
         from qsbearing.results import provenance
         from qsbearing.studies.cost import accuracy_table, tables
 
-        found = _measured(of, thorough) if is_long else _look(of)
+        record = _measured(of, thorough) if is_long else _look(of)
         options = [f"--{name}" for name, given in (("thorough", thorough), ("quick", quick)) if given]
-        found["provenance"] = provenance.of_run(shlex.join(["qsbearing", "cost", scene, *options]))
+        record["provenance"] = provenance.of_run(shlex.join(["qsbearing", "cost", scene, *options]))
         if as_json:
-            print_text(_json(found))
+            print_text(_json(record))
         else:
-            print_table(tables.report(found) if is_long else accuracy_table.blocks(found))
-        return found
+            print_table(tables.report(record) if is_long else accuracy_table.blocks(record))
+        return record
 
     if out is None:
         measured()
@@ -69,12 +69,12 @@ def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool
     from qsbearing.studies.cost.figures import OF_ONE_SCENE, PICTURES, png
 
     place, drawn = folder(out), PICTURES if is_long else OF_ONE_SCENE
-    pictures = {place / f"{name}.png": lambda found, draw=draw: png(draw(found)) for name, draw in drawn.items()}
-    fill({place / "cost.json": lambda found: _json(found).encode()} | pictures, measured)
+    pictures = {place / f"{name}.png": lambda record, draw=draw: png(draw(record)) for name, draw in drawn.items()}
+    fill({place / "cost.json": lambda record: _json(record).encode()} | pictures, measured)
 
 
-def _json(found: dict[str, Any]) -> str:
-    return json.dumps(found, indent=1, allow_nan=False) + "\n"
+def _json(record: dict[str, Any]) -> str:
+    return json.dumps(record, indent=1, allow_nan=False) + "\n"
 
 
 def _look(of: Scene | BearingSet) -> dict[str, Any]:

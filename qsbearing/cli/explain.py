@@ -56,31 +56,31 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     # Its readings need it, and one of before 2024 loads scipy.linalg, which `solving` puts out of reach.
     importlib.import_module("scipy.special")
     with solving():
-        found = explained(loaded, tolerance)
+        explanation = explained(loaded, tolerance)
     if as_json:
-        print_text(json.dumps(found.record, indent=1, allow_nan=False) + "\n")
+        print_text(json.dumps(explanation.record, indent=1, allow_nan=False) + "\n")
     else:
-        print_table(_shown(found, tolerance))
-    if not found.solution.converged:
-        note(message(found.solution))
+        print_table(_shown(explanation, tolerance))
+    if not explanation.solution.converged:
+        note(message(explanation.solution))
         sys.exit(UNSOLVED)
 
 
-def _shown(found: Explained, tolerance: float) -> list[Block]:
+def _shown(explanation: Explained, tolerance: float) -> list[Block]:
     from qsbearing.documents.model import Paragraph
     from qsbearing.model.solution.solution import Solution
     from qsbearing.results.remarks import blocks
     from qsbearing.results.set_record import set_record
     from qsbearing.results.set_report import heading, rows_tables
 
-    solution = found.solution
-    after = [*_effects(found.rows, tolerance), *blocks(found.remarks, is_apart=True)]
+    solution = explanation.solution
+    after = [*_effects(explanation.rows, tolerance), *blocks(explanation.remarks, is_apart=True)]
     if isinstance(solution, Solution):
         return after
     of_set = set_record(solution, [{}] * len(solution.rows))
     if not solution.converged:
         return heading(solution, of_set)
-    told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(found.record["preload"])]
+    told = [Paragraph(each, is_apart=number == 0) for number, each in enumerate(explanation.record["preload"])]
     return [*heading(solution, of_set), *rows_tables(of_set), *told, *after]
 
 

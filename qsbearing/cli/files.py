@@ -132,8 +132,8 @@ def fill(makers: Mapping[Path, Callable[[T], bytes]], make: Callable[[], T]) -> 
                 writers[path] = stack.enter_context(output_file(str(path)))
             except OSError as error:
                 refuse(f"{path}: {error}")
-        found = make()
-        write_files(writers, {path: partial(maker, found) for path, maker in makers.items()})
+        content = make()
+        write_files(writers, {path: partial(maker, content) for path, maker in makers.items()})
 
 
 def picture_bytes(picture: Figure, target: str) -> bytes:

@@ -76,13 +76,13 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
         writers = claimed(stack, {"--plot": target}, problems)
         try:
             with progress_bar() as progress:
-                found = searched(search, **how, progress=progress)
+                outcome = searched(search, **how, progress=progress)
         except SceneError as error:
             refuse(str(error))
         if as_json:
-            print_text(json.dumps(shown.record(found), indent=1, allow_nan=False) + "\n")
+            print_text(json.dumps(shown.record(outcome), indent=1, allow_nan=False) + "\n")
         else:
-            print_table(shown.tables(found))
-        write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(found), target or "")})
-    if not found.is_feasible:
+            print_table(shown.tables(outcome))
+        write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(outcome), target or "")})
+    if not outcome.is_feasible:
         sys.exit(UNSOLVED)

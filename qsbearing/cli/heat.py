@@ -62,26 +62,26 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
         from qsbearing.results.remarks import blocks, every_remark, remarks_record
         from qsbearing.results.thermal_report import course_record, speeds_record, whole_bearing_record
 
-        found = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
-        found |= remarks_record(said := every_remark(solution))
-        found["transient"] = None
+        record = how_it_ended(solution) | {"thermal": thermal(solution), "speeds": None, "whole_bearing": None}
+        record |= remarks_record(said := every_remark(solution))
+        record["transient"] = None
         if transient is None:
             with solving():
-                found["speeds"] = speeds_record(state)
-            found["whole_bearing"] = whole_bearing_record(state)
+                record["speeds"] = speeds_record(state)
+            record["whole_bearing"] = whole_bearing_record(state)
         else:
             try:
-                found["transient"] = course_record(_course(state, transient, start))
+                record["transient"] = course_record(_course(state, transient, start))
             except SceneError as error:
                 refuse(in_keys(error))
         if as_json:
-            print_result(loaded, found)
+            print_result(loaded, record)
         else:
-            _show(found, blocks(said, is_apart=True))
+            _show(record, blocks(said, is_apart=True))
         if plot is not None:
             from qsbearing.pictures.style import name_of
 
-            write_files(writers, {"--plot": lambda: _picture(found, state, name_of(loaded), plot)})
+            write_files(writers, {"--plot": lambda: _picture(record, state, name_of(loaded), plot)})
     if not solution.converged:
         sys.exit(UNSOLVED)
 
@@ -108,23 +108,23 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
         )
 
 
-def _show(found: dict[str, Any], remarks: Sequence[Block] = ()) -> None:
+def _show(record: dict[str, Any], remarks: Sequence[Block] = ()) -> None:
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 
     parts: list[Block] = (
-        thermal_tables(found["thermal"]) if found["status"] == "converged" else [Paragraph(found["message"])]
+        thermal_tables(record["thermal"]) if record["status"] == "converged" else [Paragraph(record["message"])]
     )
     for name, table in (("speeds", speeds_table), ("whole_bearing", whole_bearing_table), ("transient", course_table)):
-        if found[name] is not None:
-            parts += [table(found[name]), Paragraph(found[name]["message"], is_apart=True)]
+        if record[name] is not None:
+            parts += [table(record[name]), Paragraph(record[name]["message"], is_apart=True)]
     print_table([*parts, *remarks])
 
 
-def _picture(found: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:
+def _picture(record: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:
     from qsbearing.model.units import rpm
     from qsbearing.pictures.heat import over_speed, over_time
 
-    if found["transient"] is not None:
-        return picture_bytes(over_time(found["transient"], title), target)
-    return picture_bytes(over_speed(found["speeds"], float(state.speed) / rpm, title, found["whole_bearing"]), target)
+    if record["transient"] is not None:
+        return picture_bytes(over_time(record["transient"], title), target)
+    return picture_bytes(over_speed(record["speeds"], float(state.speed) / rpm, title, record["whole_bearing"]), target)

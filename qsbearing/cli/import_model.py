@@ -29,24 +29,24 @@ def import_model(model: str, shaft: str | None, out: str) -> None:
     from qsbearing.model.validation import SceneError, printable
 
     try:
-        found = imported(Path(model), shaft)
+        converted = imported(Path(model), shaft)
     except SceneError as error:
         refuse(str(error))
     into = folder(out)
-    makers = {into / each.name: lambda texts, name=each.name: texts[name].encode() for each in found.files}
-    fill(makers, lambda: {each.name: each.text for each in found.files})
+    makers = {into / each.name: lambda texts, name=each.name: texts[name].encode() for each in converted.files}
+    fill(makers, lambda: {each.name: each.text for each in converted.files})
     alike: dict[tuple[str, ...], list[str]] = {}
-    for file in found.files:
+    for file in converted.files:
         alike.setdefault(tuple(file.lacks), []).append(file.name)
     lines = []
     for lacks, names in alike.items():
         if lacks:
             lines += [f"{', '.join(names)}: missing", *(f"    {each}" for each in lacks)]
-    if found.not_ours:
-        lines += ["not modelled:", *(f"    {each}" for each in found.not_ours)]
-    if not found.files:
+    if converted.not_ours:
+        lines += ["not modelled:", *(f"    {each}" for each in converted.not_ours)]
+    if not converted.files:
         lines.append("no ball bearing that is modelled")
     print_wrote(makers)
-    print_text("".join(f"{printable(line)}\n" for line in [*lines, *found.remarks]))
-    if all(file.lacks for file in found.files):
+    print_text("".join(f"{printable(line)}\n" for line in [*lines, *converted.remarks]))
+    if all(file.lacks for file in converted.files):
         sys.exit(UNSOLVED)

@@ -49,10 +49,10 @@ def warnings_as_notes() -> Iterator[None]:
     """What Python is warned of, to a user as a sentence."""
     import warnings
 
-    with warnings.catch_warnings(record=True) as found:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         yield
-    for each in found:
+    for each in caught:
         note(str(each.message))
 
 
@@ -70,13 +70,13 @@ def print_wrote(paths: Iterable[object]) -> None:
     print_text("".join(f"wrote {printable(str(path))}\n" for path in paths))
 
 
-def print_result(of: Scene | BearingSet, found: dict[str, Any]) -> None:
+def print_result(of: Scene | BearingSet, record: dict[str, Any]) -> None:
     """A result as JSON, with the input that it is reproduced from."""
     import json
 
     from qsbearing.results.whole import with_input
 
-    print_text(json.dumps(with_input(of, found), indent=1, allow_nan=False) + "\n")
+    print_text(json.dumps(with_input(of, record), indent=1, allow_nan=False) + "\n")
 
 
 def print_text(text: str) -> None:

@@ -58,8 +58,8 @@ def report(scene: str, out: str) -> None:
     folder(out)
     printed = page.with_suffix(".pdf")
     forms = {
-        page: lambda found: html(found).encode(),
-        printed: lambda found: pdf(found, lacking=lambda: note(BOXES.format(where=printed))),
+        page: lambda document: html(document).encode(),
+        printed: lambda document: pdf(document, lacking=lambda: note(BOXES.format(where=printed))),
     }
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
     fill(forms, lambda: replace(make(), made_from=made_from))
@@ -71,10 +71,10 @@ def _from_folder(path: Path, folder: Path) -> str:
     from urllib.parse import quote
 
     try:
-        found = os.path.relpath(path.resolve(), folder.resolve())
+        place = os.path.relpath(path.resolve(), folder.resolve())
     except ValueError:  # on another drive
-        found = str(path.resolve())
-    return quote(os.fsencode(found))
+        place = str(path.resolve())
+    return quote(os.fsencode(place))
 
 
 def _refuse_another(page: Path, path: Path) -> None:
@@ -86,8 +86,8 @@ def _refuse_another(page: Path, path: Path) -> None:
     if not is_file(page):
         return
     with page.open(encoding="utf-8", errors="replace") as file:
-        found = MADE_FROM.search(file.read(2000))
-    other = page.parent / os.fsdecode(unquote_to_bytes(found[1] if found else ""))
+        match = MADE_FROM.search(file.read(2000))
+    other = page.parent / os.fsdecode(unquote_to_bytes(match[1] if match else ""))
     if other.is_file() and not (path.exists() and other.samefile(path)):
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 

@@ -105,24 +105,26 @@ def run(
 
         if isinstance(loaded, Scene) and loaded.bearing.inferred is not None:
             refuse_all(_not_of_list(loaded, {"--plot": plot_target, "--into": into, "--accuracy": accuracy}))
-            found = _of_data_sheet(loaded)
+            outcome = _of_data_sheet(loaded)
         else:
-            found = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
+            outcome = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
         if as_json:
-            print_result(found.input, found.record())
+            print_result(outcome.input, outcome.record())
         else:
-            print_table(found.blocks())
-        if found.lacks:
+            print_table(outcome.blocks())
+        if outcome.lacks:
             for option in writers:
-                note(f"{targets[option]} is not written: {found.lacks}")
+                note(f"{targets[option]} is not written: {outcome.lacks}")
             sys.exit(UNSOLVED)
         from qsbearing.files.csv_table import csv_bytes
 
         spectrum = "spectrum" in loaded.readings
         make = {
-            "--csv": lambda: csv_bytes(found.columns()),
-            "--plot": lambda: _drawn(found.solution, plot_target or ""),
-            "--into": lambda: model.put_life(found.readings) if spectrum else model.put(found.solution, found.readings),
+            "--csv": lambda: csv_bytes(outcome.columns()),
+            "--plot": lambda: _drawn(outcome.solution, plot_target or ""),
+            "--into": lambda: (
+                model.put_life(outcome.readings) if spectrum else model.put(outcome.solution, outcome.readings)
+            ),
         }
         write_files(writers, make)
         if model is not None:

@@ -40,17 +40,17 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
     refuse_all(problems)
     assert points is not None and out is not None  # said to be missing
     looks: list[Look] = []
-    found = _solved(scene, points, out, decimal, looks)
-    counts = Counter(found["status"])
-    print_text(f"{counts['converged']:,} of {len(found['status']):,} rows solved\n")
-    bad = [i for i, status in enumerate(found["status"]) if status != "converged"]
+    table = _solved(scene, points, out, decimal, looks)
+    counts = Counter(table["status"])
+    print_text(f"{counts['converged']:,} of {len(table['status']):,} rows solved\n")
+    bad = [i for i, status in enumerate(table["status"]) if status != "converged"]
     for i in bad[:SHOWN]:
-        print_text(f"row {i + 1}: {found['status'][i]}, {found['reason'][i]}\n")
+        print_text(f"row {i + 1}: {table['status'][i]}, {table['reason'][i]}\n")
     if len(bad) > SHOWN:
         print_text(f"and {len(bad) - SHOWN:,} more, with their reasons in the file\n")
     from qsbearing.studies.remarked import of_look, together
 
-    print_table(of_look(together(looks), len(found["status"])))
+    print_table(of_look(together(looks), len(table["status"])))
     print_wrote([out])
     if not counts["converged"]:
         sys.exit(UNSOLVED)
@@ -75,10 +75,10 @@ def _solved(scene: str, points: str, out: str, decimal: str | None, looks: list[
                 done, kept = done + len(columns["status"]), str(part)
 
             with warnings_as_notes(), progress_bar() as progress:
-                found = solve_table(scene, read_table(points, decimal), points, progress, keep, looks)
-            write(table_bytes(found, ending(out)))
+                table = solve_table(scene, read_table(points, decimal), points, progress, keep, looks)
+            write(table_bytes(table, ending(out)))
             kept = ""
-        return found
+        return table
     except SceneError as error:
         refuse(str(error))
     except MemoryError:

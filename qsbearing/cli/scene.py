@@ -61,7 +61,7 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
 
     try:
         with warnings_as_notes():
-            found = read(source)
+            loaded = read(source)
     except SceneError as error:
         refuse(str(error))
     _told_by_sweep(source)
@@ -69,7 +69,7 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
         thread_count()
     except ValueError as error:  # a mistake in its environment variable
         refuse(str(error))
-    return found
+    return loaded
 
 
 def _told_by_sweep(source: str) -> None:

@@ -121,17 +121,17 @@ def sweep(
 
 def _place_problems(out: str | None, overwrite: bool, resume: bool) -> list[str]:
     """Of --out, --overwrite and --resume."""
-    found = []
+    problems = []
     form = ending(out or "")
     if out is not None and form not in (".nc", *TABLES):
-        found += ending_problems("--out", out, (".nc", *TABLES))
+        problems += ending_problems("--out", out, (".nc", *TABLES))
     elif out is not None and os.path.isfile(out) and not overwrite and not (resume and _is_unfinished(out)):  # noqa: PTH113
-        found.append(f"--out {out}: the file exists already; --overwrite replaces it")
+        problems.append(f"--out {out}: the file exists already; --overwrite replaces it")
     if form == ".parquet" and missing("pyarrow"):
-        found.append(f"--out *.parquet needs pyarrow: {how_to_install('tables')}")
+        problems.append(f"--out *.parquet needs pyarrow: {how_to_install('tables')}")
     if resume and form != ".nc":
-        found.append("--resume needs --out FILE.nc: only then are the finished chunks kept")
-    return found
+        problems.append("--resume needs --out FILE.nc: only then are the finished chunks kept")
+    return problems
 
 
 def _is_unfinished(out: str) -> bool:
@@ -145,11 +145,11 @@ def _sobol_problems(count: int, given: dict[str, Any]) -> list[str]:
     """Of --sobol, and of options that do not go with it."""
     from qsbearing.studies.sobol import count_problem
 
-    found = [f"--sobol {count}: {count_problem(count)}"] if count_problem(count) else []
+    problems = [f"--sobol {count}: {count_problem(count)}"] if count_problem(count) else []
     for name in ("samples", "sampling", "scheduler", "resume"):
         if given[name] not in (None, False):
-            found.append(f"--{name} cannot be used with --sobol, which draws and solves its own points")
-    return found
+            problems.append(f"--{name} cannot be used with --sobol, which draws and solves its own points")
+    return problems
 
 
 def _indices(study: Study, count: int, out: str | None) -> xarray.Dataset:

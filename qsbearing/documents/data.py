@@ -20,7 +20,7 @@ class BrokenLinkError(ValueError):
 def data(document: model.Document) -> Plain:
     """The document as plain data; pictures are numbered, their bytes kept apart in `pictures`."""
     counted = _Counted(document.is_numbered)
-    found = {
+    plain = {
         "title": document.title,
         "kind": document.kind,
         "summary": runs(document.summary),
@@ -37,10 +37,10 @@ def data(document: model.Document) -> Plain:
         "pictures": counted.pictures,
     }
     names = {section.name for section, _ in document.walk()}
-    lost = sorted({href for href in links(found) if href.startswith("#") and href[1:] not in names})
+    lost = sorted({href for href in links(plain) if href.startswith("#") and href[1:] not in names})
     if lost:
         raise BrokenLinkError(f"{document.title}: no section for {', '.join(lost)}")
-    return found
+    return plain
 
 
 @dataclass
@@ -113,11 +113,11 @@ def _cell(cell: model.Cell) -> Plain:
     return {"text": runs(cell)}
 
 
-def links(found: Any) -> list[str]:
+def links(plain: Any) -> list[str]:
     """Where the runs of plain data lead."""
-    if isinstance(found, dict):
-        own = [found["href"]] if found.get("href") else []
-        return own + [link for value in found.values() for link in links(value)]
-    if isinstance(found, list):
-        return [link for value in found for link in links(value)]
+    if isinstance(plain, dict):
+        own = [plain["href"]] if plain.get("href") else []
+        return own + [link for value in plain.values() for link in links(value)]
+    if isinstance(plain, list):
+        return [link for value in plain for link in links(value)]
     return []

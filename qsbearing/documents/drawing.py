@@ -26,14 +26,14 @@ def picture(figure: Any, alt: str, caption: str = "", width: float | None = None
     """
     import matplotlib
 
-    found = BytesIO()
+    buffer = BytesIO()
     with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "document"}), warnings.catch_warnings():
         # A letter that its font lacks is a box; the words around the picture have it.
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
-        figure.savefig(found, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
+        figure.savefig(buffer, format="svg", dpi=RASTER_DPI, metadata={"Date": None, "Creator": None})
     if width is None:
-        width = width_of(found.getvalue())
-    return Picture(_lean(found.getvalue()), alt, caption, "svg", width)
+        width = width_of(buffer.getvalue())
+    return Picture(_lean(buffer.getvalue()), alt, caption, "svg", width)
 
 
 def width_of(svg: bytes, full: float = FULL_WIDTH) -> float:
@@ -42,8 +42,8 @@ def width_of(svg: bytes, full: float = FULL_WIDTH) -> float:
     Args:
         full: width of a figure that fills the text's [inches].
     """
-    found = re.search(rb'<svg[^>]* width="([\d.]+)pt"', svg)
-    return float(found[1]) / 72.0 / full if found else 1.0
+    match = re.search(rb'<svg[^>]* width="([\d.]+)pt"', svg)
+    return float(match[1]) / 72.0 / full if match else 1.0
 
 
 def _lean(svg: bytes) -> bytes:
@@ -61,4 +61,4 @@ def inlined(svg: bytes, prefix: str) -> str:
     head, rest = text.split(">", 1)
     head = re.sub(r' (?:width|height)="[^"]*"', "", head)
     head = f'{head} focusable="false" aria-hidden="true"'
-    return REFERENCE.sub(lambda found: found.group() + prefix, f"{head}>{rest}")
+    return REFERENCE.sub(lambda match: match.group() + prefix, f"{head}>{rest}")

@@ -28,8 +28,8 @@ TAG = re.compile(r"\s*\\tag\{([^}]*)\}\s*$")
 
 def split(latex: str) -> tuple[str, str]:
     """A formula, and its number in brackets; empty where it has none."""
-    found = TAG.search(latex)
-    return (latex[: found.start()].strip(), f"({found[1]})") if found else (latex.strip(), "")
+    tag = TAG.search(latex)
+    return (latex[: tag.start()].strip(), f"({tag[1]})") if tag else (latex.strip(), "")
 
 
 @cache
@@ -171,6 +171,6 @@ def in_text(markdown: str) -> str:
     return "".join(parts)
 
 
-def _own_line(found: re.Match[str]) -> str:
-    latex, number = split(found[1])
+def _own_line(match: re.Match[str]) -> str:
+    latex, number = split(match[1])
     return f"    {forms(latex, True)['text']}{'    ' if number else ''}{number}"

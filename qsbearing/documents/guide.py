@@ -65,15 +65,15 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
     Args:
         lists: what makes the lines of a list that the code knows, by the name in its mark `<!-- list: name -->`.
     """
-    found = {}
+    pages = {}
     for path in sorted(folder.glob("*.md")):
         title = next((line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("# ")), "")
-        found[path.stem] = Page(path.stem, title.strip() or path.stem, path, lists or {})
-    if FIRST in found:
-        named = [FIRST, *re.findall(r"\]\((\w+)\.md", found[FIRST].text)]
+        pages[path.stem] = Page(path.stem, title.strip() or path.stem, path, lists or {})
+    if FIRST in pages:
+        named = [FIRST, *re.findall(r"\]\((\w+)\.md", pages[FIRST].text)]
         order = {topic: place for place, topic in enumerate(named)}  # the last place: lists follow pictures
-        found = dict(sorted(found.items(), key=lambda each: order.get(each[0], len(order))))
-    return found
+        pages = dict(sorted(pages.items(), key=lambda each: order.get(each[0], len(order))))
+    return pages
 
 
 def skill_text() -> str:
@@ -103,17 +103,17 @@ def meant_by(word: str, pages: Mapping[str, Page]) -> str:
 def documents(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Document]:
     """Each page as a document of its own, by the name of its file; the first is `HOME`."""
     pages = topics(folder, lists)
-    found: dict[str, Document] = {}
+    by_file: dict[str, Document] = {}
     for page in pages.values():
         (whole,) = sections(page.text, folder, _links(page, pages), page.topic)
         kind = f"qsbearing {version}" if page.topic == FIRST else "qsbearing guide"
-        found[file_of(page.topic)] = Document(
+        by_file[file_of(page.topic)] = Document(
             page.title.replace("`", ""),
             kind,
             [each for each in whole.blocks if isinstance(each, Section)],
             head=[each for each in whole.blocks if not isinstance(each, Section)],
         )
-    return found
+    return by_file
 
 
 def file_of(topic: str) -> str:

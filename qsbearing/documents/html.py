@@ -59,9 +59,9 @@ def part(blocks: Sequence[Block]) -> str:
 def _rendered(template: str, document: Document, **others: Any) -> str:
     from markupsafe import Markup
 
-    found = data(document)
-    pictures = [Markup(_picture(picture, number)) for number, picture in enumerate(found["pictures"])]
-    text: str = _templates().get_template(template).render(document=found | {"pictures": pictures}, **others)
+    plain = data(document)
+    pictures = [Markup(_picture(picture, number)) for number, picture in enumerate(plain["pictures"])]
+    text: str = _templates().get_template(template).render(document=plain | {"pictures": pictures}, **others)
     return text
 
 
@@ -80,7 +80,7 @@ def _templates() -> Any:
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
         "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
-        "lettered": lambda text: Markup(LETTERED.sub(lambda found: _whole(found[0]), str(text))),
+        "lettered": lambda text: Markup(LETTERED.sub(lambda match: _whole(match[0]), str(text))),
         "closing": _closing,
     }
     return environment
@@ -122,11 +122,11 @@ def _command(line: str) -> str:
 
     command, mark, remark = line.partition(" # ") if not line.startswith("#") else ("", "", line)
     shown, after = "", 0
-    for found in VALUED.finditer(command):
-        option, value = found[1], (found[2] or "") + (found[3] or "")
-        shown += str(escape(command[after : found.start()]))
-        shown += short(found[0]) if len(found[0]) <= NARROWEST else f"{short(option)} {short(value[1:])}"
-        after = found.end()
+    for match in VALUED.finditer(command):
+        option, value = match[1], (match[2] or "") + (match[3] or "")
+        shown += str(escape(command[after : match.start()]))
+        shown += short(match[0]) if len(match[0]) <= NARROWEST else f"{short(option)} {short(value[1:])}"
+        after = match.end()
     shown += str(escape(command[after:]))
     return shown + (f'<span class="c1">{escape(mark + remark)}</span>' if remark else "")
 
@@ -137,7 +137,7 @@ def _whole(text: str) -> str:
 
 def _whole_options(code: str) -> str:
     """Code as HTML in which no line ends at the hyphen of an option or a command."""
-    return OPTION.sub(lambda found: _whole(found[0]), code)
+    return OPTION.sub(lambda match: _whole(match[0]), code)
 
 
 def _code(text: str) -> str:
@@ -154,9 +154,9 @@ def _unbroken(text: str) -> str:
 def _jointed(text: str) -> str:
     """Text whose long names may break after an underscore, so that the column of names leaves room for the others, and
     whose numbers stay whole."""
-    text = PATH.sub(lambda found: found[0].replace("/", "/<wbr>"), text)
-    text = LONG_NAME.sub(lambda found: found[0].replace("_", "_<wbr>"), text)
-    return POWER.sub(lambda found: _whole(found[0]), text)
+    text = PATH.sub(lambda match: match[0].replace("/", "/<wbr>"), text)
+    text = LONG_NAME.sub(lambda match: match[0].replace("_", "_<wbr>"), text)
+    return POWER.sub(lambda match: _whole(match[0]), text)
 
 
 def _closing(run: dict[str, Any]) -> str:

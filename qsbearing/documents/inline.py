@@ -30,7 +30,7 @@ def runs(text: str) -> list[Run]:
 
 def runs_of(tokens: Any) -> list[Run]:
     """The tokens of a line as runs; pictures among them are left to whoever splits the line."""
-    found: list[Run] = []
+    of_line: list[Run] = []
     styles: list[str] = []
     href = None
     for token in tokens:
@@ -43,7 +43,7 @@ def runs_of(tokens: Any) -> list[Run]:
         elif token.type == "link_close":
             href = None
         elif token.type == "math_inline":
-            found.append(
+            of_line.append(
                 {"text": forms(token.content)["text"], "styles": [], "href": href, "math": forms(token.content)}
             )
         elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
@@ -53,8 +53,8 @@ def runs_of(tokens: Any) -> list[Run]:
                     continue
                 content = " "
             kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
-            if found and "math" not in found[-1] and found[-1]["styles"] == kinds and found[-1]["href"] == href:
-                found[-1]["text"] += content
+            if of_line and "math" not in of_line[-1] and of_line[-1]["styles"] == kinds and of_line[-1]["href"] == href:
+                of_line[-1]["text"] += content
             else:
-                found.append({"text": content, "styles": kinds, "href": href})
-    return found
+                of_line.append({"text": content, "styles": kinds, "href": href})
+    return of_line

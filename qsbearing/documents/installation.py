@@ -24,13 +24,13 @@ def pip_install(extra: str) -> str:
 
     source = Path(__file__).parents[2]
     try:
-        found = metadata.distribution(NAME)
+        distribution = metadata.distribution(NAME)
     except metadata.PackageNotFoundError:  # run from a source tree
         return _command(f"{source}[{extra}]", option="-e ")
-    origin = json.loads(found.read_text("direct_url.json") or "{}")
+    origin = json.loads(distribution.read_text("direct_url.json") or "{}")
     if not origin:
         return _command(f"{NAME}[{extra}]")
-    return _of_origin(origin, extra) or _command(*_packages(found, extra))
+    return _of_origin(origin, extra) or _command(*_packages(distribution, extra))
 
 
 def _of_origin(origin: dict[str, Any], extra: str) -> str:
@@ -53,15 +53,15 @@ def _of_origin(origin: dict[str, Any], extra: str) -> str:
     return _command(f"{NAME}[{extra}] @ {url}{part}")
 
 
-def _packages(found: metadata.Distribution, extra: str) -> list[str]:
+def _packages(distribution: metadata.Distribution, extra: str) -> list[str]:
     """What an extra requires, and the extras within it; markers of the system are left to pip."""
-    named = [each.partition(";") for each in found.requires or ()]
+    named = [each.partition(";") for each in distribution.requires or ()]
     own = [what.strip() for what, _, when in named if f'extra == "{extra}"' in when.replace("'", '"')]
     packages = dict.fromkeys(each for each in own if not each.startswith(f"{NAME}["))
     for each in own:
         if each.startswith(f"{NAME}["):
             inner = each.partition("[")[2].partition("]")[0]
-            packages |= dict.fromkeys(one for name in inner.split(",") for one in _packages(found, name.strip()))
+            packages |= dict.fromkeys(one for name in inner.split(",") for one in _packages(distribution, name.strip()))
     return list(packages)
 
 

@@ -56,13 +56,13 @@ class _Page:
 
     def sections(self) -> list[Section]:
         """All that is on the page, by its headings."""
-        found: list[Section] = []
+        sections: list[Section] = []
         while self.at < len(self.tokens):
             if self.tokens[self.at].type == "heading_open":
-                found.append(self.section(first=not found))
+                sections.append(self.section(first=not sections))
             else:
                 self.at += 1  # what stands before the first heading is a comment
-        return found
+        return sections
 
     def section(self, first: bool = False) -> Section:
         level = int(self.tokens[self.at].tag[1])
@@ -153,9 +153,9 @@ class _Page:
     def line(self, inline: Any) -> Md:
         """A line's Markdown, its links led into the document; one that leads nowhere there is left as text."""
 
-        def lead(found: re.Match[str]) -> str:
-            target = self.links(found.group(2))
-            return found.group(1) if target is None else f"[{found.group(1)}]({target})"
+        def lead(match: re.Match[str]) -> str:
+            target = self.links(match.group(2))
+            return match.group(1) if target is None else f"[{match.group(1)}]({target})"
 
         return Md(re.sub(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)", lead, inline.content))
 

@@ -32,7 +32,7 @@ def pages(documents: Mapping[str, Document], home: str) -> dict[str, str]:
     lost = sorted(inner - places)
     if lost:
         raise BrokenLinkError(f"no page or section for {', '.join(lost)}")
-    found = {}
+    files = {}
     for number, (name, each) in enumerate(documents.items()):
         around = {
             "home": home,
@@ -41,11 +41,11 @@ def pages(documents: Mapping[str, Document], home: str) -> dict[str, str]:
             "before": _named(documents, names[number - 1]) if number else None,
             "after": _named(documents, names[number + 1]) if number + 1 < len(names) else None,
         }
-        found[name] = html(each, around)
+        files[name] = html(each, around)
     entries = [entry for name, each in plain.items() for entry in _entries(name, each)]
     script = (TEMPLATES / SEARCH).read_text(encoding="utf-8")
-    found[SEARCH] = f"const SECTIONS = {json.dumps(entries, ensure_ascii=False)};\n{script}"
-    return found
+    files[SEARCH] = f"const SECTIONS = {json.dumps(entries, ensure_ascii=False)};\n{script}"
+    return files
 
 
 def _named(documents: Mapping[str, Document], name: str) -> tuple[str, str]:
@@ -71,13 +71,13 @@ def _own_words(blocks: list[dict[str, Any]]) -> str:
     return " ".join(_words(block) for block in blocks if block["is"] != "section")
 
 
-def _words(found: Any) -> str:
+def _words(piece: Any) -> str:
     """What people read of a piece of a document."""
-    if isinstance(found, dict):
-        own = found["text"] if isinstance(found.get("text"), str) else ""
-        return " ".join(filter(None, [own, *(_words(each) for each in found.values() if not isinstance(each, str))]))
-    if isinstance(found, list):
+    if isinstance(piece, dict):
+        own = piece["text"] if isinstance(piece.get("text"), str) else ""
+        return " ".join(filter(None, [own, *(_words(each) for each in piece.values() if not isinstance(each, str))]))
+    if isinstance(piece, list):
         # Runs of a line follow each other without a space.
-        is_line = all(isinstance(each, dict) and "styles" in each for each in found)
-        return ("" if is_line else " ").join(filter(None, map(_words, found)))
+        is_line = all(isinstance(each, dict) and "styles" in each for each in piece)
+        return ("" if is_line else " ").join(filter(None, map(_words, piece)))
     return ""

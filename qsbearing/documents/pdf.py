@@ -47,10 +47,10 @@ def pdf(document: Document, strict: bool = False, lacking: Callable[[], None] = 
 def _compiled(document: Document, folder: Path, standards: Any = None, with_system_fonts: bool = False) -> bytes:
     import typst
 
-    found = data(document)
-    for number, picture in enumerate(found.pop("pictures")):
+    plain = data(document)
+    for number, picture in enumerate(plain.pop("pictures")):
         (folder / f"picture-{number}.{picture.form}").write_bytes(picture.data)
-    (folder / "document.json").write_text(json.dumps(found), encoding="utf-8")
+    (folder / "document.json").write_text(json.dumps(plain), encoding="utf-8")
     shutil.copyfile(TEMPLATE, folder / "main.typ")
     compiled, said = typst.compile_with_warnings(
         folder / "main.typ", root=folder, format="pdf", ignore_system_fonts=not with_system_fonts,

@@ -62,9 +62,9 @@ def laid_out(blocks: Sequence[Block], width: int = WIDEST) -> Group:
 
 
 def _text(text: str, lead: str, style: str) -> Text:
-    found = Text(text)
-    found.stylize(style, 0, len(lead))
-    return found
+    styled = Text(text)
+    styled.stylize(style, 0, len(lead))
+    return styled
 
 
 BETWEEN = 2
@@ -140,35 +140,35 @@ def _widths(table: Table, part: list[int], width: int) -> dict[int, int]:
     most = {number: max(map(len, _lines(table, number))) for number in part}
     # A group's text stands in the first column, which it widens as far as the others leave room.
     most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, Across))])
-    least, found = {number: _least(table, number) for number in part}, dict(most)
-    while _width(list(found.values())) > width:
-        able = [number for number in part if found[number] > least[number]]
+    least, widths = {number: _least(table, number) for number in part}, dict(most)
+    while _width(list(widths.values())) > width:
+        able = [number for number in part if widths[number] > least[number]]
         if not able:
             break
-        found[max(able, key=lambda number: found[number])] -= 1
-    return {number: each for number, each in found.items() if each < most[number]}
+        widths[max(able, key=lambda number: widths[number])] -= 1
+    return {number: each for number, each in widths.items() if each < most[number]}
 
 
 def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
     title = Text(table.caption, "bold") if table.caption and not count else None
-    found = RichTable(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left")
-    found.pad_edge, found.padding, widths = False, (0, 1, 0, 0), _widths(table, part, width)
+    rich_table = RichTable(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left")
+    rich_table.pad_edge, rich_table.padding, widths = False, (0, 1, 0, 0), _widths(table, part, width)
     for number in part:
         justify = "right" if table.alignment[number] == "r" else "left"
-        found.add_column(Text(table.headings[number]), justify=justify, overflow="fold", width=widths.get(number))  # type: ignore[arg-type]
-        found.columns[-1].no_wrap = number not in widths
+        rich_table.add_column(Text(table.headings[number]), justify=justify, overflow="fold", width=widths.get(number))  # type: ignore[arg-type]
+        rich_table.columns[-1].no_wrap = number not in widths
     for number, row in enumerate(table.rows):
         cells = [row.text] if isinstance(row, Across) else [_cell(row[each]) for each in part]
-        found.add_row(*cells, style="dim" if number in table.faint else None)
-    return found
+        rich_table.add_row(*cells, style="dim" if number in table.faint else None)
+    return rich_table
 
 
 def _notes(table: Table) -> RichTable:
-    found = RichTable(box=None, show_header=False, pad_edge=False)
-    found.add_column(no_wrap=True)
+    notes = RichTable(box=None, show_header=False, pad_edge=False)
+    notes.add_column(no_wrap=True)
     for mark, note in table.notes:
-        found.add_row(Text(mark), Text(note))
-    return found
+        notes.add_row(Text(mark), Text(note))
+    return notes
 
 
 def _cell(cell: Cell) -> Text:

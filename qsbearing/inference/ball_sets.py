@@ -43,5 +43,5 @@ def possible_sets(sheet: DataSheet, sizes: NDArray) -> BallSets:
         return BallSets(np.array([float(known)]), np.array([diameter]))
     sizes = sizes[(sizes >= low) & (sizes <= high)] if diameter is None else np.array([diameter])
     pairs = [(count, size) for size in sizes for count in np.arange(np.ceil(least / size), most / size)]
-    found = np.array([pair for pair in pairs if known in (None, pair[0])]).reshape(-1, 2)
-    return BallSets(found[:, 0], found[:, 1])
+    possible = np.array([pair for pair in pairs if known in (None, pair[0])]).reshape(-1, 2)
+    return BallSets(possible[:, 0], possible[:, 1])

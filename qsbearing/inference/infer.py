@@ -75,12 +75,12 @@ class InferredBearing:
 def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> InferredBearing:
     """The ball sets and groove radii that a row of a catalogue allows: always a list.
 
-        found = qs.infer_bearing(
+        inferred = qs.infer_bearing(
             bore_diameter=50 * qs.mm, outside_diameter=80 * qs.mm, free_contact_angle=15 * qs.deg,
             dynamic_load_rating=26_900, static_load_rating=23_100, maker="NTN",
         )
-        solution = qs.solve(qs.Scene(found.bearing, qs.Operation(axial_load=300.0)))
-        found.range_of(solution.stiffness[..., 0, 0])
+        solution = qs.solve(qs.Scene(inferred.bearing, qs.Operation(axial_load=300.0)))
+        inferred.range_of(solution.stiffness[..., 0, 0])
 
     C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
     `rating_practice`. A known `ball_count`, `ball_diameter`, `pitch_diameter`, `f0`, `groove_radius_coefficient` or a
@@ -103,27 +103,27 @@ def infer_bearing(sheet: DataSheet | None = None, /, **numbers: Any) -> Inferred
     sheet = replace(sheet, kind=BearingKind(sheet.kind))
     practice = practice_of(sheet.maker, sheet.rating_practice, tuple(getattr(sheet, name) for name in FACTORS))
     remarks: list[Warned] = []
-    found = _unstated(sheet, remarks) if practice is None else fitted(sheet, practice)
-    if not found.misfit.size and practice is not None:
+    fits = _unstated(sheet, remarks) if practice is None else fitted(sheet, practice)
+    if not fits.misfit.size and practice is not None:
         raise SceneError([_no_set(sheet, practice.kind)])
-    if found.misfit.size > MOST_LISTED:
-        remarks.append(remark("sheet_sets_left_out", sets=found.misfit.size, solved=MOST_LISTED).said())
-        found = found.taken(np.arange(MOST_LISTED))
+    if fits.misfit.size > MOST_LISTED:
+        remarks.append(remark("sheet_sets_left_out", sets=fits.misfit.size, solved=MOST_LISTED).said())
+        fits = fits.taken(np.arange(MOST_LISTED))
     known = sheet.groove_radius_coefficient
     if sheet.pair_rigidity is not None and sheet.pair_preload is not None and known is None:
         groove, is_met = grooves_of_rigidity(
-            lambda f: _bearing(sheet, found.sets, f), sheet.pair_rigidity, sheet.pair_preload, found.groove[:, 1]
+            lambda f: _bearing(sheet, fits.sets, f), sheet.pair_rigidity, sheet.pair_preload, fits.groove[:, 1]
         )
-        found = found._replace(groove=groove).taken(is_met)
-        if not found.misfit.size:
+        fits = fits._replace(groove=groove).taken(is_met)
+        if not fits.misfit.size:
             problem = "no ball set with these ratings has it at its preload, whatever the groove radius"
             cause = "Axial, of a back-to-back pair: twice the stiffness of one bearing under the preload"
             raise SceneError([ErrorDetail("bearing.pair_rigidity", problem, sheet.pair_rigidity, cause=cause)])
-    elif known is None and (found.practice != RatingPractice.OWN_GROOVE).any():
+    elif known is None and (fits.practice != RatingPractice.OWN_GROOVE).any():
         remarks.append(remark("sheet_groove_assumed").said())
-    f = found.groove[:, GROOVES].reshape(-1)
-    repeated = [np.repeat(each, len(GROOVES)) for each in (*found.sets, found.misfit, found.practice)]
-    number = np.repeat(np.arange(found.misfit.size), len(GROOVES))
+    f = fits.groove[:, GROOVES].reshape(-1)
+    repeated = [np.repeat(each, len(GROOVES)) for each in (*fits.sets, fits.misfit, fits.practice)]
+    number = np.repeat(np.arange(fits.misfit.size), len(GROOVES))
     bearing = _bearing(sheet, BallSets(*repeated[:2]), f)
     return InferredBearing(bearing, number, repeated[2], repeated[3], sheet, tuple(remarks))
 

@@ -41,14 +41,14 @@ def shares_removed(
         rigidity: that each case would have, in place of which one is known; None: it is known already.
     """
     width = range_of(values).width
-    found = {}
+    shares = {}
     for name, known in groups.items():
         left = [range_of(values[known == known[set_number == each][0]]).width for each in np.unique(set_number)]
-        found[name] = _share(left, width)
+        shares[name] = _share(left, width)
     if rigidity is not None:
         left = [_width_at(each, values, set_number, rigidity) for each in rigidity]
-        found["pair_rigidity"] = _share(left, width)
-    return found
+        shares["pair_rigidity"] = _share(left, width)
+    return shares
 
 
 def _width_at(known: float, values: NDArray, set_number: NDArray, rigidity: NDArray) -> float:

@@ -58,10 +58,10 @@ class Fitted(NamedTuple):
         return Fitted(self.sets.taken(which), self.groove[which], self.misfit[which], self.practice[which])
 
 
-def joined(found: list[Fitted]) -> Fitted:
+def joined(parts: list[Fitted]) -> Fitted:
     """All of them, best first."""
-    counts, diameters = (np.concatenate([each.sets[i] for each in found]) for i in (0, 1))
-    groove, misfit, practice = (np.concatenate([each[i] for each in found]) for i in (1, 2, 3))
+    counts, diameters = (np.concatenate([each.sets[i] for each in parts]) for i in (0, 1))
+    groove, misfit, practice = (np.concatenate([each[i] for each in parts]) for i in (1, 2, 3))
     order = np.argsort(misfit, kind="stable")
     return Fitted(BallSets(counts, diameters), groove, misfit, practice).taken(order)
 
@@ -152,6 +152,6 @@ def secants(excess: Callable[[NDArray], NDArray], f: NDArray, slope: float, limi
         before, f = f, np.clip(f - above / slopes, *limits)
         higher, above = above, excess(f)
         moved = np.where(f == before, 1.0, f - before)
-        found = (above - higher) / moved
-        slopes = np.where((f != before) & (found < 0.1 * slope), found, slope)
+        secant = (above - higher) / moved
+        slopes = np.where((f != before) & (secant < 0.1 * slope), secant, slope)
     return f

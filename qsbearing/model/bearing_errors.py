@@ -59,16 +59,16 @@ def clearance_errors(
     bad = (groove_centre_distance > 0.0) & ((clearance < least) | (clearance > most))
     if not bad.any():
         return []
-    found, low, high = first(bad, clearance, least, most)
+    wrong, low, high = first(bad, clearance, least, most)
     problem, detail = "is larger than these grooves allow", ""
-    if found < 0.0:
+    if wrong < 0.0:
         problem = (
             f"is so far below zero that it wedges the balls by more than {LARGEST_INTERFERENCE:.0%} of their diameter"
         )
     else:
         detail = f"the free contact angle would pass {np.degrees(FREE_ANGLE_MAX):.0f} degrees"
-    advice = unit_mistake(found, LENGTH, low, high)
-    return [ErrorDetail(field, problem, found, LENGTH, (low, high), advice, bad, detail)]
+    advice = unit_mistake(wrong, LENGTH, low, high)
+    return [ErrorDetail(field, problem, wrong, LENGTH, (low, high), advice, bad, detail)]
 
 
 def bearing_errors(bearing: Any) -> list[ErrorDetail]:

@@ -331,11 +331,11 @@ def within(field: str, value: Any, quantity: Quantity, low: float, high: float, 
 
 def on_side(field: str, value: Any, limit: Any, outward: float, what: str) -> list[ErrorDetail]:
     """The error of a length that does not lie beyond another: above it where outward is 1, below it where -1."""
-    found, other = np.broadcast_arrays(np.asarray(value, float), np.asarray(limit, float))
-    bad = outward * (found - other) <= 0.0
+    lengths, other = np.broadcast_arrays(np.asarray(value, float), np.asarray(limit, float))
+    bad = outward * (lengths - other) <= 0.0
     if not bad.any():
         return []
-    wrong, least = first(bad, found, other)
+    wrong, least = first(bad, lengths, other)
     allowed, cause = ((least, 20.0), unit_mistake(wrong, LENGTH, least, 20.0)) if outward > 0.0 else ((0.0, least), "")
     return [ErrorDetail(field, f"is not {what}, {least / mm:.6g} mm", wrong, LENGTH, allowed, cause, bad)]
 
@@ -365,8 +365,8 @@ def alike(word: str, known: Iterable[str]) -> list[str]:
         return sorted(others, key=lambda name: others[name])
     if max(map(len, parts), default=0) < SHORTEST or not others:
         others = {name: edits for name in names if (edits := _distance(plain, name.lower())) is not None}
-    found = [name for name, distance in others.items() if distance == min(others.values())]
-    return found if len(found) <= MOST_ALIKE else []
+    nearest = [name for name, distance in others.items() if distance == min(others.values())]
+    return nearest if len(nearest) <= MOST_ALIKE else []
 
 
 def question(meant: Sequence[str], form: str = "{}") -> str:

@@ -25,17 +25,17 @@ NODES = {"inner ring": "inner", "outer ring": "outer"}
 """Nodes that are drawn as their raceways are elsewhere."""
 
 
-def over_speed(found: dict[str, Any], own: float, title: str = "", whole: dict[str, Any] | None = None) -> Figure:
+def over_speed(speeds: dict[str, Any], own: float, title: str = "", whole: dict[str, Any] | None = None) -> Figure:
     """Steady states over speed.
 
     Args:
-        found: "speeds" of `qsbearing heat --json`.
+        speeds: "speeds" of `qsbearing heat --json`.
         own: the scene's speed [rpm].
         title: names the bearing.
         whole: "whole_bearing" of the same, whose onset of runaway is marked as well.
     """
-    fold, at_whole = found["fold"], None if whole is None else whole["fold"]
-    states, at_fold = along_curve(found)
+    fold, at_whole = speeds["fold"], None if whole is None else whole["fold"]
+    states, at_fold = along_curve(speeds)
     figure, axes = _two("speed, rpm", title, states)
     _draw(axes, states, [each["speed_rpm"] for each in states], at_fold)
     for each in axes:
@@ -51,11 +51,11 @@ def over_speed(found: dict[str, Any], own: float, title: str = "", whole: dict[s
     return figure
 
 
-def over_time(found: dict[str, Any], title: str = "") -> Figure:
+def over_time(transient: dict[str, Any], title: str = "") -> Figure:
     """Heating up: "transient" of `qsbearing heat --json`."""
-    states = [instant(found, number) for number in range(1, len(found["time_s"]))]
+    states = [instant(transient, number) for number in range(1, len(transient["time_s"]))]
     figure, axes = _two("time, s", title, states)
-    _draw(axes, states, found["time_s"][1:], None)
+    _draw(axes, states, transient["time_s"][1:], None)
     for each in axes:
         logarithmic(each.xaxis)
     legend(figure, *axes)

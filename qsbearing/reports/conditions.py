@@ -81,11 +81,11 @@ def facts_of(solution: Solution) -> Facts:
     )
 
 
-def beyond(what: str, found: Span, checked: Span, unit: str = "") -> list[Difference]:
+def beyond(what: str, span: Span, checked: Span, unit: str = "") -> list[Difference]:
     """Numbers that reach outside of those that were checked."""
-    if found[0] >= checked[0] and found[1] <= checked[1]:
+    if span[0] >= checked[0] and span[1] <= checked[1]:
         return []
-    return [Difference(f"{what} {_span(found)}{unit}, checked {_span(checked)}{unit}")]
+    return [Difference(f"{what} {_span(span)}{unit}, checked {_span(checked)}{unit}")]
 
 
 def _span(span: Span) -> str:
@@ -103,26 +103,26 @@ def other_effects(facts: Facts, checked: Collection[str]) -> list[Difference]:
 
 def other_choices(facts: Facts, control: Collection[str] = ()) -> list[Difference]:
     """Choices of the scene that are not the usual ones, and raceway control beside those that were checked."""
-    scene, found = facts.scene, []
+    scene, reasons = facts.scene, []
     if scene.raceway_control is not None and control and scene.raceway_control not in control:
-        found.append(f"raceway control: {scene.raceway_control.replace('_', ' ')}, checked {' and '.join(control)}")
+        reasons.append(f"raceway control: {scene.raceway_control.replace('_', ' ')}, checked {' and '.join(control)}")
     if scene.hertz_angle is not HertzAngle.FREE:
-        found.append("Hertz's constants at each contact's own angle, checked at the free angle")
+        reasons.append("Hertz's constants at each contact's own angle, checked at the free angle")
     if scene.orbit_radius is not OrbitRadius.PITCH_CIRCLE:
-        found.append("no balls on orbits of their own in the check")
+        reasons.append("no balls on orbits of their own in the check")
     if scene.gyroscopic_moment is not None and scene.gyroscopic_moment.friction_coefficient is not None:
-        found.append("no limit of friction in the check")
-    return [Difference(each, True) for each in found] + other_formulas(facts)
+        reasons.append("no limit of friction in the check")
+    return [Difference(each, True) for each in reasons] + other_formulas(facts)
 
 
 def other_formulas(facts: Facts) -> list[Difference]:
     """Approximations in place of the exact forms."""
-    found = []
+    differences = []
     if facts.scene.hertz_form is not HertzForm.EXACT:
-        found.append(Difference(f"Hertz by the {facts.scene.hertz_form} fit, checked the exact form", True))
+        differences.append(Difference(f"Hertz by the {facts.scene.hertz_form} fit, checked the exact form", True))
     if facts.scene.tilt_lever is not TiltLever.GROOVE_CENTRE:
-        found.append(Difference("tilts about the pitch circle, checked those about the groove centres", True))
-    return found
+        differences.append(Difference("tilts about the pitch circle, checked those about the groove centres", True))
+    return differences
 
 
 def other_bearing(
@@ -137,12 +137,12 @@ def other_bearing(
     checked, own = load_scene(name).bearing, facts.scene.bearing
     if not all(_close(getattr(own, each), getattr(checked, each)) for each in lengths):
         return [Difference(f"another bearing than {checked.name}")]
-    found = []
+    differences = []
     if not any(_is_alike(own.ball_material, each) for each in (checked.ball_material, *balls)):
-        found.append(Difference("another ball material"))
+        differences.append(Difference("another ball material"))
     if not _is_alike(own.ring_material, checked.ring_material):
-        found.append(Difference("another ring material"))
-    return found
+        differences.append(Difference("another ring material"))
+    return differences
 
 
 def _is_alike(one: Material, other: Material) -> bool:
@@ -155,25 +155,25 @@ def faster(facts: Facts, limit: float) -> list[Difference]:
     Args:
         limit: largest speed checked, in either direction [rpm].
     """
-    operation, found = facts.scene.operation, []
+    operation, differences = facts.scene.operation, []
     speed = abs(float(np.asarray(operation.speed))) / rpm
     if speed > limit * (1.0 + SAME):
-        found.append(Difference(f"{_number(speed)} rpm, checked up to {_number(limit)} rpm"))
+        differences.append(Difference(f"{_number(speed)} rpm, checked up to {_number(limit)} rpm"))
     if operation.outer_speed is not None and float(np.asarray(operation.outer_speed)) != 0.0:
-        found.append(Difference("the outer ring turns, checked the inner alone"))
-    return found
+        differences.append(Difference("the outer ring turns, checked the inner alone"))
+    return differences
 
 
 def not_thrust(facts: Facts, checked: Span) -> list[Difference]:
     """Loads beside an axial one, tilts, or an axial load beyond what was checked [N]."""
     axial = abs(float(facts.ring[0]))
-    found = beyond("axial load", (axial, axial), checked, " N")
+    differences = beyond("axial load", (axial, axial), checked, " N")
     nothing = NOTHING * float(np.abs(facts.ring).max())
     if np.abs(facts.ring[1:3]).max() > nothing:
-        found.append(Difference(f"radial load {_number(float(np.hypot(*facts.ring[1:3])))} N, {ALONE}"))
+        differences.append(Difference(f"radial load {_number(float(np.hypot(*facts.ring[1:3])))} N, {ALONE}"))
     if np.abs(facts.ring[3:]).max() > nothing or np.abs(facts.moved).max() > NOTHING:
-        found.append(Difference(f"moment or tilt, {ALONE}"))
-    return found
+        differences.append(Difference(f"moment or tilt, {ALONE}"))
+    return differences
 
 
 def groove(facts: Facts, side: str) -> float:

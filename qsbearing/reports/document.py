@@ -35,7 +35,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     title, bearing = report_of.get("title", name), report.geometry_text(solution)
     bearing = bearing if title == name else f"{name}: {bearing}"
     tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
-    found, checks = taken(solution), evidence.statements([solution])
+    readings, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
     return Document(
@@ -44,7 +44,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         [
             _results(solution),
             *heat.sections(solution.thermal),
-            *([Section("Readings", readings_tables(found, scene))] if found else []),
+            *([Section("Readings", readings_tables(readings, scene))] if readings else []),
             curves.section(solution),
             effects.section(solution, asked, rows, tolerance),
             inputs.section(scene, source, asked.thermal),
@@ -54,9 +54,9 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         f"{capital(bearing)}. {point}.",
         head(
             report_of,
-            margins(solution, found),
-            every_remark(solution, found),
-            [key_results(solution, found)],
+            margins(solution, readings),
+            every_remark(solution, readings),
+            [key_results(solution, readings)],
             [*effects.is_right(rows, tolerance), evidence.in_short(checks)],
             solution,
         ),

@@ -38,13 +38,13 @@ def statements(solutions: Sequence[Solution], of: BearingSet | None = None) -> l
     for each in STATEMENTS:
         concerned = {number: one for number, one in facts.items() if each.applies(one)}
         if concerned:
-            found = each.found(list(concerned.values()))
+            result = each.found(list(concerned.values()))
             differences = {number: each.differences(one) for number, one in concerned.items()}
             reasons = [
                 one if which is None else one._replace(reason=f"{which}: {one.reason}")
                 for one, which in of_rows(differences)
             ]
-            rows.append([Md(f"{each.says} `{each.command}`"), found, *judged(reasons)])
+            rows.append([Md(f"{each.says} `{each.command}`"), result, *judged(reasons)])
     for of_set in OF_SETS:
         if of is not None and of_set.applies(of):
             said = Md(f"{of_set.says} `{of_set.command}`")
@@ -86,7 +86,7 @@ def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]
         said: of each row, by its number.
     """
     rows: dict[Said, list[int]] = {}
-    for number, found in said.items():
-        for each in found:
+    for number, of_row in said.items():
+        for each in of_row:
             rows.setdefault(each, []).append(number)
     return [(each, None if len(numbers) == len(said) else numbered("row", numbers)) for each, numbers in rows.items()]

@@ -20,7 +20,7 @@ from qsbearing.results.remarks import blocks
 
 def head(
     report: Mapping[str, str],
-    found: Sequence[Margin],
+    limits: Sequence[Margin],
     said: Sequence[Remark],
     results: Sequence[Block],
     rest: Sequence[Block],
@@ -30,21 +30,21 @@ def head(
 
     Args:
         report: the file's table [report]: document, customer and author, as far as it has them.
-        found: how close the case is to each limit.
+        limits: how close the case is to each limit.
         said: all remarks.
         results: the key results.
         rest: whether the model is right, and by what evidence.
         solution: of a single bearing, whose ball loads stand beside the margins.
     """
-    bars = [(each.what, each.used, each.text) for each in found]
+    bars = [(each.what, each.used, each.text) for each in limits]
     drawn = picture(
         draw_margins(bars, solution),
-        "; ".join(f"{each.what} {each.text}" for each in found),
-        "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in found),
+        "; ".join(f"{each.what} {each.text}" for each in limits),
+        "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in limits),
     )
     shown = blocks(said) or [Shown("No warnings.")]
     people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
-    return [*([Facts(people)] if people else []), answer(found, said), drawn, *results, *shown, *rest]
+    return [*([Facts(people)] if people else []), answer(limits, said), drawn, *results, *shown, *rest]
 
 
 def made_with(message: str, command: str) -> Section:

@@ -20,14 +20,14 @@ def sections(state: ThermalState | None) -> list[Section]:
     """Of a single case; none without a heat balance."""
     if state is None:
         return []
-    found, whole = speeds_record(state), whole_bearing_record(state)
+    speeds, whole = speeds_record(state), whole_bearing_record(state)
     blocks = thermal_tables(thermal_record(state))
-    if found["states"]:
+    if speeds["states"]:
         drawn = picture(
-            over_speed(found, float(state.speed) / rpm, whole=whole),
+            over_speed(speeds, float(state.speed) / rpm, whole=whole),
             "Temperatures and axial loads of the steady states over speed; the speed of the scene is marked.",
             "Temperatures and axial load of the steady states over speed",
         )
-        blocks += [drawn, speeds_table(found)]
-    said = [found["message"], *([] if whole is None else [whole["message"]])]
+        blocks += [drawn, speeds_table(speeds)]
+    said = [speeds["message"], *([] if whole is None else [whole["message"]])]
     return [Section("Heat balance", [*blocks, *map(Paragraph, said)])]

@@ -123,7 +123,7 @@ def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> l
             return given_by
         return entry.provenance.get(key) or FOLLOWS.get(key, "")
 
-    found: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
+    lines: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
     computed = _computed(of_file) if isinstance(of_file, dict) else {}
     follows = {name: short for name, short in _what_follows(bearing).items() if computed.get(name, FOLLOWS[name])}
     computed = {name: FOLLOWS[name] for name in follows} | computed
@@ -131,33 +131,33 @@ def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> l
         source = origin(line[0], published is not None and line in numbers(BEARING, published))
         if source == given_by:
             source = computed.get(line[0], "") or given_by
-        found.append((line[0], follows.get(line[0], line[1]), line[2], source))
+        lines.append((line[0], follows.get(line[0], line[1]), line[2], source))
     for name in MATERIALS:
         material = getattr(bearing, name)
         if entry is not None and published is not None and getattr(published, name) == material:
             sources = entry.material_provenance
-            found += [
+            lines += [
                 (f"{name}.{line[0]}", *line[1:3], sources.get(f"{name}.{line[0]}") or origin(name, True))
                 for line in numbers(MATERIAL, material)
             ]
         else:
-            found += _material(name, material)
+            lines += _material(name, material)
     if entry is not None:
-        found.append(("catalogue entry", entry.name, "", entry.source))
-    return found
+        lines.append(("catalogue entry", entry.name, "", entry.source))
+    return lines
 
 
 def _computed(of_file: dict[str, Any]) -> dict[str, str]:
     """From what the bearing's numbers that this table does not give were computed; empty for those that it gives."""
-    found: dict[str, str] = {}
+    origins: dict[str, str] = {}
     for name, radii in sorted(COEFFICIENTS.items(), key=lambda each: -len(each[1])):  # that of one groove goes last
         if name in of_file:
-            found |= dict.fromkeys(radii, f"computed from {name} = {_text(of_file[name])}")
+            origins |= dict.fromkeys(radii, f"computed from {name} = {_text(of_file[name])}")
     angle, clearance = (name in of_file for name in reversed(FOLLOWS))
     if angle or clearance:
-        found |= {"free_contact_angle_deg": "" if angle else FOLLOWS["free_contact_angle_deg"]}
-        found |= {"diametral_clearance_mm": "" if clearance else FOLLOWS["diametral_clearance_mm"]}
-    return {name: "" if name in of_file else origin for name, origin in found.items()}
+        origins |= {"free_contact_angle_deg": "" if angle else FOLLOWS["free_contact_angle_deg"]}
+        origins |= {"diametral_clearance_mm": "" if clearance else FOLLOWS["diametral_clearance_mm"]}
+    return {name: "" if name in of_file else origin for name, origin in origins.items()}
 
 
 def _what_follows(bearing: BallBearing) -> dict[str, str]:
@@ -183,18 +183,18 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
     """
     nodes = heat.found_nodes if heat is not None else ()
     of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
-    found: list[Line] = []
+    lines: list[Line] = []
     for effect in effects:
-        found.append((effect.name, "on", "", ""))
+        lines.append((effect.name, "on", "", ""))
         for each in fields(effect):
             value = getattr(effect, each.name)
             key = _key(NUMBERS.get(effect.name, EFFECTS), each.name)
             if value is None:
                 continue
             if isinstance(value, Material):
-                found += _material(f"{effect.name}.{each.name}", value)
+                lines += _material(f"{effect.name}.{each.name}", value)
             elif key is not None and np.ndim(value):
-                found.append(_list(key, np.asarray(value, float)))
+                lines.append(_list(key, np.asarray(value, float)))
             elif key is not None:
                 number = key.in_file(float(value))
                 is_found = each.name in of_nodes
@@ -203,11 +203,11 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
                     limits = " to ".join(_text(key.in_file(float(limit))) for limit in (fit.least, fit.most))
                     origin = f"mean of {fit.name} and class {fit.tolerance_class}, {limits}"
                 text = (digits_of if is_found else _text)(number)
-                found.append((f"{effect.name}.{key.name}", text, printed_unit(key.unit), origin))
+                lines.append((f"{effect.name}.{key.name}", text, printed_unit(key.unit), origin))
             elif isinstance(value, str):
                 name = f"{effect.name}.{ELASTIC[each.name]}" if isinstance(effect, ElasticRings) else each.name
-                found.append((name, str(value), "", ""))
-    return found + [
+                lines.append((name, str(value), "", ""))
+    return lines + [
         (KEY_OF[body], _text(each.value - zero_celsius), "°C", f"assumed: {each.taken_from}")
         for body, each in body_temperatures(effects).items()
         if each.is_assumed
@@ -221,12 +221,12 @@ def choice_lines(holder: Any) -> list[Line]:
 
 def _list(key: Key, values: NDArray) -> Line:
     """Numbers of which there are many: between which they lie, and beside it all of them."""
-    found = [key.in_file(float(value)) for value in values]
+    in_file = [key.in_file(float(value)) for value in values]
     return (
         key.name,
-        f"{_text(min(found))} ... {_text(max(found))}",
+        f"{_text(min(in_file))} ... {_text(max(in_file))}",
         printed_unit(key.unit),
-        ", ".join(map(_text, found)),
+        ", ".join(map(_text, in_file)),
     )
 
 
@@ -237,9 +237,9 @@ def _origin(bearing: BallBearing | None, table: str, key: str, value: float) -> 
 
 def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing | None = None) -> list[Line]:
     """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
-    found: list[Line] = []
+    lines: list[Line] = []
     for name, arguments in asked.items():
-        found.append((name, "on", "", ""))
+        lines.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):
                 keys = reading_keys(name) if name in reading_tables() else ()
@@ -247,8 +247,8 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing |
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
                 unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
                 origin = _origin(bearing, name, known.name, known.in_file(value)) if known else ""  # type: ignore[arg-type]
-                found.append((f"{name}.{known.name if known else key}", text, unit, origin))
-    return found
+                lines.append((f"{name}.{known.name if known else key}", text, unit, origin))
+    return lines
 
 
 def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
@@ -272,12 +272,12 @@ def thermal_groups(thermal: Thermal | None) -> list[tuple[str, list[Line]]]:
 
 def numbers(keys: tuple[Key, ...], holder: Any) -> list[Line]:
     """The numbers that an object holds, by the keys of a scene file."""
-    found = []
+    lines = []
     for key in keys:
         value = getattr(holder, key.field, None)
         if value is not None:
-            found.append((key.name, _text(key.in_file(float(value))), printed_unit(key.unit), ""))
-    return found
+            lines.append((key.name, _text(key.in_file(float(value))), printed_unit(key.unit), ""))
+    return lines
 
 
 def _key(keys: tuple[Key, ...], field: str) -> Key | None:

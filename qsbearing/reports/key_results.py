@@ -147,7 +147,7 @@ def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, An
 def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
     """A line for each row; what no row has is left out."""
     rows: list[dict[str, str]] = []
-    for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
+    for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):
         cells = {"": capital(row_name(solution.set.rows[number], number))}
         for title, place in (("axial load\nN", LOAD_OF_ROW), ("preload mounted\nN", MOUNTED_OF_ROW)):
             for each in _numbers(place._replace(row=number + 1), solution):
@@ -156,8 +156,8 @@ def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) ->
             if largest := _largest(row, result):
                 cells[title] = " / ".join(each.number for each in largest)
         cells["contact angles\ndeg"] = " / ".join(_angles(row, side).number for side in CONTACTS)
-        if "life" in found and np.isfinite(found["life"].duration):
-            cells["life\nh"] = _of_life("duration", found["life"]).number
+        if "life" in of_row and np.isfinite(of_row["life"].duration):
+            cells["life\nh"] = _of_life("duration", of_row["life"]).number
         rows.append(cells)
     titles = list(dict.fromkeys(title for cells in rows for title in cells))
     lines = [[cells.get(title, "-") for title in titles] for cells in rows]

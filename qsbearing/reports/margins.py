@@ -134,9 +134,9 @@ def margins(solution: Solution, readings: Mapping[str, Any]) -> list[Margin]:
 def margins_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[Margin]:
     """Likewise of a set: of each limit, that of the row that is closest to it."""
     worst: dict[str, Margin] = {}
-    for number, (row, found) in enumerate(zip(solution.rows, readings, strict=True)):
+    for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):
         name = row_name(solution.set.rows[number], number)
-        for each in (*_of_contacts(row, found), *_of_preload_of_row(solution, number)):
+        for each in (*_of_contacts(row, of_row), *_of_preload_of_row(solution, number)):
             known = worst.get(each.what)
             if known is None or each.used > known.used:
                 worst[each.what] = replace(each, row=name)
@@ -236,11 +236,11 @@ def _end(state: ThermalState, is_least_friction: bool) -> Estimate:
     return Estimate(factor * float(state.speed) / rpm, f"{source}{by}", needs)
 
 
-def answer(found: Sequence[Margin], said: Iterable[Remark]) -> Shown:
+def answer(every: Sequence[Margin], said: Iterable[Remark]) -> Shown:
     """Whether all limits hold, which is the closest, and what to read before the numbers are used."""
     worst = min((each.kind.severity for each in said), default=Severity.GOOD_TO_KNOW)
-    beyond = [each for each in found if each.used > 1.0]
-    doubts = [each.doubt for each in found if each.doubt]
+    beyond = [each for each in every if each.used > 1.0]
+    doubts = [each.doubt for each in every if each.doubt]
     if beyond:
         first = " ".join(
             f"{capital(listed(map(_of_limit, each)))}: beyond the limit{f', unless {unless}' if unless else ''}."
@@ -249,7 +249,7 @@ def answer(found: Sequence[Margin], said: Iterable[Remark]) -> Shown:
     elif worst is Severity.WRONG_MODEL:
         first = "The model does not describe this case."
     else:
-        nearest = max(found, key=lambda each: each.used)
+        nearest = max(every, key=lambda each: each.used)
         first = f"Within every known limit; the closest is {_of_limit(nearest)}."
     then = {
         Severity.WRONG_MODEL: "Read the warnings before using any number.",
@@ -264,10 +264,10 @@ def answer(found: Sequence[Margin], said: Iterable[Remark]) -> Shown:
 
 
 def _by_unless(beyond: Iterable[Margin]) -> dict[str, list[Margin]]:
-    found: dict[str, list[Margin]] = {}
+    groups: dict[str, list[Margin]] = {}
     for each in beyond:
-        found.setdefault(each.unless, []).append(each)
-    return found
+        groups.setdefault(each.unless, []).append(each)
+    return groups
 
 
 def _of_limit(each: Margin) -> str:

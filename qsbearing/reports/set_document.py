@@ -34,16 +34,16 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         command: that makes this report.
     """
     of, report_of = solution.set, inputs.document(source).get("report", {})
-    found = [taken(row) for row in solution.rows]
+    readings = [taken(row) for row in solution.rows]
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, effects.DEFAULT_TOLERANCE)
     return Document(
         report_of.get("title", f"{of.name or 'Bearing set'}, {of.arrangement}"),
         "Design report of a set",
         [
-            _results(solution, found, changes),
+            _results(solution, readings, changes),
             *heat.sections(solution.thermal),
-            *(_row(solution, number, of_row) for number, of_row in enumerate(found)),
+            *(_row(solution, number, of_row) for number, of_row in enumerate(readings)),
             set_curves.section(of, changes),
             effects.section_of_set(solution, effect_rows),
             set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
@@ -53,9 +53,9 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         _summary(solution),
         head(
             report_of,
-            margins_of_set(solution, found),
-            every_remark(solution, found),
-            key_results_of_set(solution, found),
+            margins_of_set(solution, readings),
+            every_remark(solution, readings),
+            key_results_of_set(solution, readings),
             [*effects.is_right(effect_rows, effects.DEFAULT_TOLERANCE), evidence.in_short(checks)],
         ),
     )
@@ -92,7 +92,7 @@ def _shaft(solution: SetSolution) -> list[Block]:
     ]
 
 
-def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) -> Section:
+def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limits) -> Section:
     drawn: list[Block] = [
         picture(
             load_distribution(solution),
@@ -105,7 +105,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
             "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
         ),
     ]
-    tables = set_report.tables(solution, found)
+    tables = set_report.tables(solution, readings)
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
@@ -113,7 +113,7 @@ def _results(solution: SetSolution, found: Sequence[Readings], changes: Limits) 
     return Section("Results", [*_shaft(solution), *tables, *parts])
 
 
-def _row(solution: SetSolution, number: int, found: Readings) -> Section:
+def _row(solution: SetSolution, number: int, readings: Readings) -> Section:
     row = solution.rows[number]
     heat = None if solution.thermal is None else solution.thermal.thermal
     drawn = picture(
@@ -123,6 +123,6 @@ def _row(solution: SetSolution, number: int, found: Readings) -> Section:
     )
     return Section(
         _name(solution, number),
-        [*report.tables_of_balls(row, heat), drawn, *readings_tables(found, row.scene)],
+        [*report.tables_of_balls(row, heat), drawn, *readings_tables(readings, row.scene)],
         f"row-{number + 1}",
     )

@@ -81,14 +81,14 @@ def _alike(what: str, of_rows: Sequence[list[Line]]) -> list[tuple[str, list[Lin
 
 def _by_rows(of_rows: Sequence[list[Line]]) -> list[tuple[list[int], list[Line]]]:
     """Lines once, after the numbers of the rows that have them."""
-    found: list[tuple[list[int], list[Line]]] = []
+    groups: list[tuple[list[int], list[Line]]] = []
     for number, lines in enumerate(of_rows, 1):
-        same = next((numbers for numbers, known in found if known == lines), None)
+        same = next((numbers for numbers, known in groups if known == lines), None)
         if same is None:
-            found.append(([number], lines))
+            groups.append(([number], lines))
         else:
             same.append(number)
-    return found
+    return groups
 
 
 def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
@@ -102,21 +102,21 @@ def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
         ("Spacer", of.spacers),
         ("Floating group", of.floating),
     ]
-    found = [(f"{title} {n}", _of_part(each)) for title, all_ in parts for n, each in enumerate(all_, 1)]
+    sections = [(f"{title} {n}", _of_part(each)) for title, all_ in parts for n, each in enumerate(all_, 1)]
     housings = [(f"Housing of row {n}", row.housing_stiffness) for n, row in enumerate(of.rows, 1)]
-    found += [(title, _housing(own)) for title, own in housings if own is not None]
-    found += [
+    sections += [(title, _housing(own)) for title, own in housings if own is not None]
+    sections += [
         (f"Alignment of row {n}'s housing", _others(keys_of(Row), row, "position", "offset"))
         for n, row in enumerate(of.rows, 1)
     ]
     if shaft is not None:
         points = [(f"{name}_mm", f"{at / mm:.9g}", "mm", "") for name, at in shaft.points.items()]
-        found.append(("Points of the shaft", points))
+        sections.append(("Points of the shaft", points))
         if shaft.gravity is not None:
-            found.append(
+            sections.append(
                 ("Gravity", [("gravity_m_s2", ", ".join(f"{each:.9g}" for each in shaft.gravity), "m/s2", "")])
             )
-    return [*found, ("Housing", _of_part(of.housing))]
+    return [*sections, ("Housing", _of_part(of.housing))]
 
 
 def _others(keys: tuple[Key, ...], holder: Any, *shown: str) -> list[Line]:
@@ -168,7 +168,7 @@ def _bearings(of: BearingSet, source: str) -> list[tuple[str, list[Line]]]:
     """Each bearing once, with the rows that have it."""
     tables = document(source)
     own = [row.get("bearing", tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
-    found = _by_rows([bearing_lines(row.bearing, "file", table) for row, table in zip(of.rows, own, strict=True)])
-    if len(found) == 1 and len(of.rows) > 1:
-        return [("Bearing of all rows", found[0][1])]
-    return [(f"Bearing of {numbered('row', which)}", lines) for which, lines in found]
+    groups = _by_rows([bearing_lines(row.bearing, "file", table) for row, table in zip(of.rows, own, strict=True)])
+    if len(groups) == 1 and len(of.rows) > 1:
+        return [("Bearing of all rows", groups[0][1])]
+    return [(f"Bearing of {numbered('row', which)}", lines) for which, lines in groups]

@@ -26,17 +26,17 @@ def _with_effects(of: BearingSet) -> list[Difference]:
 
 
 def _not_printed(of: BearingSet) -> list[Difference]:
-    found = _with_effects(of)
+    differences = _with_effects(of)
     if of.preload is not None and of.preload.spring is not None:
-        found.append(Difference("a spring, checked rigid preload"))
+        differences.append(Difference("a spring, checked rigid preload"))
     if float(np.asarray(of.operation.speed)) != 0.0:
-        found.append(Difference("a speed, checked at rest"))
+        differences.append(Difference("a speed, checked at rest"))
     angles = [float(np.asarray(row.bearing.free_contact_angle)) / deg for row in of.rows]
     if not all(any(abs(angle - printed) < 0.01 for printed in PRINTED_ANGLES) for angle in angles):
-        found.append(Difference("other free contact angles than 15 and 25 deg"))
+        differences.append(Difference("other free contact angles than 15 and 25 deg"))
     if not all((row.bearing.name or "").startswith(PRINTED) for row in of.rows):
-        found.append(Difference(f"another bearing than GMN's {PRINTED}"))
-    return found
+        differences.append(Difference(f"another bearing than GMN's {PRINTED}"))
+    return differences
 
 
 OF_SETS: tuple[Statement[BearingSet], ...] = (

@@ -41,12 +41,12 @@ def document(
         command: that makes this report.
     """
     if isinstance(solution, SetSolution):
-        found = [taken(row) for row in solution.rows]
-        blocks = set_spectrum_result(solution, found)
+        readings = [taken(row) for row in solution.rows]
+        blocks = set_spectrum_result(solution, readings)
     else:
-        found = [taken(solution)]
-        blocks = spectrum_result(solution, found[0])
-    damage = np.max([np.nan_to_num(each["spectrum"].damage_share) for each in found], axis=0)
+        readings = [taken(solution)]
+        blocks = spectrum_result(solution, readings[0])
+    damage = np.max([np.nan_to_num(each["spectrum"].damage_share) for each in readings], axis=0)
     worst = int(np.argmax(damage))
     point = point_of(asked, worst)
     solved = solve(point)
@@ -55,7 +55,7 @@ def document(
         if isinstance(point, Scene)
         else set_document.document(solved, source, command)
     )
-    part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(found) > 1 else "")
+    part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(readings) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
     lives = [Remark(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
     points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Remark))

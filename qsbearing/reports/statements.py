@@ -83,33 +83,33 @@ def _ellipticity(facts: Facts) -> list[Difference]:
 
 def _contacts(facts: Facts) -> list[Difference]:
     low, high = NUMBERS["solution_contacts"]["load_N"]
-    found = other_bearing(facts, "B218", balls=(SILICON_NITRIDE,))
-    found += faster(facts, NUMBERS["bearing_sector"]["speed_rpm"])
+    differences = other_bearing(facts, "B218", balls=(SILICON_NITRIDE,))
+    differences += faster(facts, NUMBERS["bearing_sector"]["speed_rpm"])
     for side in ("inner", "outer"):
-        found += beyond(f"{side} contact load", facts.loads[side], (low, high), " N")
-    return found + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
+        differences += beyond(f"{side} contact load", facts.loads[side], (low, high), " N")
+    return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
 def _gap(facts: Facts) -> list[Difference]:
     """B218's inner groove, whatever its radius."""
     high = NUMBERS["conformity"]["load_N"][1] / B218_DIAMETER**2
-    found = other_bearing(facts, "B218", ("ball_diameter", "pitch_diameter"))
+    differences = other_bearing(facts, "B218", ("ball_diameter", "pitch_diameter"))
     f = groove(facts, "inner")
-    found += beyond("inner groove radius over D", (f, f), tuple(NUMBERS["conformity"]["f"]))
+    differences += beyond("inner groove radius over D", (f, f), tuple(NUMBERS["conformity"]["f"]))
     low, high_angle = facts.angles["inner"]
     if max(abs(low - B218_ANGLE), abs(high_angle - B218_ANGLE)) > ANGLE_MARGIN:
         own = " to ".join(dict.fromkeys((f"{low:.1f}", f"{high_angle:.1f}")))
-        found.append(Difference(f"inner contact angle {own} deg, checked at {B218_ANGLE:g} deg"))
-    return found + beyond("inner Q/D²", (0.0, per_area(facts, "inner")[1]), (0.0, high), " N/mm²")
+        differences.append(Difference(f"inner contact angle {own} deg, checked at {B218_ANGLE:g} deg"))
+    return differences + beyond("inner Q/D²", (0.0, per_area(facts, "inner")[1]), (0.0, high), " N/mm²")
 
 
 def _true_bodies(facts: Facts) -> list[Difference]:
     numbers = NUMBERS["true_geometry"]
-    found = other_bearing(facts, "B218")
+    differences = other_bearing(facts, "B218")
     for side in ("inner", "outer"):
-        found += beyond(f"{side} contact load", (0.0, facts.loads[side][1]), (0.0, numbers["load_N"][1]), " N")
-        found += beyond(f"{side} contact angle", facts.angles[side], tuple(numbers["angle_deg"]), " deg")
-    return found
+        differences += beyond(f"{side} contact load", (0.0, facts.loads[side][1]), (0.0, numbers["load_N"][1]), " N")
+        differences += beyond(f"{side} contact angle", facts.angles[side], tuple(numbers["angle_deg"]), " deg")
+    return differences
 
 
 def _elastic(facts: Facts) -> list[Difference]:
@@ -122,9 +122,9 @@ def _elastic(facts: Facts) -> list[Difference]:
 
 def _sector(facts: Facts) -> list[Difference]:
     numbers = NUMBERS["bearing_sector"]
-    found = other_bearing(facts, "B218") + faster(facts, numbers["speed_rpm"])
-    found += not_thrust(facts, tuple(numbers["load_N"]))
-    return found + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
+    differences = other_bearing(facts, "B218") + faster(facts, numbers["speed_rpm"])
+    differences += not_thrust(facts, tuple(numbers["load_N"]))
+    return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
 def _sector_result(facts: Sequence[Facts]) -> str:
@@ -143,10 +143,12 @@ def _other_program(facts: Facts) -> list[Difference]:
 
 
 def _endurance(facts: Facts) -> list[Difference]:
-    found = [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
+    differences = (
+        [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
+    )
     if abs(facts.ring[0]) > NOTHING * np.abs(facts.ring).max():
-        found.append(Difference("axial load, tested under radial load"))
-    return found + other_effects(facts, ()) + _unmodified(facts)
+        differences.append(Difference("axial load, tested under radial load"))
+    return differences + other_effects(facts, ()) + _unmodified(facts)
 
 
 def _unmodified(facts: Facts) -> list[Difference]:
@@ -156,10 +158,12 @@ def _unmodified(facts: Facts) -> list[Difference]:
 
 
 def _motors(facts: Facts) -> list[Difference]:
-    found = [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
+    differences = (
+        [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
+    )
     if np.abs(facts.ring[1:]).max() > NOTHING * np.abs(facts.ring).max():
-        found.append(Difference("radial load or moment, measured under a spring's thrust"))
-    return found + faster(facts, 1800.0)
+        differences.append(Difference("radial load or moment, measured under a spring's thrust"))
+    return differences + faster(facts, 1800.0)
 
 
 def _spindles(facts: Facts) -> list[Difference]:

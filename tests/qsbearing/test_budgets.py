@@ -35,7 +35,7 @@ BUDGETS = {
     # With its compiler; wanted: 5,200. Balls that lost the inner raceway, lanes, and records as plain objects.
     # 1,000 more: the friction of contacts and its balance on balls, which may be carried round.
     # 250 more: the least thrust under inner control, lanes of every control.
-    "model": 16500,
+    "model/kernel + model/compiler": 7050,
 }
 LONGEST = 450
 LAYERS = 10

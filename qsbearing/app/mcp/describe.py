@@ -48,8 +48,8 @@ def described(topic: str) -> dict[str, Any]:
         return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
     if topic in KINDS:
         kind = KINDS[topic]
-        found = {"code": topic, "severity": kind.severity.name.lower(), "values": list(kind.values)}
-        return found | {"sentence": kind.outline(IN_FILE), "guide": kind.see}
+        record = {"code": topic, "severity": kind.severity.name.lower(), "values": list(kind.values)}
+        return record | {"sentence": kind.outline(IN_FILE), "guide": kind.see}
     if page in pages and (text := pages[page].plain(section)):
         return {"guide": topic, "text": text}
     entry = catalogue.find(topic)
@@ -62,12 +62,12 @@ def described(topic: str) -> dict[str, Any]:
 
 def _named_in(schema: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     """The definitions that a schema refers to, and those that these do."""
-    found: dict[str, Any] = {}
+    named: dict[str, Any] = {}
     seen = [schema]
     while seen:
         text = json.dumps(seen.pop())
-        for name in definitions.keys() - found.keys():
+        for name in definitions.keys() - named.keys():
             if f'"#/definitions/{name}"' in text:
-                found[name] = definitions[name]
+                named[name] = definitions[name]
                 seen.append(definitions[name])
-    return found
+    return named

@@ -25,14 +25,14 @@ class Folder:
             SceneFileError: that is elsewhere.
         """
         try:
-            found = (self.path / name).resolve()
+            path = (self.path / name).resolve()
             # Up to Python 3.12 a circle of links is an error; from 3.13 on what leads into it is given back as it is.
-            is_within = found.is_relative_to(self.path) and not any(map(Path.is_symlink, (found, *found.parents)))
+            is_within = path.is_relative_to(self.path) and not any(map(Path.is_symlink, (path, *path.parents)))
         except (OSError, RuntimeError, ValueError):  # a null character, a name too long
             is_within = False
         if not is_within:
             raise refused(name, "is not below the folder of this server", "Names of files count from that folder")
-        return found
+        return path
 
     def new(self, name: str) -> Path:
         """Likewise of a file that is to be written.
@@ -40,15 +40,15 @@ class Folder:
         Raises:
             SceneFileError: there is something already, no folder to hold it, or not every system has such names.
         """
-        found = self.place(name)
-        stem = found.name.partition(".")[0].strip().upper()
-        if not stem or stem in DEVICES or _FORBIDDEN.search(found.name):
+        path = self.place(name)
+        stem = path.name.partition(".")[0].strip().upper()
+        if not stem or stem in DEVICES or _FORBIDDEN.search(path.name):
             raise refused(name, "is no name for a file", "Letters, digits, - and _ make one that every system has")
-        if found.exists():
+        if path.exists():
             raise refused(name, "exists already", "Nothing is written over: choose another name")
-        if not found.parent.is_dir():
+        if not path.parent.is_dir():
             raise refused(name, "is in a folder that does not exist")
-        return found
+        return path
 
     def named(self, path: Path) -> str:
         """Its name, counted from the folder."""

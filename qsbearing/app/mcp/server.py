@@ -66,13 +66,13 @@ def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
     @functools.wraps(question)
     async def answer(**given: Any) -> CallToolResult:
         try:
-            found = await answered(question, given)
+            record = await answered(question, given)
         except SceneError as error:
             details = [each if isinstance(each, FileErrorDetail) else translate(each) for each in error.errors]
             return _refusal(details, getattr(error, "file", ""))
         except (StoppedError, OSError) as error:
             return _refusal([FileErrorDetail("", str(error))])
-        return _result(found)
+        return _result(record)
 
     hints = ToolAnnotations(read_only_hint=question.__name__ not in WRITES, destructive_hint=False)
     tool = _Tool.from_function(answer, annotations=hints, structured_output=False)
@@ -91,8 +91,8 @@ class _Tool(Tool):
             self.fn_metadata.validate_arguments(arguments)
         except ValidationError as error:
             known = list(self.fn_metadata.arg_model.model_fields)
-            found = _refusal(list({each.key: each for each in map(partial(_wrong, known), error.errors())}.values()))
-            return self.fn_metadata.convert_result(found) if convert_result else found
+            refusal = _refusal(list({each.key: each for each in map(partial(_wrong, known), error.errors())}.values()))
+            return self.fn_metadata.convert_result(refusal) if convert_result else refusal
         return await super().run(arguments, context, convert_result)
 
 
@@ -121,8 +121,8 @@ def shorten(text: str) -> str:
     return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 3]}..."
 
 
-def _result(found: dict[str, Any], is_error: bool = False) -> CallToolResult:
-    text = json.dumps(found, ensure_ascii=False, allow_nan=False)
+def _result(record: dict[str, Any], is_error: bool = False) -> CallToolResult:
+    text = json.dumps(record, ensure_ascii=False, allow_nan=False)
     if len(text) > LONGEST_ANSWER:
         problem = f"has {len(text):,} characters; at most {LONGEST_ANSWER:,} are sent: ask for less, or for a file"
         return _result({"errors": [{"key": "answer", "problem": problem}], "count": 1}, True)

@@ -61,8 +61,8 @@ class Tools:
         and the readings that it asks for. With balls: also each ball's contacts."""
         of = self._scene_or_set(scene)
         solution = solve_any(of)
-        found = with_input(of, whole_record(solution, all_taken(solution)))
-        return _told(found, balls)
+        record = with_input(of, whole_record(solution, all_taken(solution)))
+        return _told(record, balls)
 
     def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
@@ -115,18 +115,18 @@ class Tools:
         if place is not None and place.suffix.lower() not in TABLES:
             raise _refused("out", f"must end in one of {', '.join(TABLES)}")
         results = sweep(study)
-        found = record(results)
+        summary = record(results)
         frame = frame_of(results) if results["status"].size <= MOST_CELLS else None
         if frame is not None and frame.size <= MOST_CELLS:
-            found["table"] = frame.astype(object).where(frame.notna(), None).to_dict("list")
+            summary["table"] = frame.astype(object).where(frame.notna(), None).to_dict("list")
         if place is not None:
             with output_stream(str(place)) as file:
                 if place.suffix.lower() == ".nc":
                     file.write(results.to_netcdf(engine="h5netcdf"))
                 else:
                     write_table(results, file, place.suffix.lower())
-            found["file"] = self.folder.named(place)
-        return found
+            summary["file"] = self.folder.named(place)
+        return summary
 
     def report(self, scene: Tables, name: str) -> Answer:
         """Write the design report, NAME.html and NAME.pdf below the folder; the answer names both."""
@@ -167,10 +167,10 @@ class Tools:
         return scene_or_set_of(*self._read(scene))
 
     def _one(self, scene: str | dict[str, Any]) -> Scene | BearingSet:
-        found = self._scene_or_set(scene)
-        if "spectrum" in found.readings:
+        of = self._scene_or_set(scene)
+        if "spectrum" in of.readings:
             raise _refused("[[spectrum]]", "has several operating points", "Leave it out here; `solve` takes it")
-        return found
+        return of
 
     def _text(self, scene: str | dict[str, Any]) -> str:
         """Of a scene as a file has it; empty for an example of the catalogue."""
@@ -185,15 +185,15 @@ def _refused(key: str, problem: str, cause: str = "") -> SceneFileError:
     return SceneFileError("question", [FileErrorDetail(key, problem, cause=cause)])
 
 
-def _told(found: Any, balls: bool = False) -> Any:
+def _told(record: Any, balls: bool = False) -> Any:
     """A record without sentences that its remarks repeat, and without each ball's contacts, if they are not wanted.
 
     Also within rows and points.
     """
-    if isinstance(found, list):
-        return [_told(each, balls) for each in found]
-    if not isinstance(found, dict):
-        return found
-    contacts = found.get("balls")
+    if isinstance(record, list):
+        return [_told(each, balls) for each in record]
+    if not isinstance(record, dict):
+        return record
+    contacts = record.get("balls")
     left_out = {"warnings"} if balls or not contacts or isinstance(contacts[0], int) else {"warnings", "balls"}
-    return {key: _told(value, balls) for key, value in found.items() if key not in left_out}
+    return {key: _told(value, balls) for key, value in record.items() if key not in left_out}

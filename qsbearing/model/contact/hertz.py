@@ -274,8 +274,8 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
             stresses.append(2.0 * poisson_ratio * psi_z - z * psi_jj - (1.0 - 2.0 * poisson_ratio) * chi_jj)
         return 0.5 * (max(stresses) - min(stresses))
 
-    found = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-7})
-    return SubsurfaceShear(stress=-float(found.fun), depth=float(found.x))
+    minimum = minimize_scalar(lambda z: -shear(z), bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-7})
+    return SubsurfaceShear(stress=-float(minimum.fun), depth=float(minimum.x))
 
 
 FIRST_YIELD_SHEAR = 0.31

@@ -33,11 +33,11 @@ def body_temperatures(effects: Iterable[Any]) -> dict[str, BodyTemperature]:
         return {}
     if rings is None:
         cold = BodyTemperature(balls.reference_temperature, REFERENCE)
-        found = {"inner_ring": cold, "outer_ring": cold}
+        of_rings = {"inner_ring": cold, "outer_ring": cold}
     else:
-        found = rings.temperatures
-    mean = BodyTemperature(_mean_of_rings(found), MEAN)
-    return {**found, "balls": mean if own is None else BodyTemperature(own, GIVEN)}
+        of_rings = rings.temperatures
+    mean = BodyTemperature(_mean_of_rings(of_rings), MEAN)
+    return {**of_rings, "balls": mean if own is None else BodyTemperature(own, GIVEN)}
 
 
 def assumed_of_balls(effects: Iterable[Any]) -> tuple[Any, Any] | None:

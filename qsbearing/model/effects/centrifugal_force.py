@@ -56,12 +56,12 @@ def _errors(point: OperatingPoint) -> Errors:
         risen = np.minimum(angle + 0.5 * own, 0.5 * np.pi)
         with np.errstate(divide="ignore", invalid="ignore"):
             own = np.where(angle > 0.0, _parted(risen, x * np.sin(risen) / np.sin(angle)), 0.0)
-    found = parting_errors(point, own, is_in)
+    errors = parting_errors(point, own, is_in)
     half = 0.5 * np.cos(angle)  # the root of 1 + x cos + x^2, with no square of a large x
     outer = np.hypot(x + half, np.sqrt(1.0 - half * half)).max(axis=-1)  # of Qo/Qi, by half in Qo and by half in Qi
-    found["load"] = np.maximum(found["load"], 1.0 - 1.0 / outer)
-    found["pressure"] = np.maximum(found["pressure"], 1.0 - 1.0 / np.cbrt(outer))
-    return found
+    errors["load"] = np.maximum(errors["load"], 1.0 - 1.0 / outer)
+    errors["pressure"] = np.maximum(errors["pressure"], 1.0 - 1.0 / np.cbrt(outer))
+    return errors
 
 
 def _parted(angle: NDArray, x: NDArray) -> NDArray:

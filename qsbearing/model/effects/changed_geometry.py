@@ -56,14 +56,14 @@ def geometry_errors(point: OperatingPoint, change: GeometryChange) -> Errors:
         turn = turn + 0.5 * point.at_largest_load(parted) * np.minimum(tighter, 1.0)
     turned = (0.0 if held else 1.0) * turn * cosine / sine
     load = np.maximum(turned, tighter)
-    found = {
+    errors = {
         "contact_angle": turn / angle,
         "load": load,
         "pressure": load / 3.0,
         "displacement": np.maximum(moved, np.where(angle < SMALL_ANGLE, tighter, 0.0)),
         "stiffness": load / 3.0 + 2.0 * turn / angle if held else np.maximum(load / 3.0, 2.0 * turned),
     }
-    return {name: np.broadcast_to(error, solution.shape) for name, error in found.items()}
+    return {name: np.broadcast_to(error, solution.shape) for name, error in errors.items()}
 
 
 def change_by(entry: Entry, point: OperatingPoint) -> GeometryChange:

@@ -198,10 +198,12 @@ def with_ring_effect(of: Any, effect_type: Any, made: Callable[[Any, tuple[Any, 
             known[key] = there if more is None else (*there, more)
         return known[key]
 
-    found = [effects(*each) for each in bearings_of(of)]
+    of_bearings = [effects(*each) for each in bearings_of(of)]
     if not hasattr(of, "rows"):
-        return replace(of, ring_effects=found[0])
-    return replace(of, rows=tuple(replace(row, ring_effects=each) for row, each in zip(of.rows, found, strict=True)))
+        return replace(of, ring_effects=of_bearings[0])
+    return replace(
+        of, rows=tuple(replace(row, ring_effects=each) for row, each in zip(of.rows, of_bearings, strict=True))
+    )
 
 
 def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_balls: bool = False) -> Switch:
@@ -258,9 +260,9 @@ def _differs(effect: Any, field: str, member: Any) -> bool:
 
 def with_found(effect: Any, values: dict[str, Any]) -> Any:
     """A frozen effect with numbers that the solver has found or taken apart by cases, which nobody gives: unchecked."""
-    found = copy(effect)
-    vars(found).update(values)
-    return found
+    copied = copy(effect)
+    vars(copied).update(values)
+    return copied
 
 
 def largest(of_balls: Callable[[OperatingPoint], NDArray], times: float = 1.0) -> Callable[[OperatingPoint], NDArray]:

@@ -26,8 +26,8 @@ TYPICAL = (0.1, 0.03)
 
 def _needed(point: OperatingPoint) -> NDArray:
     """The friction that each ball that counts needs (*cases, ball)."""
-    found = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
-    needed = [np.nan_to_num(each) for each in found if each is not None]
+    of_sides = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
+    needed = [np.nan_to_num(each) for each in of_sides if each is not None]
     return np.where(point.is_heavy, np.max(needed, axis=0), 0.0) if needed else np.zeros_like(point.load)
 
 
@@ -40,13 +40,13 @@ def _excess(point: OperatingPoint) -> NDArray:
 
 def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
     """Those coefficients; no contact slips under one that needs less."""
-    found = []
+    assumed = []
     for bound in TYPICAL:
         slipping = part_of_effect(*_FIELD, None, bound).finer(of)
         if slipping is not of:
             slips = any(np.any(_needed(point) > bound) for point in points)
-            found.append(Assumed(f"µ = {bound:g}", f"a coefficient of {bound:g}", slipping if slips else of))
-    return found
+            assumed.append(Assumed(f"µ = {bound:g}", f"a coefficient of {bound:g}", slipping if slips else of))
+    return assumed
 
 
 _FIELD = "ball_effects", "friction_coefficient"

@@ -26,11 +26,11 @@ def _indicator(point: OperatingPoint) -> NDArray:
     form = point.scene.hertz_form if point.scene.hertz_form in _FITS else _FITS[0]
     lengths = (bearing.pitch_diameter, bearing.inner_groove_radius, bearing.outer_groove_radius)
     sizes = np.broadcast_arrays(*(np.asarray(one / np.asarray(bearing.ball_diameter, float)) for one in lengths))
-    found = []
+    largest = []
     for pitch, *grooves in zip(*(each.ravel() for each in sizes), strict=True):
         errors = [_error(form, pitch, f, side) for f, side in zip(grooves, (INNER_SIDE, OUTER_SIDE), strict=True)]
-        found.append(max(errors))
-    return np.broadcast_to(np.reshape(found, sizes[0].shape), point.solution.shape)
+        largest.append(max(errors))
+    return np.broadcast_to(np.reshape(largest, sizes[0].shape), point.solution.shape)
 
 
 def _error(form: HertzForm, pitch: float, groove: float, side: float) -> float:

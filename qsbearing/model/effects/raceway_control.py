@@ -138,8 +138,8 @@ def outer_controls(
 def _friction(point: OperatingPoint) -> NDArray:
     """y of each ball (*cases, ball), which one raceway carries or the other; zero without the moment, whose friction it
     is."""
-    found = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
-    needed = [np.nan_to_num(each) for each in found if each is not None]
+    of_sides = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
+    needed = [np.nan_to_num(each) for each in of_sides if each is not None]
     return np.where(point.is_heavy, np.max(needed, axis=0), 0.0) if needed else np.zeros_like(point.load)
 
 

@@ -55,14 +55,14 @@ def rim_compliances(body: Annulus) -> RimCompliances:
 
 def _uniform(body: Annulus) -> list[tuple[int, int, NDArray]]:
     elastic = Elastic(body.modulus, body.poisson_ratio, 0.0)
-    found = []
+    displacements = []
     for i, radius in enumerate(
         (np.where(body.a < SOLID * body.b, body.b, body.a), body.b)
     ):  # a solid shaft has no bore
         for j, pressures in enumerate(((1.0, 0.0), (0.0, 1.0))):
             stress = stress_by_pressure(radius, body.a, body.b, *pressures)
-            found.append((i, j, np.asarray(displacement(radius, stress, elastic))))
-    return found
+            displacements.append((i, j, np.asarray(displacement(radius, stress, elastic))))
+    return displacements
 
 
 def _michell(body: Annulus) -> NDArray:

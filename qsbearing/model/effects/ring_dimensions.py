@@ -53,8 +53,8 @@ def ring_dimensions(bearing: Any, ring_effects: Iterable[Any] = ()) -> RingDimen
     stated = [*ring_effects, bearing.outline]
 
     def known(*names: str) -> Any:
-        found = (getattr(each, name, None) for name in names for each in stated)
-        return next((each for each in found if each is not None), None)
+        values = (getattr(each, name, None) for name in names for each in stated)
+        return next((each for each in values if each is not None), None)
 
     def own(value: Any, usual: Any) -> Any:
         return (usual if value is None else np.asarray(value, float))[()]  # a number of a single case

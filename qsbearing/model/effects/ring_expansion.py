@@ -164,14 +164,14 @@ class RingExpansion:
             beyond = state.equivalent_stress > self.yield_strength
             if state.seat_pressure is not None and beyond.any():
                 fit_given = np.asarray(getattr(self, f"{seat}_interference"), float)
-                found, pressure, stress = first(beyond, fit_given, state.seat_pressure, state.equivalent_stress)
+                interference, pressure, stress = first(beyond, fit_given, state.seat_pressure, state.equivalent_stress)
                 detail = (
                     f"a seat pressure of {pressure / MPa:.4g} MPa stresses its bore by {stress / MPa:.5g} MPa, "
                     f"beyond its yield strength of {self.yield_strength / MPa:.5g} MPa"
                 )
-                field, most = f"{self.name}.{seat}_interference", found * self.yield_strength / stress
+                field, most = f"{self.name}.{seat}_interference", interference * self.yield_strength / stress
                 problem = f"makes the {ring} ring yield"
-                errors.append(ErrorDetail(field, problem, found, LENGTH, (-most, most), "", beyond, detail))
+                errors.append(ErrorDetail(field, problem, interference, LENGTH, (-most, most), "", beyond, detail))
         return errors
 
     def states(self, bearing: BallBearing, operation: Operation) -> tuple[RingState, RingState]:
@@ -215,8 +215,8 @@ class RingExpansion:
     @property
     def fits(self) -> dict[str, Fit]:
         """Those that are named, by their seat."""
-        found = {"shaft": self.shaft_fit, "housing": self.housing_fit}
-        return {seat: fit for seat, fit in found.items() if fit is not None}
+        by_seat = {"shaft": self.shaft_fit, "housing": self.housing_fit}
+        return {seat: fit for seat, fit in by_seat.items() if fit is not None}
 
     def fit_of(self, name: str) -> Fit | None:
         """The named fit whose mean this field is."""
@@ -339,8 +339,8 @@ def _errors(point: OperatingPoint) -> Errors:
 
 def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
     """Rings of the bearing's dimensions without fits, which turn, and are as warm as a set's shaft and housing."""
-    found = {name: getattr(of, name, None) for name in RING_IN}
-    bodies = {name: body for name, body in found.items() if body is not None and body.temperature is not None}
+    seats = {name: getattr(of, name, None) for name in RING_IN}
+    bodies = {name: body for name, body in seats.items() if body is not None and body.temperature is not None}
     warm: dict[str, Any] = {f"{RING_IN[name]}_temperature": body.temperature for name, body in bodies.items()}
     if bodies:
         warm["reference_temperature"] = next(iter(bodies.values())).reference_temperature

@@ -115,8 +115,8 @@ def from_own_touching(a1: float, a2: float, excess: float, sin_free: float, cos_
 
 def _deviations(point: OperatingPoint) -> NDArray | None:
     """Those asked for (*cases, ball); None without any."""
-    found = [one for one in point.full_scene.ring_effects if isinstance(one, BallDiameterDeviations)]
-    return np.broadcast_to(found[0].array, point.load.shape) if found else None
+    deviations = [one for one in point.full_scene.ring_effects if isinstance(one, BallDiameterDeviations)]
+    return np.broadcast_to(deviations[0].array, point.load.shape) if deviations else None
 
 
 def _errors(point: OperatingPoint) -> Errors:

@@ -55,9 +55,9 @@ def _places(
     """A place on each line, in data coordinates."""
     to_panel = axes.transData + axes.transAxes.inverted()
     pieces, letters, widths = [], [], []
-    for level, found, width in zip(lines.levels, lines.allsegs, each, strict=True):
+    for level, segments, width in zip(lines.levels, lines.allsegs, each, strict=True):
         label = said % level if isinstance(said, str) else said[level]
-        for piece in found:
+        for piece in segments:
             if len(piece) > 1:
                 pieces.append(to_panel.transform(piece))
                 letters.append(len(label))

@@ -164,11 +164,11 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
         if _varies(results, "ring_load_radial_y"):
             wanted.append("ring_effective_stiffness_radial_y")
     every = [each for name in wanted for each in (name, *_over_balls(name))]
-    found = [each for each in every if _varies(results, each)]
-    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) or not found:
-        found += [str(name) for name in results.data_vars if name not in (*found, *_NOT_RESULTS)]
-        found = [name for name in found if _varies(results, name)][:6]
-    return found
+    varying = [each for each in every if _varies(results, each)]
+    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) or not varying:
+        varying += [str(name) for name in results.data_vars if name not in (*varying, *_NOT_RESULTS)]
+        varying = [name for name in varying if _varies(results, name)][:6]
+    return varying
 
 
 def _in_full(name: str, full: Iterable[str]) -> str:

@@ -67,8 +67,8 @@ def draw_sensitivities(chosen: Selection) -> Figure:
     drawn = {key: points[key].values for key in keys}
     correlation = np.empty((len(names), len(keys)))
     for row, name in enumerate(names):
-        found = np.concatenate([block.ravel() for block in _numbers(points[name])])
-        correlation[row] = [rank_correlation(found, drawn[key]) for key in keys]
+        sampled = np.concatenate([block.ravel() for block in _numbers(points[name])])
+        correlation[row] = [rank_correlation(sampled, drawn[key]) for key in keys]
     figure = figure_of_size(3.2 + 0.85 * len(keys), 1.8 + 0.34 * len(names))
     axes = figure.subplots()
     axes.imshow(np.abs(correlation), cmap="Greys", vmin=0.0, vmax=1.3, aspect="auto")

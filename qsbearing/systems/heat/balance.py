@@ -51,17 +51,17 @@ class HeatBalance:
         """S; shape (free node, source)."""
 
     def _paths(self) -> tuple[tuple[Part, Part, float], ...]:
-        found: dict[tuple[Part, Part], float] = {}
+        conductances: dict[tuple[Part, Part], float] = {}
         for each in self.thermal.conductances:
             is_of_rows = bool(set(each.between) & set(OF_EACH_ROW))
             for row in range(self.rows) if is_of_rows else (0,):
                 if each.row is None or each.row == row + 1:
                     one, other = (own_name(node, row, self.rows) for node in each.between)
-                    key = (other, one) if (other, one) in found else (one, other)
-                    found[key] = found.get(key, 0.0) + each.conductance
+                    key = (other, one) if (other, one) in conductances else (one, other)
+                    conductances[key] = conductances.get(key, 0.0) + each.conductance
         if self.thermal.oil is not None:
-            found[Part("oil"), INLET] = self.thermal.oil.conductance
-        return tuple((*ends, conductance) for ends, conductance in found.items())
+            conductances[Part("oil"), INLET] = self.thermal.oil.conductance
+        return tuple((*ends, conductance) for ends, conductance in conductances.items())
 
     def _matrix(self) -> tuple[NDArray, NDArray]:
         matrix, given = np.zeros((len(self.free), len(self.free))), np.zeros(len(self.free))
@@ -109,8 +109,8 @@ class HeatBalance:
     def named(self, temperatures: NDArray) -> dict[Part, NDArray]:
         """Of all nodes, by name; shape (*cases) each."""
         shape = temperatures.shape[1:]
-        found = {name: np.asarray(temperatures[number]) for number, name in enumerate(self.free)}
-        return found | {name: np.full(shape, value) for name, value in self.fixed.items() if name != INLET}
+        of_free = {name: np.asarray(temperatures[number]) for number, name in enumerate(self.free)}
+        return of_free | {name: np.full(shape, value) for name, value in self.fixed.items() if name != INLET}
 
     def net_heat(self, temperatures: NDArray, powers: NDArray) -> NDArray:
         """What each free node takes in beyond what it gives off [W]; shape (free node, *cases); zero if steady."""

@@ -49,10 +49,10 @@ def heat_capacities(balance: HeatBalance, scenes: Sequence[Scene]) -> list[float
 def _of_geometry(scene: Scene, width: float | None) -> dict[str, float]:
     bearing, rings = scene.bearing, scene.ring_expansion
     ball = pi / 6.0 * float(bearing.ball_diameter) ** 3  # type: ignore[arg-type]
-    found = {"balls": float(bearing.ball_count) * ball * _per_volume(bearing.ball_material)}  # type: ignore[arg-type]
+    capacities = {"balls": float(bearing.ball_count) * ball * _per_volume(bearing.ball_material)}  # type: ignore[arg-type]
     if rings is None or width is None:
-        return found
-    return found | _of_rings(scene, rings, width)
+        return capacities
+    return capacities | _of_rings(scene, rings, width)
 
 
 def _of_rings(scene: Scene, rings: RingExpansion, width: float) -> dict[str, float]:

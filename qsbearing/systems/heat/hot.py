@@ -115,8 +115,8 @@ def _heated(effect: RingEffect, own: Temperatures) -> RingEffect:
     if isinstance(effect, RingExpansion):
         fits = {"shaft": effect.shaft_interference, "housing": effect.housing_interference}
         regarded = [node for node in RING_NODES if node in own and fits.get(node, 0.0) is not None]
-        found: dict[str, Any] = {f"{node}_temperature": own[node] for node in regarded}
-        return replace(effect, **found)
+        temperatures: dict[str, Any] = {f"{node}_temperature": own[node] for node in regarded}
+        return replace(effect, **temperatures)
     if isinstance(effect, BallExpansion) and "balls" in own:
         return replace(effect, ball_temperature=own["balls"])
     return effect

@@ -69,9 +69,9 @@ class _Curve:
         def slopes(y: NDArray) -> NDArray:
             return np.nan_to_num(np.vstack([differences(*y), normal]))
 
-        found = root(equations, guess, jac=slopes, options={"xtol": 1e-12, "maxfev": 40})
-        on_curve = float(np.abs(found.fun).max()) < 1e-9
-        return found.x if on_curve and found.x[-1] > 0.0 else None
+        zero = root(equations, guess, jac=slopes, options={"xtol": 1e-12, "maxfev": 40})
+        on_curve = float(np.abs(zero.fun).max()) < 1e-9
+        return zero.x if on_curve and zero.x[-1] > 0.0 else None
 
     def hottest(self, y: NDArray) -> float:
         return float(self.heated.balance.temperatures(y[:-1] * self.scale).max())
@@ -158,8 +158,8 @@ def _fold(curve: _Curve, before: NDArray, middle: NDArray, after: NDArray) -> ND
         return 0.0 if point is None else -float(point[-1])
 
     ends = (before - middle) @ tangent, (after - middle) @ tangent
-    found = minimize_scalar(slower, bounds=ends, method="bounded", options={"xatol": 1e-6})
-    point = curve.corrected(middle + found.x * tangent, tangent)
+    fastest = minimize_scalar(slower, bounds=ends, method="bounded", options={"xatol": 1e-6})
+    point = curve.corrected(middle + fastest.x * tangent, tangent)
     return middle if point is None else point
 
 
@@ -175,8 +175,8 @@ def _where(curve: _Curve, points: list[NDArray], of: Callable[[NDArray], float])
     tangent = (after - before) / np.linalg.norm(after - before)
 
     def point(along: float) -> NDArray:
-        found = curve.corrected(before + along * tangent, tangent)
-        return before + along * tangent if found is None else found
+        on_curve = curve.corrected(before + along * tangent, tangent)
+        return before + along * tangent if on_curve is None else on_curve
 
     along = brentq(lambda each: of(point(each)), 0.0, float(np.linalg.norm(after - before)), xtol=1e-8)
     return point(along)

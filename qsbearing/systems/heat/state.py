@@ -27,9 +27,9 @@ class Part(str):
     """From 0; None where there is one row, or rows share it."""
 
     def __new__(cls, kind: str, row: int | None = None) -> Part:
-        found = super().__new__(cls, kind if row is None else f"{kind} {row + 1}")
-        found.kind, found.row = kind, row
-        return found
+        part = super().__new__(cls, kind if row is None else f"{kind} {row + 1}")
+        part.kind, part.row = kind, row
+        return part
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Part, (self.kind, self.row)
@@ -245,9 +245,9 @@ def _(thermal: ThermalState, k: int, index: Index) -> str:
 # In records, as JSON has them
 
 
-def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
+def along_curve(curve: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None]:
     """The states of the record of steady states over speed with the fold among them, and the fold's place."""
-    states, fold = list(found["states"]), found["fold"]
+    states, fold = list(curve["states"]), curve["fold"]
     if fold is None:
         return states, None
     fastest = max(range(len(states)), key=lambda number: float(states[number]["speed_rpm"]))
@@ -255,19 +255,19 @@ def along_curve(found: dict[str, Any]) -> tuple[list[dict[str, Any]], int | None
     return [*states[:place], fold, *states[place:]], place
 
 
-def instant(found: dict[str, Any], number: int) -> dict[str, Any]:
+def instant(course: dict[str, Any], number: int) -> dict[str, Any]:
     """One instant of the record of heating up, as a state over speed is recorded."""
     return {
-        "temperatures_C": {name: values[number] for name, values in found["temperatures_C"].items()},
-        "power_W": found["power_W"][number],
-        "axial_load_N": [loads[number] for loads in found["axial_load_N"]],
+        "temperatures_C": {name: values[number] for name, values in course["temperatures_C"].items()},
+        "power_W": course["power_W"][number],
+        "axial_load_N": [loads[number] for loads in course["axial_load_N"]],
     }
 
 
 def hottest(temperatures: Mapping[Part, float]) -> dict[str, float]:
     """By kind of node: of all rows' inner rings, for instance, the hottest."""
-    found: dict[str, float] = {}
+    largest: dict[str, float] = {}
     for name, value in temperatures.items():
         kind = name.kind.replace("_", " ")
-        found[kind] = max(value, found.get(kind, value))
-    return found
+        largest[kind] = max(value, largest.get(kind, value))
+    return largest

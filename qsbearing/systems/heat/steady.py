@@ -51,8 +51,8 @@ def powers(solution: Solution, friction: str) -> NDArray:
         parts += [] if taken.drag_power is None else [np.nansum(taken.drag_power, axis=-1)]
     else:
         parts = [getattr(taken, friction).power]
-    found = np.stack([np.broadcast_to(part, solution.shape) for part in parts])
-    return np.where(np.asarray(solution.converged), found, np.nan)
+    of_sources = np.stack([np.broadcast_to(part, solution.shape) for part in parts])
+    return np.where(np.asarray(solution.converged), of_sources, np.nan)
 
 
 TOLERANCE = 1e-11
@@ -77,13 +77,12 @@ class Heated:
 
     def _too_hot_already(self) -> list[ErrorDetail]:
         cold = self.balance.temperatures(np.zeros(len(self.balance.sources)))
-        found, limit = float(cold.max()), self.system.thermal.limit_temperature
-        if found < limit:
+        temperature, limit = float(cold.max()), self.system.thermal.limit_temperature
+        if temperature < limit:
             return []
         hottest = self.balance.free[int(cold.argmax())].replace("_", " ")
-        cause = (
-            f"Without any friction, the {hottest} is at {found - zero_celsius:.4g} °C: correct the given temperatures"
-        )
+        own = f"{temperature - zero_celsius:.4g} °C"
+        cause = f"Without any friction, the {hottest} is at {own}: correct the given temperatures"
         problem = "is already reached through the given temperatures and heats, without friction"
         return [ErrorDetail("thermal.limit_temperature", problem, limit, TEMPERATURE, cause=cause)]
 
@@ -104,8 +103,8 @@ class Heated:
             if is_first:
                 raise
             return None, np.full((len(self.balance.sources), *shape), np.nan)
-        found = [powers(row, self.system.thermal.friction) for row in self.system.rows(solution)]
-        return solution, np.concatenate([np.broadcast_to(each, (len(each), *shape)) for each in found])
+        of_rows = [powers(row, self.system.thermal.friction) for row in self.system.rows(solution)]
+        return solution, np.concatenate([np.broadcast_to(each, (len(each), *shape)) for each in of_rows])
 
     def friction(self, x: NDArray, factor: Any = 1.0) -> NDArray:
         """f(T(x)); shapes (source, *states, *cases)."""

@@ -68,17 +68,17 @@ def heat_up(
         return float(limit - T.max())
 
     at_limit.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(
+    trajectory = solve_ivp(
         rate, (0.0, duration), np.full(len(balance.free), first), method="BDF", vectorized=True, dense_output=True,
         events=at_limit, rtol=RELATIVE, atol=ABSOLUTE, first_step=1e-6 * duration,
     )  # fmt: skip
-    time = float(found.t[-1]) * np.concatenate([[0.0], np.geomspace(1e-4, 1.0, POINTS - 1)])
-    T = found.sol(time)
+    time = float(trajectory.t[-1]) * np.concatenate([[0.0], np.geomspace(1e-4, 1.0, POINTS - 1)])
+    T = trajectory.sol(time)
     solution, powers = heated.at(T)
     solved = np.isfinite(powers).all(axis=0)
     count = POINTS if solved.all() else int(solved.argmin())
     if not count:
         raise SceneError([ErrorDetail("thermal", "heating up cannot start: the cold bearing has no equilibrium")])
-    end = "no_equilibrium" if count < POINTS else "limit" if found.status == 1 else "time"
+    end = "no_equilibrium" if count < POINTS else "limit" if trajectory.status == 1 else "time"
     named = {name: value[:count] for name, value in balance.named(T).items()}
     return Course(time[:count], named, powers.T[:count], system.preloads(solution).T[:count], end, system.thermal.bound)

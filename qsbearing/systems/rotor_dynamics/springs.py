@@ -28,10 +28,10 @@ def from_shaft(solution: Solution, sign: float, arm: float = 0.0) -> NDArray:
     """
     scene = solution.scene
     own = scene.operating_bearing.groove_centre_offsets[0] if scene.tilt_lever is TiltLever.GROOVE_CENTRE else 0.0
-    found = np.diag([sign, 1.0, 1.0, sign, sign])
-    found[1, 4] = arm + sign * float(own)
-    found[2, 3] = -found[1, 4]
-    return found
+    transform = np.diag([sign, 1.0, 1.0, sign, sign])
+    transform[1, 4] = arm + sign * float(own)
+    transform[2, 3] = -transform[1, 4]
+    return transform
 
 
 def combined_springs(stiffness: NDArray, length: float) -> tuple[NDArray, NDArray]:

@@ -165,7 +165,7 @@ class BearingSet(InNotebooks):
     def alike(self) -> tuple[int, ...]:
         """Of each row, from 0, the first that as a bearing is the very same: solved alike, checked once."""
         known: dict[tuple[Any, ...], int] = {}
-        found = []
+        firsts = []
         for number, row in enumerate(self.rows):
             effects = self.ring_effects if row.ring_effects is None else row.ring_effects
             effects = effects if isinstance(effects, tuple) else (effects,)
@@ -173,8 +173,8 @@ class BearingSet(InNotebooks):
             if self.shaft is not None and self.shaft.sections and any(isinstance(e, RingExpansion) for e in effects):
                 seat = self.shaft.section_number(row.position), self.shaft.bore_at(row.position)
             own = row.bearing, row.readings, *effects
-            found.append(known.setdefault((seat, *map(id, own)), number))
-        return tuple(found)
+            firsts.append(known.setdefault((seat, *map(id, own)), number))
+        return tuple(firsts)
 
     @cached_property
     def growth(self) -> tuple[Growth, Growth]:
@@ -213,14 +213,14 @@ class BearingSet(InNotebooks):
     @property
     def numbers_around(self) -> list[ArrayLike | None]:
         """Of shaft, housing, spacers and sleeves, which may span cases."""
-        found = [each.temperature for each in (self.shaft, self.housing) if each is not None]
+        numbers = [each.temperature for each in (self.shaft, self.housing) if each is not None]
         if self.shaft is not None:
-            found += [value for load in self.shaft.loads for value in load.values]
-            found += [each.mass for each in self.shaft.masses]
-        found += [getattr(row, name) for row in self.rows for name, *_ in OUT_OF_LINE]
+            numbers += [value for load in self.shaft.loads for value in load.values]
+            numbers += [each.mass for each in self.shaft.masses]
+        numbers += [getattr(row, name) for row in self.rows for name, *_ in OUT_OF_LINE]
         for each in self.spacers:
-            found += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
-        return found + [group.spring for group in self.floating]
+            numbers += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
+        return numbers + [group.spring for group in self.floating]
 
     @property
     def groups(self) -> tuple[tuple[tuple[int, ...], Preload | None], ...]:
@@ -372,21 +372,21 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
 
 def _scene_errors(of: BearingSet) -> list[ErrorDetail]:
     """What is wrong with the rows as bearings; what all have alike is said once, without a row."""
-    found: list[list[ErrorDetail]] = []
+    of_rows: list[list[ErrorDetail]] = []
     for number, same in enumerate(of.alike):
         if same < number:
-            found.append(found[same])
+            of_rows.append(of_rows[same])
             continue
         try:
             row = of.turning_scene(number)
-            found.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, row.operation))
+            of_rows.append(clearance_errors(row.elastic_rings, row.ring_expansion, row.bearing, row.operation))
         except SceneError as error:
-            found.append(list(error.errors))
-    common = [each for each in found[0] if all(str(each) in map(str, others) for others in found)]
+            of_rows.append(list(error.errors))
+    common = [each for each in of_rows[0] if all(str(each) in map(str, others) for others in of_rows)]
     said = set(map(str, common))
     own = [
         replace(each, field=f"row {number}.{each.field}")
-        for number, errors in enumerate(found, 1)
+        for number, errors in enumerate(of_rows, 1)
         for each in errors
         if str(each) not in said
     ]

@@ -87,7 +87,7 @@ class Stretch:
         scale[:, 3:5] = self.lever[which, None]
         return scale
 
-    def imbalance(self, which: NDArray, q: NDArray, found: list[Found]) -> tuple[NDArray, NDArray]:
+    def imbalance(self, which: NDArray, q: NDArray, of_rows: list[Found]) -> tuple[NDArray, NDArray]:
         """(what the rows' loads exceed the applied by, free unknowns only and as forces; that over the largest).
 
         Nothing where all of them are what rounding of positions presses: a set without load that just touches.
@@ -95,7 +95,7 @@ class Stretch:
         target = self.load[which] * self.load_factor[which, None]
         target[:, SLIDE] = self.load[which, SLIDE]
         total, largest = -target, np.abs(target / self.scale(which)).max(axis=1)
-        for row, of_row in zip(self.rows, found, strict=True):
+        for row, of_row in zip(self.rows, of_rows, strict=True):
             own = np.einsum("kij,ki->kj", row.matrix[which], row.load(of_row, which))
             largest = np.maximum(largest, np.abs(own / self.scale(which)).max(axis=1))
             total = total + own
@@ -120,21 +120,21 @@ class Stretch:
         """
         every, good = [], np.ones(which.size, bool)
         for number, row in enumerate(self.rows):
-            found, left = row.found.part(which), np.flatnonzero(good)
+            state, left = row.found.part(which), np.flatnonzero(good)
             new, solved = row.solve(q[left], which[left], self.tolerance, self.speed_factor[which[left]], is_trial)
-            found.put(left, new)
+            state.put(left, new)
             for k in left[~solved]:
-                self.fault[which[k]], self.refused[int(which[k])] = number, found.results[k].copy()
+                self.fault[which[k]], self.refused[int(which[k])] = number, state.results[k].copy()
                 self.tried[which[k]] = q[k]
             good[left[~solved]] = False
-            every.append(found)
+            every.append(state)
         return every, good
 
-    def keep(self, which: NDArray, q: NDArray, found: list[Found], residual: NDArray) -> None:
+    def keep(self, which: NDArray, q: NDArray, of_rows: list[Found], residual: NDArray) -> None:
         """Go on from here."""
         self.q[which], self.residual[which] = q, residual
         self.fault[which[np.isfinite(residual)]] = -1
-        for row, of_row in zip(self.rows, found, strict=True):
+        for row, of_row in zip(self.rows, of_rows, strict=True):
             row.found.put(which, of_row)
 
 
@@ -142,9 +142,9 @@ def newton(s: Stretch, which: NDArray) -> NDArray:
     """Solve these cases from where they are: which of them converged, as numbers."""
     active = which
     q = np.where(s.held[active], s.place[active] * s.load_factor[active, None], s.q[active])
-    found, good = s.solve_rows(q, active)
-    imbalance, relative = s.imbalance(active, q, found)
-    s.keep(active, q, found, np.where(good, relative, np.inf))
+    of_rows, good = s.solve_rows(q, active)
+    imbalance, relative = s.imbalance(active, q, of_rows)
+    s.keep(active, q, of_rows, np.where(good, relative, np.inf))
     active, imbalance = active[good], imbalance[good]
     before = np.full(active.size, np.inf)
     done = [active[:0]]
@@ -190,12 +190,12 @@ def _take(
     while left.size:
         cases = which[left]
         q = s.q[cases] + fraction[left, None] * step[left] / s.scale(cases)
-        found, good = s.solve_rows(q, cases, is_trial=True)
-        new, relative = s.imbalance(cases, q, found)
+        of_rows, good = s.solve_rows(q, cases, is_trial=True)
+        new, relative = s.imbalance(cases, q, of_rows)
         # The limit of rounding: an imbalance as small as any may stay as it is.
         downhill = np.einsum("kj,kj->k", new, step[left]) <= 0.0
         better = good & ((np.linalg.norm(new, axis=1) < size[left]) | downhill | (relative <= STALLED))
-        s.keep(cases[better], q[better], [each.part(np.flatnonzero(better)) for each in found], relative[better])
+        s.keep(cases[better], q[better], [each.part(np.flatnonzero(better)) for each in of_rows], relative[better])
         imbalance[left[better]] = new[better]
         taken[left[better]] = True
         fraction[left] *= np.where(good, 0.5, 0.25)
@@ -247,7 +247,7 @@ def is_beyond_springs(s: Stretch, which: NDArray) -> NDArray:
 
     Sprung rings slide as far as the shaft goes, or stay; each sleeve goes with the shaft, or stays.
     """
-    found = np.zeros(which.size, bool)
+    is_beyond = np.zeros(which.size, bool)
     rigid = np.s_[: s.rigid]
     load, held = s.load[which, rigid], s.held[which, rigid]
     for sign in product((1.0, -1.0), (0.0, 1.0), *[(0.0, 1.0)] * (s.rigid - UNKNOWNS)):
@@ -259,8 +259,8 @@ def is_beyond_springs(s: Stretch, which: NDArray) -> NDArray:
             stays |= np.where(row.cases["one_sided"][which], along > 0.0, along != 0.0)
         if s.elasticity.size:  # supports
             stays |= np.einsum("i,kij,j->k", motion, s.elasticity[which][:, rigid, rigid], motion) > 0.0
-        found |= ~stays & (load @ motion > 0.0)
-    return found
+        is_beyond |= ~stays & (load @ motion > 0.0)
+    return is_beyond
 
 
 def unsupported(s: Stretch, which: NDArray) -> NDArray:

@@ -58,8 +58,8 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
         SceneError: a highest speed that is not positive, arrays in the set, or rows that all carry in one direction.
     """
     check_kind("preload_speeds", of, "BearingSet")
-    found = firsts(speed_changes(of, highest_speed, threads))
-    return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in found]
+    first_changes = firsts(speed_changes(of, highest_speed, threads))
+    return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in first_changes]
 
 
 def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = None) -> list[Change]:
@@ -73,19 +73,19 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
     )
 
 
-def speed_sentence(of: BearingSet, *found: Change) -> str:
+def speed_sentence(of: BearingSet, *same: Change) -> str:
     """What changes at which speed; the same of several rows."""
 
     def at(speed: Any) -> str:
         in_rpm = spanned(lambda each: f"{float(f'{each / rpm:.4g}'):.0f}", speed)
         return f"at {in_rpm} rpm"
 
-    return sentence(of, found, at, "already at rest, under these loads")
+    return sentence(of, same, at, "already at rest, under these loads")
 
 
-def speed_sentences(of: BearingSet, found: Sequence[Change]) -> list[str]:
+def speed_sentences(of: BearingSet, every: Sequence[Change]) -> list[str]:
     """Each change once, with the rows that it is of."""
-    return [speed_sentence(of, *each) for each in together(found)]
+    return [speed_sentence(of, *each) for each in together(every)]
 
 
 @dataclass(frozen=True)
@@ -116,8 +116,8 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
             direction.
     """
     check_kind("preload_loads", of, "BearingSet")
-    found = firsts(load_changes(of, highest, threads))
-    return [PreloadLoad(each.value, each.row, each.after, load_sentence(of, each)) for each in found]
+    first_changes = firsts(load_changes(of, highest, threads))
+    return [PreloadLoad(each.value, each.row, each.after, load_sentence(of, each)) for each in first_changes]
 
 
 def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = None) -> list[Change]:
@@ -127,9 +127,9 @@ def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = No
         errors.append(ErrorDetail("operation", "has no load or moment that could grow"))
     if errors:
         raise SceneError(errors)
-    found = changes(lambda factors: loaded(of, factors), float(highest), threads)
+    every = changes(lambda factors: loaded(of, factors), float(highest), threads)
     # A preload is excessive without any load.
-    return [each for each in found if PreloadState.EXCESSIVE not in (each.before, each.after) or each.after == LOST]
+    return [each for each in every if PreloadState.EXCESSIVE not in (each.before, each.after) or each.after == LOST]
 
 
 def loads_of(of: BearingSet) -> dict[str, Any]:
@@ -148,21 +148,21 @@ def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
     return replace(of, operation=replace(of.operation, **loads), shaft=with_loads(of.shaft, factors), readings={})
 
 
-def load_sentence(of: BearingSet, *found: Change) -> str:
+def load_sentence(of: BearingSet, *same: Change) -> str:
     """What changes at which multiple of the loads; the same of several rows."""
-    return sentence(of, found, lambda factor: f"at {factor:.3g} times the loads", "before any load acts")
+    return sentence(of, same, lambda factor: f"at {factor:.3g} times the loads", "before any load acts")
 
 
-def load_sentences(of: BearingSet, found: Sequence[Change]) -> list[str]:
+def load_sentences(of: BearingSet, every: Sequence[Change]) -> list[str]:
     """Each change once, with the rows that it is of."""
-    return [load_sentence(of, *each) for each in together(found)]
+    return [load_sentence(of, *each) for each in together(every)]
 
 
-def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[str]:
+def preload_summary(solution: SetSolution, known_limits: Limits | None = None) -> list[str]:
     """Sentences on the preload of a solved set, a single case.
 
     Args:
-        found: the set's `limits`, where they are known already.
+        known_limits: the set's `limits`, where they are known already.
     """
     of = solution.set
     if not of.is_opposed:
@@ -173,7 +173,7 @@ def preload_summary(solution: SetSolution, found: Limits | None = None) -> list[
         *_with_lengths(solution),
         *_fitted(solution),
         *_at_speed(solution),
-        *(_limits(of, found or limits(of)) if is_pressed else []),
+        *(_limits(of, known_limits or limits(of)) if is_pressed else []),
     ]
 
 
@@ -249,8 +249,8 @@ def _at_speed(solution: SetSolution) -> list[str]:
     return [f"In operation, without external loads, the rows carry {times} times their preload {state}."]
 
 
-def _limits(of: BearingSet, found: Limits) -> list[str]:
-    speeds, loads = found
+def _limits(of: BearingSet, known_limits: Limits) -> list[str]:
+    speeds, loads = known_limits
     said = speed_sentences(of, speeds) + load_sentences(of, loads)
     speed = float(np.asarray(of.operation.speed))
     kept = []

@@ -67,7 +67,7 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
     values = np.linspace(0.0, high, VALUES)
     labels = _labels(at, values, threads)
     maintained = str(PreloadState.MAINTAINED)
-    found = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)]
+    every = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)]
     for k in _changing(labels):
         between = np.linspace(values[k - 1], values[k], VALUES)
         finer = _labels(at, between, threads)
@@ -75,8 +75,8 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
             for n in np.flatnonzero(finer[j] != finer[j - 1]):
                 before, after = str(finer[j - 1, n]), str(finer[j, n])
                 if after not in ("", maintained) or (after == maintained and before):
-                    found.append(Change(float(between[j]), _row(n, labels), before, after))
-    return sorted(found, key=lambda each: each.value)
+                    every.append(Change(float(between[j]), _row(n, labels), before, after))
+    return sorted(every, key=lambda each: each.value)
 
 
 def _changing(labels: NDArray[Any]) -> NDArray:
@@ -84,32 +84,32 @@ def _changing(labels: NDArray[Any]) -> NDArray:
     return np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1
 
 
-def firsts(found: list[Change]) -> list[Change]:
+def firsts(every: list[Change]) -> list[Change]:
     """The first loss, excess or end of each row."""
     known: dict[tuple[int, str], Change] = {}
-    for each in found:
+    for each in every:
         if not each.is_return:
             known.setdefault((each.row, each.after), each)
     return list(known.values())
 
 
-def together(found: Sequence[Change]) -> list[list[Change]]:
+def together(every: Sequence[Change]) -> list[list[Change]]:
     """Those that are said at once: the same of several rows, unless the sentence is about one row's own preload."""
     alike: dict[tuple[Any, ...], list[Change]] = {}
-    for number, each in enumerate(found):
+    for number, each in enumerate(every):
         own = number if each.row < 0 or each.after in (PreloadState.LOST, PreloadState.MAINTAINED) else -1
         alike.setdefault((own, each.after, each.value == 0.0), []).append(each)
     return list(alike.values())
 
 
-def sentence(of: BearingSet, found: Sequence[Change], at: Callable[[Any], str], already: str) -> str:
+def sentence(of: BearingSet, same: Sequence[Change], at: Callable[[Any], str], already: str) -> str:
     """What changes, of one row, of the set, or of several rows at once.
 
     Args:
         at: where: of a value, or of a `Span` of several.
         already: when, of a preload that is lost or excessive at the beginning of the range.
     """
-    change, rows = found[0], sorted(each.row + 1 for each in found)
+    change, rows = same[0], sorted(each.row + 1 for each in same)
     name = "The set" if change.row < 0 else capital(row_name(of.rows[change.row], change.row))
     name = name if len(rows) == 1 else capital(numbered("row", rows))
     times = f"{EXCESSIVE:g} times its given value"
@@ -117,7 +117,7 @@ def sentence(of: BearingSet, found: Sequence[Change], at: Callable[[Any], str], 
         return f"{name} has lost its preload {already}."
     if change.after == PreloadState.EXCESSIVE and change.value == 0.0:
         return f"{name}: the preload exceeds {times} {already}."
-    where = at(Span(each.value for each in found))
+    where = at(Span(each.value for each in same))
     said = {
         str(PreloadState.MAINTAINED): f"{name} regains its preload {where}.",
         str(PreloadState.LOST): f"{name} loses its preload {where}.",

@@ -59,25 +59,25 @@ class Outcome:
 
 
 def solve_directly(
-    s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, loose: NDArray, found: Found
+    s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, loose: NDArray, states: Found
 ) -> None:
     """Solve all cases of a stretch that this method solves; they are marked as solved there.
 
     Args:
-        cases: case records of all rows, (row, case); own, matrices, offsets and found likewise: what the stretch holds
+        cases: case records of all rows, (row, case); own, matrices, offsets and states likewise: what the stretch holds
             row by row, offsets counting from where the row touches in operation.
     """
-    rows, _, balls = found.controls.shape
+    rows, _, balls = states.controls.shape
     shafts = Shafts(s.load, s.held, s.scale(), s.elasticity, s.rigid, s.place.copy(), np.zeros(s.count, SHAFT))
     shafts.found["is_loose"] = loose
     # Of displacements that are prescribed, the kernel looks at which ones vanish.
     moving = ~s.held | (s.place != 0.0)
     cases["prescribed"] = ((matrices != 0.0) & moving[:, None, :]).any(axis=-1)
     memory = np.zeros(rows, WORKSPACE), np.zeros((rows, balls), BALL)
-    filled = in_c_order(*found)  # a stretch of several is in another
+    filled = in_c_order(*states)  # a stretch of several is in another
     matrices, offsets = in_c_order(matrices, offsets)
     solve_set_cases(cases, *memory, own, matrices, offsets, shafts, shaft_system(s.unknowns), s.tolerance, *filled)
-    for whole, part in zip(found, filled, strict=True):
+    for whole, part in zip(states, filled, strict=True):
         if part is not whole:
             whole[...] = part
     which = shafts.found["solved"]
@@ -157,8 +157,8 @@ class Problem:
     @property
     def _has_unequal_balls(self) -> NDArray:
         """Where some row has balls that make nothing symmetric."""
-        found = [maker.has_unequal_balls(0, self.count) for maker in self.makers.values()]
-        return np.any([np.broadcast_to(each, self.count) for each in found], axis=0)
+        is_unequal = [maker.has_unequal_balls(0, self.count) for maker in self.makers.values()]
+        return np.any([np.broadcast_to(each, self.count) for each in is_unequal], axis=0)
 
     def _mirrors(self, azimuth: float) -> NDArray:
         """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""
@@ -177,9 +177,9 @@ class Problem:
         }
         shift = np.stack([moved[number][part] for number in alike])
         own = self._own_balls(cases, part.start)
-        matrices, offsets, found = self.matrices[:, part], self.offsets[:, part], self.found.part(np.s_[:, part])
+        matrices, offsets, states = self.matrices[:, part], self.offsets[:, part], self.found.part(np.s_[:, part])
         rows = [
-            RowCases(cases[r], matrices[r], offsets[r], shift[r], found.part(np.s_[r]), own[r])
+            RowCases(cases[r], matrices[r], offsets[r], shift[r], states.part(np.s_[r]), own[r])
             for r in range(len(alike))
         ]
         o = self.outcome
@@ -192,7 +192,7 @@ class Problem:
             np.zeros_like(o.q[part]), np.zeros(count, bool),
         )  # fmt: skip
         o.status[part] = np.where(carried[part], CONVERGED, NO_EQUILIBRIUM)
-        solve_directly(s, cases, own, matrices, offsets - shift, loose, found)
+        solve_directly(s, cases, own, matrices, offsets - shift, loose, states)
         rest = np.flatnonzero(carried[part] & ~s.solved)
         if rest.size:
             is_lost = is_beyond_springs(s, rest)
@@ -213,7 +213,7 @@ class Problem:
             refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
             o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
             o.reached[part][rest] = reached[rest]
-        forces = found.results["load"][..., :3] * cases["force"][..., None]
+        forces = states.results["load"][..., :3] * cases["force"][..., None]
         o.axial[:, part], o.largest[part] = forces[..., 0], np.abs(forces).max(axis=(0, 2))
         failed = o.status[part] != CONVERGED
         if failed.any():

@@ -81,27 +81,27 @@ class RowCases:
     ) -> tuple[Found, NDArray]:
         """These cases at this displacement of the shaft, from where they were: (what is found, which are solved)."""
         self.prescribe(q, which)
-        cases, found = self.cases[which], self.found.part(which)
+        cases, state = self.cases[which], self.found.part(which)
         for name in ("inner_speed", "outer_speed"):
             cases[name] *= speed_factor
-        known = found.results["status"] == CONVERGED
+        known = state.results["status"] == CONVERGED
         for is_warm in (True, False):
             some = np.flatnonzero(known == is_warm)
             if some.size:
                 own = self.own[which][some]
-                part = found.part(some)
+                part = state.part(some)
                 solve_records(cases[some], self.balls, own, tolerance, is_warm, part, by_fallback=not is_trial)
-                found.put(some, part)
-        return found, found.results["status"] == CONVERGED
+                state.put(some, part)
+        return state, state.results["status"] == CONVERGED
 
     def least_load(self, which: NDArray) -> NDArray:
         """What is less is no load, but rounding of positions; shape (case,) [N]."""
         return np.asarray(LEAST_LOAD * self.cases["series_stiffness"][which] * self.cases["force"][which])
 
-    def load(self, found: Found, which: NDArray) -> NDArray:
+    def load(self, state: Found, which: NDArray) -> NDArray:
         """On the inner ring in the row's own frame; shape (case, 5) [N, N m]."""
         force, length = self.cases["force"][which], self.cases["length"][which]
-        load = found.results["load"] * force[:, None]
+        load = state.results["load"] * force[:, None]
         load[:, 3:] *= length[:, None]
         return np.asarray(load)
 

@@ -201,8 +201,8 @@ class SetSolution(SolutionOfCases):
     @cached_property
     def axial_loads(self) -> NDArray:
         """Of each row in the direction that it carries, what is rounding as zero; shape (*cases, row) [N]."""
-        found = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
-        return without_rounding(found, self.rounding[..., None])
+        loads = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
+        return without_rounding(loads, self.rounding[..., None])
 
     @cached_property
     def stiffness(self) -> NDArray:

@@ -29,7 +29,7 @@ def weight(of: Shaft, cuts: Sequence[ArrayLike]) -> list[ShaftLoad]:
     gravity."""
     if of.gravity is None:
         return []
-    found = mass_loads(of)
+    loads = mass_loads(of)
     if of.sections:
         ends = of.ends
         every = np.stack(np.broadcast_arrays(*(np.asarray(each, float) for each in (*ends, *cuts))))
@@ -47,5 +47,5 @@ def weight(of: Shaft, cuts: Sequence[ArrayLike]) -> list[ShaftLoad]:
             squares = ((one[..., 0] + part * (one[..., 1] - one[..., 0])) ** 2 for one in (outer, inner))
             area = 0.25 * np.pi * (next(squares) - next(squares))
             masses = 0.5 * share * (end - begin) * density * area
-            found += [_load(of.gravity, *each) for each in zip(place, masses, strict=True)]
-    return found
+            loads += [_load(of.gravity, *each) for each in zip(place, masses, strict=True)]
+    return loads
