@@ -11,7 +11,14 @@ from qsbearing.model.compiler.compiled import entry, kernel
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.model.effects.raceway_control import OUTER, rotation_axis
-from qsbearing.model.kernel.admissibility import CONVERGED, NOT_CONVERGED
+from qsbearing.model.kernel.admissibility import (
+    ANGLE_ROUNDING,
+    CONVERGED,
+    NO_EQUILIBRIUM,
+    NOT_CONVERGED,
+    OPEN_SIDE,
+    OVER_SHOULDER,
+)
 from qsbearing.model.kernel.case import CASE, RESULT
 from qsbearing.model.kernel.contact_line import direction, line_displacement
 from qsbearing.model.kernel.kinematics import inner_line, orbital_speed, rolling_terms, rotation_per_axis_length
@@ -19,11 +26,14 @@ from qsbearing.model.kernel.raceway_stiffness import raceway_ellipse
 from qsbearing.model.kernel.ring import inner_groove_centre
 from qsbearing.model.kernel.traction_ball import (
     CONTACT_QUANTITIES,
+    COSINE,
     GROOVE,
     LAW,
+    LOAD,
     MOVED_BALL,
     ORBIT,
     RING_FORCES,
+    SINE,
     WX,
     WY,
     WZ,
@@ -230,9 +240,23 @@ def solve_motions(
             set_ring(case, motion, result, motion.is_carried)
             place_balls(case, motion, balls, positions[k])
             found = balance_through_slips(case, law, grooves, arrays, motion, balls)
-        result.status = CONVERGED if found else NOT_CONVERGED
         result.residual, result.iterations = motion.residual, motion.iterations
         torques[k] = deliver(case, law, grooves, points, motion, balls, result, places[k], contacts[k])
+        result.notes = outside_grooves(case, contacts[k]) if found else 0
+        result.status = NOT_CONVERGED if not found else NO_EQUILIBRIUM if result.notes != 0 else CONVERGED
+
+
+@kernel
+def outside_grooves(case: recarray, contacts: ndarray) -> int:
+    """Inner contacts that carry load where no groove is, as bits of `admissibility`."""
+    found = 0
+    for j in range(case.ball_count):
+        if contacts[j, 0, LOAD] > 0.0:
+            if case.one_sided and contacts[j, 0, SINE] > ANGLE_ROUNDING:  # n points from the ball to the contact
+                found |= OPEN_SIDE
+            if contacts[j, 0, COSINE] > ANGLE_ROUNDING:
+                found |= OVER_SHOULDER
+    return found
 
 
 @kernel

@@ -24,7 +24,7 @@ from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motion
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
-from qsbearing.model.solution.status import STATUS_OF_CODE
+from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 INNER, OUTER = range(2)
@@ -98,6 +98,8 @@ class FrictionMotion:
 
     status: NDArray
     """Words of `Status`."""
+    reason: NDArray
+    """Words of `Reason` where there is no equilibrium; empty elsewhere."""
     displacement: NDArray
     load: NDArray
     """On the inner ring, (*cases, 5): the balls' forces with their weights; moments are not worked out."""
@@ -297,6 +299,7 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
     orbits = shaped(orbit)
     return FrictionMotion(
         status=shaped(np.vectorize(STATUS_OF_CODE.__getitem__, otypes=["<U16"])(results["status"])),
+        reason=shaped(reasons(results)),
         displacement=shaped(np.where(unknown[:, None], np.nan, results["displacement"]) * scale[0]),
         load=shaped(np.where(unknown[:, None], np.nan, results["load"]) * scale[1]),
         residual=shaped(results["residual"]),

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from qsbearing.model.effects.entry import with_found
 from qsbearing.model.effects.traction import Traction
+from qsbearing.model.kernel import admissibility, traction_ball
+from qsbearing.model.kernel.traction_balance import outside_grooves
 from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
 from qsbearing.model.solution.motion_stiffness import motion_rates, motion_stiffness
 from qsbearing.model.validation import SceneError
@@ -342,9 +344,29 @@ def test_cases_may_have_different_numbers_of_balls() -> None:
 def test_what_has_no_equilibrium_has_no_motion() -> None:
     found = friction_motion(scene(B218, np.array([-5e3, 17.8e3]), 10_000), Traction())
     assert list(found.status) == ["no_equilibrium", "converged"]
+    assert found.reason[0] == found.start.reason[0] != ""
+    assert found.reason[1] == ""
     assert np.isnan(found.angular_velocity[0]).all()
     assert np.isnan(found.heat[0])
     assert np.isfinite(found.heat[1])
+
+
+def test_contacts_outside_their_grooves_are_no_equilibrium() -> None:
+    """On the open side of an angular-contact bearing, over the shoulder of any."""
+    case = friction_motion(THRUST, Traction()).inside.cases[0]
+    contacts = np.zeros((16, 2, traction_ball.CONTACT_QUANTITIES))
+    contacts[:, 0, traction_ball.LOAD] = 1e-6
+    angles = {0.7: 0, -0.1: admissibility.OPEN_SIDE, 1.7: admissibility.OVER_SHOULDER}
+    for angle, expected in angles.items():
+        contacts[:, 0, traction_ball.SINE], contacts[:, 0, traction_ball.COSINE] = -np.sin(0.7), -np.cos(0.7)
+        contacts[3, 0, traction_ball.SINE], contacts[3, 0, traction_ball.COSINE] = -np.sin(angle), -np.cos(angle)
+        assert outside_grooves(case, contacts) == expected
+        contacts[3, 0, traction_ball.LOAD] = 0.0
+        assert outside_grooves(case, contacts) == 0
+        contacts[3, 0, traction_ball.LOAD] = 1e-6
+    deep = friction_motion(scene(replace(B218, kind="deep_groove"), 17.8e3, 10_000), Traction()).inside.cases[0]
+    contacts[3, 0, traction_ball.SINE], contacts[3, 0, traction_ball.COSINE] = np.sin(0.1), -np.cos(0.1)
+    assert outside_grooves(deep, contacts) == 0
 
 
 @pytest.mark.parametrize(
