@@ -20,7 +20,7 @@ class UnsettledError(Exception):
 
 
 @dataclass(frozen=True)
-class Run:
+class BallRun:
     """What was kept of a run."""
 
     balls: FreeBalls
@@ -66,7 +66,7 @@ class Motion:
         return np.asarray(np.arctan2(self.rotation[2], -self.rotation[0]))
 
 
-def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, samples: int = 100) -> Run:
+def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, samples: int = 100) -> BallRun:
     """By Runge and Kutta's method of fourth order.
 
     Args:
@@ -91,7 +91,7 @@ def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, sam
                 f"no number is left after {len(states) * stride * step:.2g} s: nothing holds the balls"
             )
         states.append(state)
-    return Run(balls, stride * step * np.arange(samples + 1), np.array(states))
+    return BallRun(balls, stride * step * np.arange(samples + 1), np.array(states))
 
 
 def motion(balls: FreeBalls, state: Array) -> Motion:
@@ -116,7 +116,7 @@ def motion(balls: FreeBalls, state: Array) -> Motion:
     )
 
 
-def unrest(of: Run) -> Array:
+def unrest(of: BallRun) -> Array:
     """How much each ball's motion changed in the run's last turn of the inner ring, over that ring's speed; (case,).
 
     Raises:
@@ -133,7 +133,7 @@ def unrest(of: Run) -> Array:
     return np.array(changes)
 
 
-def settled(of: Run) -> Motion:
+def settled(of: BallRun) -> Motion:
     """The steady motion that a run has come to, as small steps have it.
 
     Raises:
@@ -145,11 +145,11 @@ def settled(of: Run) -> Motion:
     return motion(of.balls, run(of.balls, of.states[-1], LAST, LAST_STEP, 1).states[-1])
 
 
-def _azimuths(of: Run) -> Array:
+def _azimuths(of: BallRun) -> Array:
     return np.unwrap(np.angle(of.states[:, YZ]), axis=0)
 
 
-def mean_of_round(of: Run, values: Array) -> Array:
+def mean_of_round(of: BallRun, values: Array) -> Array:
     """Mean over time of values (sample, case), during each ball's last round; shape (case,)."""
     azimuths, means = _azimuths(of), []
     middles = 0.5 * (values[1:] + values[:-1]) * np.diff(of.times)[:, None]
@@ -161,7 +161,7 @@ def mean_of_round(of: Run, values: Array) -> Array:
     return np.array(means)
 
 
-def at_azimuths(of: Run, values: Array, wanted: Array) -> Array:
+def at_azimuths(of: BallRun, values: Array, wanted: Array) -> Array:
     """Values (sample, case) as each ball last passed these azimuths [rad]; shape (azimuth, case)."""
     columns = []
     for case, azimuth in enumerate(_azimuths(of).T):

@@ -21,7 +21,7 @@ import numpy as np
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.drawing import BearingDrawing
-from fem_check.independent.slip_friction import Coulomb, Linear, Points
+from fem_check.independent.slip_friction import Coulomb, EllipsePoints, Linear
 
 X, YZ, ALONG, ACROSS, RING, RING_SPEED = 0, 1, slice(2, 4), slice(4, 6), 6, 7
 """Rows of a state: the ball's place along and across the axis; its velocity and angular velocity along the axis, the
@@ -30,7 +30,7 @@ RACES = ("inner", "outer")
 
 
 @dataclass(frozen=True)
-class Case:
+class FreeBallCase:
     """One ball of one bearing at one speed and load."""
 
     drawing: BearingDrawing
@@ -43,7 +43,7 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Contacts:
+class GrooveContacts:
     """The contacts of a state; arrays (2, case)."""
 
     normal: Array
@@ -80,9 +80,9 @@ class Contacts:
 class FreeBalls:
     """Cases that run side by side, under one law of friction."""
 
-    cases: Sequence[Case]
+    cases: Sequence[FreeBallCase]
     law: Coulomb | Linear
-    points: Points
+    points: EllipsePoints
     damping: float = 200.0
     """Of a contact along its normal [N s/m]. It and the ring's mass shape the way to a steady motion, no more."""
     ring_mass: float = 0.2
@@ -134,8 +134,8 @@ class FreeBalls:
     @cached_property
     def _hertz(self) -> tuple[Array, Array, Array]:
         """Q/delta^1.5, a/Q^(1/3) and b/Q^(1/3), at the free contact angle."""
-        found = [[references.ellipse(each.groove(race).problem(1.0)) for each in self.drawings] for race in RACES]
-        sizes = np.array([[(c.approach**-1.5, c.semi_major_axis, c.semi_minor_axis) for c in row] for row in found])
+        ellipses = [[references.ellipse(each.groove(race).problem(1.0)) for each in self.drawings] for race in RACES]
+        sizes = np.array([[(c.approach**-1.5, c.semi_major_axis, c.semi_minor_axis) for c in row] for row in ellipses])
         return sizes[..., 0], sizes[..., 1], sizes[..., 2]
 
     @cached_property
@@ -151,7 +151,7 @@ class FreeBalls:
         _, a, b = self._hertz
         return np.asarray(a[..., None] * self.points.along + 1j * b[..., None] * self.points.across)
 
-    def contacts(self, state: Array) -> Contacts:
+    def contacts(self, state: Array) -> GrooveContacts:
         """Of a state."""
         (centre_x, centre_yz), (circle, touching), ring_speed = self._centres, self._grooves, self.speeds
         # Where: the nearest points on the circles of groove centres, and the normals through them.
@@ -173,7 +173,7 @@ class FreeBalls:
         centre, turning = -plane.imag - 1j * across.imag
         friction, moment, heat = self._rubbing(load, centre + 1j * ring_speed * reach, turning, plane[1].real)
         pressing = np.where(load > 0.0, np.maximum(load + self.damping * plane[0].real, 0.0), 0.0)
-        return Contacts(normal, outward, load, pressing, friction, moment, heat)
+        return GrooveContacts(normal, outward, load, pressing, friction, moment, heat)
 
     def _rubbing(
         self, load: Array, centre: Array, turning: Array, spin: Array

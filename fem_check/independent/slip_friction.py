@@ -19,7 +19,7 @@ from fem_check.independent.contact_problem import Array
 
 
 @dataclass(frozen=True)
-class Points:
+class EllipsePoints:
     """Of an ellipse; arrays (point,)."""
 
     along: Array
@@ -32,7 +32,7 @@ class Points:
     """Whether they lie on the surface that ball and groove share; if not, all at the ball's radius from its centre."""
 
 
-def over_ellipse(rings: int, angles: int, curved: bool = True) -> Points:
+def over_ellipse(rings: int, angles: int, curved: bool = True) -> EllipsePoints:
     """So many rings of so many points."""
     node, weight = np.polynomial.legendre.leggauss(rings)
     s = 0.5 * (1.0 + node)
@@ -40,12 +40,12 @@ def over_ellipse(rings: int, angles: int, curved: bool = True) -> Points:
     radius = np.sqrt(1.0 - s * s)[:, None]
     angle = 2.0 * np.pi * (np.arange(angles) + 0.5) / angles
     each = np.repeat(weight / weight.sum() / angles, angles)
-    return Points((radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), each, curved)
+    return EllipsePoints((radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), each, curved)
 
 
-def at_centre() -> Points:
+def at_centre() -> EllipsePoints:
     """The load at one point, which no spin makes slip."""
-    return Points(np.zeros(1), np.zeros(1), np.ones(1), curved=False)
+    return EllipsePoints(np.zeros(1), np.zeros(1), np.ones(1), curved=False)
 
 
 @dataclass(frozen=True)

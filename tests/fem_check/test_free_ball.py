@@ -14,7 +14,7 @@ from fem_check.independent import quasi_static, references
 from fem_check.independent.ball_runs import (
     LAST,
     LAST_STEP,
-    Run,
+    BallRun,
     UnsettledError,
     at_azimuths,
     mean_of_round,
@@ -25,7 +25,7 @@ from fem_check.independent.ball_runs import (
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.drawing import BearingDrawing
 from fem_check.independent.equilibrium import BalanceTerms, BallRow
-from fem_check.independent.free_ball import RING, YZ, Case, FreeBalls
+from fem_check.independent.free_ball import RING, YZ, FreeBallCase, FreeBalls
 from fem_check.independent.slip_friction import Coulomb, Linear, at_centre, over_ellipse
 
 STEEL = ElasticConstants(208e9, 0.3)
@@ -84,9 +84,9 @@ def rubbing(*coefficients, slip_speed=0.1):
 # raceway has no friction, so that the outer one has to give all of the moment, as under outer control, and contacts are
 # points, which leave the ball's axis alone.
 GYROSCOPIC = [
-    Case(B218, 10_000 * RPM, 17_800 / 16),
-    Case(B218, 15_000 * RPM, 500.0),
-    Case(TURBINE, 12_000 * RPM, 2224 / 15),
+    FreeBallCase(B218, 10_000 * RPM, 17_800 / 16),
+    FreeBallCase(B218, 15_000 * RPM, 500.0),
+    FreeBallCase(TURBINE, 12_000 * RPM, 2224 / 15),
 ]
 
 
@@ -139,7 +139,7 @@ def test_without_the_moment_the_balance_is_another():
 
 def test_points_divide_the_moment_as_their_loads():
     """And leave the axis where it is: so this holds for outer control's, and for a while."""
-    case = Case(B218, 10_000 * RPM, 17_800 / 16)
+    case = FreeBallCase(B218, 10_000 * RPM, 17_800 / 16)
     balls = FreeBalls([case] * 2, Coulomb(np.array([[0.2], [0.2]]), np.array([0.1, 0.2])), at_centre())
     start = begun(balls, [controlled(case, "outer")] * 2)
     end = motion(balls, run(balls, start, 8e-3, step=2e-6, samples=2).states[-1])
@@ -150,7 +150,7 @@ def test_points_divide_the_moment_as_their_loads():
 
 # B218 at 3000 rpm, from the axes of outer and of inner control, 15 degrees apart.
 POINTS = over_ellipse(10, 24)
-SLOW = Case(on_pitch_circle(B218, 40.886806, 1690.1852), 3000 * RPM, 17_800 / 16)
+SLOW = FreeBallCase(on_pitch_circle(B218, 40.886806, 1690.1852), 3000 * RPM, 17_800 / 16)
 
 
 @pytest.fixture(scope="module")
@@ -193,11 +193,11 @@ def test_what_drives_the_ring_becomes_heat(slow_run):
 
 
 def test_a_run_is_not_called_settled_too_early(slow_run):
-    early = Run(slow_run.balls, slow_run.times[:31], slow_run.states[:31])
+    early = BallRun(slow_run.balls, slow_run.times[:31], slow_run.states[:31])
     with pytest.raises(UnsettledError, match="still changes by"):
         settled(early)
     with pytest.raises(UnsettledError, match="shorter than a turn"):
-        settled(Run(slow_run.balls, slow_run.times[:6], slow_run.states[:6]))
+        settled(BallRun(slow_run.balls, slow_run.times[:6], slow_run.states[:6]))
 
 
 def changed(slow_run, **different):
@@ -268,7 +268,7 @@ FAST = 10_000 * RPM, 17_800 / 16
 
 def fast(outer_angle, outer_load):
     """B218 at 10,000 rpm, whose balls run on the bearing's pitch circle with this outer contact."""
-    return Case(on_pitch_circle(B218, outer_angle, outer_load), *FAST)
+    return FreeBallCase(on_pitch_circle(B218, outer_angle, outer_load), *FAST)
 
 
 @pytest.mark.heavy
@@ -322,7 +322,8 @@ CARRIED = [
 def test_a_ball_carried_round_under_radial_load():
     displacements = UM * np.array([each[3] for each in CARRIED])
     cases = [
-        Case(of, speed, None, complex(*at[1:])) for (of, speed, *_), at in zip(CARRIED, displacements, strict=True)
+        FreeBallCase(of, speed, None, complex(*at[1:]))
+        for (of, speed, *_), at in zip(CARRIED, displacements, strict=True)
     ]
     balls = FreeBalls(cases, rubbing(0.07, 0.07, 0.07), over_ellipse(10, 24))
     start = begun(balls, [controlled(case, "outer", each[2]) for case, each in zip(cases, CARRIED, strict=True)])
