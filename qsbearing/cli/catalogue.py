@@ -9,7 +9,7 @@ import click
 from qsbearing.cli.output import print_table, refuse
 
 if TYPE_CHECKING:
-    from qsbearing.files.catalogue import Entry
+    from qsbearing.files.catalogue import CatalogueEntry
 
 
 @click.command(short_help="List the bearings that can be named, and their sources.")
@@ -47,7 +47,7 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
     print_table(tables.spindle_table(bearings))
 
 
-def entry_named(name: str) -> Entry:
+def entry_named(name: str) -> CatalogueEntry:
     """The catalogue's entry; ends with exit code 2 where there is none."""
     from qsbearing.files.catalogue import find, nearest
 

@@ -131,18 +131,18 @@ def designated(given: dict[str, Any], unusable: Iterable[str] = ()) -> dict[str,
     """
     name = given.get("name")
     told = read(name) if isinstance(name, str) and catalogue.find(name) is None else None
-    found: dict[str, Any] = {}
+    added: dict[str, Any] = {}
     if told is not None and not told.is_refused:
         lacking: Errors = []
         of_radius = {radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii}
         _find_missing({*given, *unusable, *of_radius}, lacking)
-        found = {key: value for key, value in told.given.items() if lacking or key in _OUTSIDE}
+        added = {key: value for key, value in told.given.items() if lacking or key in _OUTSIDE}
         if _EITHER & {*given, *unusable}:
-            found.pop("free_contact_angle_deg", None)
-    size = [(found | given).get(key.name) for key in DIAMETERS]
+            added.pop("free_contact_angle_deg", None)
+    size = [(added | given).get(key.name) for key in DIAMETERS]
     if all(isinstance(each, int | float) for each in size) and (width := iso15.width(*size)) is not None:
-        found = {"width_mm": width} | found
-    return {key: value for key, value in found.items() if key not in unusable} | given
+        added = {"width_mm": width} | added
+    return {key: value for key, value in added.items() if key not in unusable} | given
 
 
 def _coefficients(good: dict[str, Any], unusable: set[str], errors: Errors) -> dict[str, Any]:
@@ -186,23 +186,23 @@ def _raceways(good: dict[str, Any], unusable: set[str], of_entry: dict[str, Any]
     return dict(zip(follow, pitch_and_clearance(bottom, outer, ball, radius, other_radius), strict=True))
 
 
-def entry_of(bearing: BallBearing) -> catalogue.Entry | None:
+def entry_of(bearing: BallBearing) -> catalogue.CatalogueEntry | None:
     """The catalogue's entry of a bearing's name, whether or not its numbers were changed."""
     return catalogue.find(bearing.name.removesuffix(MODIFIED))
 
 
-def label_of(entry: catalogue.Entry, given: dict[str, Any]) -> str:
+def label_of(entry: catalogue.CatalogueEntry, given: dict[str, Any]) -> str:
     """What a bearing is called of which a file gives an entry's name and these keys with it."""
     return f"{entry.name}{MODIFIED}" if changed_keys(entry, given) else entry.name
 
 
-def changed_keys(entry: catalogue.Entry, given: dict[str, Any]) -> set[str]:
+def changed_keys(entry: catalogue.CatalogueEntry, given: dict[str, Any]) -> set[str]:
     """Which of the keys that a file gives with an entry's name have another value than the entry."""
     numbers = {key: value for key, value in given.items() if key != "name"}
     return {key for key, each in numbers.items() if isinstance(each, np.ndarray) or each != entry.bearing.get(key)}
 
 
-def kept(entry: catalogue.Entry, changed: set[str]) -> dict[str, float]:
+def kept(entry: catalogue.CatalogueEntry, changed: set[str]) -> dict[str, float]:
     """What the catalogue prints of an entry besides the model's lengths, in spite of what was changed."""
     lost: tuple[Key, ...] = RATINGS if changed else ()
     lost += SHOULDERS if changed - set(MATERIALS) else ()
@@ -210,8 +210,8 @@ def kept(entry: catalogue.Entry, changed: set[str]) -> dict[str, float]:
 
 
 def _outline(printed: dict[str, Any]) -> Outline | None:
-    found = {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}
-    known = {name: value for name, value in found.items() if name in vars(Outline())}
+    printed_si = {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}
+    known = {name: value for name, value in printed_si.items() if name in vars(Outline())}
     return Outline(**known) if known else None
 
 

@@ -63,9 +63,9 @@ def quantiles(numbers: Blocks, wanted: Sequence[float]) -> list[float]:
     ranks = np.asarray(wanted) * (count - 1)
     below = np.floor(ranks).astype(int)
     above = np.minimum(below + 1, count - 1)
-    found = _order_statistics(numbers, sorted({*below.tolist(), *above.tolist()}))
+    at_rank = _order_statistics(numbers, sorted({*below.tolist(), *above.tolist()}))
     return [
-        float(found[low] + (found[high] - found[low]) * (rank - low))
+        float(at_rank[low] + (at_rank[high] - at_rank[low]) * (rank - low))
         for rank, low, high in zip(ranks, below.tolist(), above.tolist(), strict=True)
     ]
 

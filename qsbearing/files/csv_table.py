@@ -66,5 +66,5 @@ def _held(value: Any) -> Any:
         return None
     if isinstance(value, bool | int | float):
         return value if abs(value) < 1e300 else str(value)
-    text = _NOT_IN_XML.sub(lambda found: repr(found[0])[1:-1], str(inert(value)))
+    text = _NOT_IN_XML.sub(lambda match: repr(match[0])[1:-1], str(inert(value)))
     return text[:LONGEST_CELL]

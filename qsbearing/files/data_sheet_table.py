@@ -50,9 +50,9 @@ def is_data_sheet(given: Collection[str]) -> bool:
 def without_sheet(given: dict[str, Any]) -> Errors:
     """What would tell balls and grooves, taken out of a table that gives them; who made it does no harm."""
     given.pop("maker", None)
-    found = {key: given.pop(key) for key in _OF_SHEET if key in given}
+    unused = {key: given.pop(key) for key in _OF_SHEET if key in given}
     cause = "Leave it out: ball set and grooves are given"
-    return [FileErrorDetail(f"bearing.{key}", "has no use", each, cause=cause) for key, each in found.items()]
+    return [FileErrorDetail(f"bearing.{key}", "has no use", each, cause=cause) for key, each in unused.items()]
 
 
 def bearing_of_sheet(
@@ -81,30 +81,30 @@ def bearing_of_sheet(
     fields |= {"maker": told.maker} if told is not None else {}
     fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
     try:
-        found = infer_bearing(**fields, name=printable(given.get("name", label)))
+        inferred = infer_bearing(**fields, name=printable(given.get("name", label)))
     except SceneError as error:
         errors += map(translate, error.errors)
         return None
     if chosen is not None:
-        return _chosen(found, chosen, outline, errors)
+        return _chosen(inferred, chosen, outline, errors)
     if not may_infer:
         errors.append(
-            FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(found))
+            FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(inferred))
         )
         return None
-    return replace(found.bearing, inferred=found, outline=outline)
+    return replace(inferred.bearing, inferred=inferred, outline=outline)
 
 
-def _chosen(found: InferredBearing, number: float, outline: Outline | None, errors: Errors) -> BallBearing | None:
+def _chosen(inferred: InferredBearing, number: float, outline: Outline | None, errors: Errors) -> BallBearing | None:
     """The set of this number in the list that `qsbearing run` prints, with its usual groove radius."""
-    sets = int(found.set_number[-1]) + 1
+    sets = int(inferred.set_number[-1]) + 1
     if number not in range(1, sets + 1):
         cause = f"A whole number from 1 to {sets}: `qsbearing run` without it lists the sets that the data sheet allows"
         errors.append(FileErrorDetail("bearing.ball_set", "is not on the list", number, cause=cause))
         return None
-    case = int(np.flatnonzero(found.set_number == number - 1)[0])
-    name = f"{found.bearing.name}, ball set {number:.0f} of {sets}"
-    return replace(found.at(case), name=name, outline=outline)
+    case = int(np.flatnonzero(inferred.set_number == number - 1)[0])
+    name = f"{inferred.bearing.name}, ball set {number:.0f} of {sets}"
+    return replace(inferred.at(case), name=name, outline=outline)
 
 
 def refusal(bearing: BallBearing) -> str:
@@ -112,9 +112,9 @@ def refusal(bearing: BallBearing) -> str:
     return "" if bearing.inferred is None else f"a data sheet allows several ball sets. {_one_of(bearing.inferred)}"
 
 
-def _one_of(found: InferredBearing) -> str:
+def _one_of(inferred: InferredBearing) -> str:
     """How to go on with a single one."""
-    best: Any = found.at(0)
+    best: Any = inferred.at(0)
     numbers = {key.name: key.in_file(getattr(best, key.field)) for key in BEARING[:3]}
     numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
     lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
@@ -129,7 +129,7 @@ def sheet_tables(bearing: BallBearing) -> dict[str, Any]:
     """The numbers and words of a data sheet, as a file has them."""
     sheet = bearing.inferred.sheet
     given = {name: getattr(sheet, name) for name in ("name", "kind", *SHEET_WORDS)}
-    found: dict[str, Any] = {name: str(each) for name, each in given.items() if each}
+    table: dict[str, Any] = {name: str(each) for name, each in given.items() if each}
     numbers = {key: getattr(sheet, key.field) for key in _KEYS}
-    found |= {key.name: key.in_file(each) for key, each in numbers.items() if each is not None}
-    return found if sheet.ball_count is None else found | {"ball_count": int(sheet.ball_count)}
+    table |= {key.name: key.in_file(each) for key, each in numbers.items() if each is not None}
+    return table if sheet.ball_count is None else table | {"ball_count": int(sheet.ball_count)}

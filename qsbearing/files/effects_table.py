@@ -69,12 +69,12 @@ _RING_EFFECTS: dict[str, Any] = RING_EFFECTS
 
 
 def effects_of(
-    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
+    document: dict[str, Any], errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
 ) -> dict[str, Any]:
     """The fields of `Scene` that say what is asked for.
 
     Args:
-        found: keys of temperatures that the heat balance will find.
+        balance_keys: of temperatures that the heat balance will find.
         stated: what tables take and need not state.
     """
     table = document.get("effects")
@@ -113,7 +113,7 @@ def effects_of(
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
     made_of_tables: list[RingEffect | None] = [
-        ring_effect(name, within[name], errors, found, stated) for name in within
+        ring_effect(name, within[name], errors, balance_keys, stated) for name in within
     ]
     made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
@@ -136,7 +136,7 @@ def _gyroscopic_moment(shares: MomentShares | None, numbers: dict[str, Any], err
 
 
 def ring_effect(
-    name: str, table: Any, errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
+    name: str, table: Any, errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
 ) -> RingEffect | None:
     """The effect that a table within [effects] names; None for temperatures that are yet to be found."""
     path, table = f"effects.{name}", stated.filled(name, table)
@@ -152,9 +152,9 @@ def ring_effect(
     good, unusable = checked(_EFFECT_TABLES[name], path, numbers, errors)
     if not is_table:
         return None
-    later = [key.field for key in EFFECT_TABLES[name] if key.name in found]
+    later = [key.field for key in EFFECT_TABLES[name] if key.name in balance_keys]
     needed = named(required_of(_RING_EFFECTS[name]))
-    missing = [key for key in needed if key not in {*good, *unusable, *found}]
+    missing = [key for key in needed if key not in {*good, *unusable, *balance_keys}]
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = dict.fromkeys(later)
     numbers_si |= si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)

@@ -44,10 +44,10 @@ class FileErrorDetail:
     def record(self) -> dict[str, Any]:
         """Its fields as data, those that there are; a value that is no number as a message repeats it."""
         value = self.value if isinstance(self.value, bool | int | float) or self.value is None else shown(self.value)
-        found: dict[str, Any] = {"key": self.key, "problem": self.problem, "detail": self.detail, "value": value}
-        found |= {"unit": self.unit, "allowed": self.allowed and list(self.allowed), "cause": self.cause}
-        found |= {"note": self.note}
-        texts = {name: printable(each) if isinstance(each, str) else each for name, each in found.items()}
+        fields: dict[str, Any] = {"key": self.key, "problem": self.problem, "detail": self.detail, "value": value}
+        fields |= {"unit": self.unit, "allowed": self.allowed and list(self.allowed), "cause": self.cause}
+        fields |= {"note": self.note}
+        texts = {name: printable(each) if isinstance(each, str) else each for name, each in fields.items()}
         return {name: each for name, each in texts.items() if each not in ("", None)}
 
     @property

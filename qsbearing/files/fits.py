@@ -37,10 +37,10 @@ def names(seat: str) -> tuple[str, ...]:
     facts = _facts()["seat"]
     grades = [int(grade) for grade in facts["grade"] if grade != "3"]
     letters = [letter for letter in (*facts["upper"], *facts["lower"], "js") if letter.isalpha()]
-    found = [f"{letter}{grade}" for letter in letters for grade in grades]
+    fits = [f"{letter}{grade}" for letter in letters for grade in grades]
     if seat == "shaft":
-        return (*found, *(name for name in facts["lower"] if not name.isalpha()))
-    return (*map(str.upper, found), *(name for name in facts["hole_upper"] if name.startswith("J")))
+        return (*fits, *(name for name in facts["lower"] if not name.isalpha()))
+    return (*map(str.upper, fits), *(name for name in facts["hole_upper"] if name.startswith("J")))
 
 
 def classes() -> tuple[str, ...]:
@@ -121,7 +121,7 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
     if CLASS in table and not named:
         cause = "It is of use with shaft_fit or housing_fit"
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is given without a fit", tolerance, cause=cause))
-    found: dict[str, Fit] = {}
+    fits: dict[str, Fit] = {}
     for seat, name in named.items():
         _check(path, seat, name, rest, errors)
         diameter: Any = rest.get(f"{FITTED[seat]}_diameter_mm")
@@ -134,8 +134,8 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
             cause = "They go to 250 mm of bore and 400 mm outside: give the interference"
             errors.append(FileErrorDetail(f"{path}.{seat}_fit", problem, name, cause=cause))
         else:
-            found[seat] = made
-    return rest, found
+            fits[seat] = made
+    return rest, fits
 
 
 def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors) -> None:

@@ -35,15 +35,15 @@ def parsed(data: bytes, path: Path, most: int = MOST_VALUES) -> Any:
     if _depth(data) > DEEPEST_JSON and _depth(_TEXT.sub(b"", data)) > DEEPEST_JSON:
         raise refused(path, f"is nested deeper than {DEEPEST_JSON} lists and tables")
     try:
-        found = json.loads(decoded(data, path), parse_float=_finite, parse_constant=_no_number, object_pairs_hook=_once)
+        value = json.loads(decoded(data, path), parse_float=_finite, parse_constant=_no_number, object_pairs_hook=_once)
         if b"\\ud" in data or b"\\uD" in data:
-            json.dumps(found, ensure_ascii=False).encode()  # fails for half a character
+            json.dumps(value, ensure_ascii=False).encode()  # fails for half a character
     except (ValueError, RecursionError) as error:
         if isinstance(error, SceneFileError):
             raise
         half = isinstance(error, UnicodeEncodeError)
         raise refused(path, f"is not JSON: {'half a character' if half else error or 'nested too deeply'}") from None
-    return found
+    return value
 
 
 def _count(data: bytes) -> int:
@@ -59,18 +59,18 @@ def _depth(data: bytes) -> int:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
+    table = dict(pairs)
+    if len(table) < len(pairs):
         twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
         raise ValueError(f"the key {json.dumps(twice)} stands twice in one table")
-    return found
+    return table
 
 
 def _finite(text: str) -> float:
-    found = float(text)
-    if isinf(found):
+    number = float(text)
+    if isinf(number):
         raise ValueError(f"{text[:20]} is beyond any number")
-    return found
+    return number
 
 
 def _no_number(word: str) -> NoReturn:

@@ -37,9 +37,9 @@ def columns_of_parquet(data: bytes, path: Path) -> dict[str, list[Any]]:
         if is_text:
             texts.append(field.name)
     # Texts as numbers of a list: one that is repeated a million times is held once.
-    found = parquet.ParquetFile(source, read_dictionary=texts).read(use_threads=False)
-    columns: dict[str, list[Any]] = _counted(found)
-    for name, column in zip(found.column_names, found.columns, strict=True):
+    table = parquet.ParquetFile(source, read_dictionary=texts).read(use_threads=False)
+    columns: dict[str, list[Any]] = _counted(table)
+    for name, column in zip(table.column_names, table.columns, strict=True):
         if name.startswith("__index_level_"):  # without a name
             continue
         if name in columns or not name.strip():
@@ -49,11 +49,11 @@ def columns_of_parquet(data: bytes, path: Path) -> dict[str, list[Any]]:
     return columns
 
 
-def _counted(found: Any) -> dict[str, list[Any]]:
+def _counted(table: Any) -> dict[str, list[Any]]:
     """Of pandas an index with a name that counts evenly, which is kept as three numbers."""
-    known = (found.schema.pandas_metadata or {}).get("index_columns", [])
+    known = (table.schema.pandas_metadata or {}).get("index_columns", [])
     kept = {each["name"]: range(each["start"], each["stop"], each["step"]) for each in known if isinstance(each, dict)}
-    return {name: list(values) for name, values in kept.items() if name and len(values) == found.num_rows}
+    return {name: list(values) for name, values in kept.items() if name and len(values) == table.num_rows}
 
 
 def _cells(chunk: Any, path: Path) -> list[Any]:

@@ -125,8 +125,8 @@ def _material_table(holder: dict[str, Any], step: str, word: Any) -> dict[str, A
     material = material_named(word) if isinstance(word, str) else STEEL if step not in MATERIALS else None
     if material is None:
         return {}
-    found = {key: getattr(material, key.field) for key in MATERIAL}
-    return {key.name: key.in_file(value) for key, value in found.items() if value is not None}
+    in_si = {key: getattr(material, key.field) for key in MATERIAL}
+    return {key.name: key.in_file(value) for key, value in in_si.items() if value is not None}
 
 
 def take_out(document: dict[str, Any], path: Path) -> None:

@@ -33,8 +33,8 @@ def catalogue_numbers(bearing: BallBearing) -> dict[str, float]:
             inner_shoulder_diameter=p.get("inner_shoulder_diameter"),
         )
     """
-    found = _printed(bearing)
-    return {key.field: key.si(found[key.name]) for key in PRINTED if key.name in found}
+    printed = _printed(bearing)
+    return {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}
 
 
 def is_printed(bearing: BallBearing, table: str, key: str, value: float) -> bool:

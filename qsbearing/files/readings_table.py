@@ -23,12 +23,12 @@ def _model(name: str) -> TableModel:
 
 
 def asked_readings(
-    document: dict[str, Any], errors: Errors, found: frozenset[str] = frozenset(), stated: Stated = NOTHING
+    document: dict[str, Any], errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
 ) -> dict[str, dict[str, Any]]:
     """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any.
 
     Args:
-        found: keys of temperatures that the heat balance will find.
+        balance_keys: of temperatures that the heat balance will find.
         stated: what tables take and need not state.
     """
     table = document.get("readings", {})
@@ -50,14 +50,14 @@ def asked_readings(
     if asked and len(errors) == before:  # what cannot be used would be missing as well
         from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
 
-        errors += map(translate, asked_errors(asked, oil_is_found=OIL_TEMPERATURE in found))
+        errors += map(translate, asked_errors(asked, oil_is_found=OIL_TEMPERATURE in balance_keys))
     return asked
 
 
-def errors_in_scene(scene: Scene, found: frozenset[str] = frozenset()) -> list[FileErrorDetail]:
+def errors_in_scene(scene: Scene, balance_keys: frozenset[str] = frozenset()) -> list[FileErrorDetail]:
     """What is wrong with a scene's readings that only the whole scene shows."""
     if not scene.readings:
         return []
     from qsbearing.readings.asked import asked_errors
 
-    return list(map(translate, asked_errors(scene.readings, scene, OIL_TEMPERATURE in found)))
+    return list(map(translate, asked_errors(scene.readings, scene, OIL_TEMPERATURE in balance_keys)))

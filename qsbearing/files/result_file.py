@@ -45,9 +45,9 @@ def input_of(path: Path, of_study: bool) -> tuple[dict[str, Any], str]:
 
 def _of_json(path: Path) -> tuple[Any, Any, Any]:
     """Version, input and label."""
-    found = parsed(read_bytes(path, LARGEST_RESULT, "a result"), path)
-    found = found if isinstance(found, dict) else {}
-    return found.get("version"), found.get("input"), found.get("set") or found.get("bearing")
+    result = parsed(read_bytes(path, LARGEST_RESULT, "a result"), path)
+    result = result if isinstance(result, dict) else {}
+    return result.get("version"), result.get("input"), result.get("set") or result.get("bearing")
 
 
 def _of_netcdf(path: Path, of_study: bool) -> tuple[Any, Any, Any]:

@@ -138,14 +138,14 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         )
     errors: Errors = []
     document = with_preload_class(document, errors)
-    thermal, found = heated(document, errors)
+    thermal, balance_keys = heated(document, errors)
     stated = stated_in(document, errors)
     _find_unknown_tables(document, errors)
     bearing = bearing_of(document, label, errors, may_infer)
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors, found, stated)
-    readings = asked_readings(document, errors, found, stated)
+    effects = effects_of(document, errors, balance_keys, stated)
+    readings = asked_readings(document, errors, balance_keys, stated)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
@@ -154,7 +154,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
         scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
-    wrong = errors_in_scene(scene, found)
+    wrong = errors_in_scene(scene, balance_keys)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
@@ -166,8 +166,8 @@ def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, fr
         return None, frozenset()
     from qsbearing.files.thermal_table import found_temperatures, thermal_of  # loaded only where there is heat
 
-    found = found_temperatures(document, errors)
-    return thermal_of(document, errors), found
+    balance_keys = found_temperatures(document, errors)
+    return thermal_of(document, errors), balance_keys
 
 
 def is_file(path: Path) -> bool:

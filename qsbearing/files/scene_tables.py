@@ -112,21 +112,21 @@ def _bearing(bearing: BallBearing) -> Tables:
     return {"name": entry.name, **table} if entry is not None and is_named else table
 
 
-def _outline(bearing: BallBearing, entry: catalogue.Entry | None) -> Tables:
+def _outline(bearing: BallBearing, entry: catalogue.CatalogueEntry | None) -> Tables:
     """What is known of the rings from outside, but what the catalogue's entry of its name has."""
-    found = {} if bearing.outline is None else _numbers(PRINTED, bearing.outline)
+    numbers = {} if bearing.outline is None else _numbers(PRINTED, bearing.outline)
     printed = {} if entry is None else entry.dimensions
-    return {name: value for name, value in found.items() if not np.isclose(printed.get(name, 0.0), value, rtol=1e-12)}
+    return {name: value for name, value in numbers.items() if not np.isclose(printed.get(name, 0.0), value, rtol=1e-12)}
 
 
-def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, float]:
+def _angle(bearing: BallBearing, entry: catalogue.CatalogueEntry | None) -> dict[str, float]:
     """The free contact angle, or the clearance that it was made from."""
     angle, clearance = FREE_ANGLE, CLEARANCE
     if np.any(bearing.radial_interference):
         wedged = _single(clearance, bearing.radial_interference)
         about = -2.0 * wedged / clearance.size
-        found = _read_as(wedged, about, lambda given: -0.5 * clearance.si(given), NEIGHBOURS)
-        return {clearance.name: about if found is None else found}
+        short = _read_as(wedged, about, lambda given: -0.5 * clearance.si(given), NEIGHBOURS)
+        return {clearance.name: about if short is None else short}
     value, distance = _single(angle, bearing.free_contact_angle), bearing.groove_centre_distance
     near = {angle: value / angle.size, clearance: float(bearing.diametral_clearance) / clearance.size}
     read = {angle: angle.si, clearance: lambda given: float(free_angle_from_clearance(clearance.si(given), distance))}
@@ -135,9 +135,9 @@ def _angle(bearing: BallBearing, entry: catalogue.Entry | None) -> dict[str, flo
         forms = [clearance]
     for count in (0, NEIGHBOURS):
         for key in forms:
-            found = _read_as(value, near[key], read[key], count)
-            if found is not None:
-                return {key.name: found}
+            short = _read_as(value, near[key], read[key], count)
+            if short is not None:
+                return {key.name: short}
     return {forms[0].name: near[forms[0]]}
 
 
@@ -181,14 +181,14 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
 
 def _elastic_rings(effect: ElasticRings, numbers: Tables) -> Tables:
     """Tables within tables, as the points in the keys say."""
-    found: Tables = dict(numbers)
-    found |= {name: str(getattr(effect, field)) for name, field in SEATS.items() if getattr(effect, field) is not None}
+    flat: Tables = dict(numbers)
+    flat |= {name: str(getattr(effect, field)) for name, field in SEATS.items() if getattr(effect, field) is not None}
     for key in RING_COMPLIANCES:
         given = getattr(effect, key.field)
         if given is not None:
-            found[key.name] = [_number(key, value) for value in given]
+            flat[key.name] = [_number(key, value) for value in given]
     tables: Tables = {}
-    for name, value in found.items():
+    for name, value in flat.items():
         *path, last = name.split(".")
         table = tables
         for each in path:
@@ -221,12 +221,12 @@ def _numbers(keys: Iterable[Key], holder: Any, case: int | None = None) -> dict[
     Args:
         case: which of the cases that they may span; None: they span none.
     """
-    found = {}
+    numbers = {}
     for key in keys:
         value = holder.get(key.field) if isinstance(holder, Mapping) else getattr(holder, key.field, None)
         if value is not None:
-            found[key.name] = _number(key, np.ravel(value)[case] if np.ndim(value) and case is not None else value)
-    return found
+            numbers[key.name] = _number(key, np.ravel(value)[case] if np.ndim(value) and case is not None else value)
+    return numbers
 
 
 def _at_points(points: list[Tables] | None, table: Any, before: str = "") -> Any:
@@ -253,8 +253,8 @@ def _number(key: Key, value: Any) -> Any:
         return np.array([_number(key, each) for each in value])
     alone = _single(key, value)
     near = (alone - key.zero) / key.size
-    found = _read_as(alone, near, key.si, NEIGHBOURS)
-    return near if found is None else found
+    short = _read_as(alone, near, key.si, NEIGHBOURS)
+    return near if short is None else short
 
 
 def _single(key: Key, value: Any) -> float:

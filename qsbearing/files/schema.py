@@ -197,13 +197,13 @@ def _rules() -> list[Schema]:
 
 def _number(key: Key, note: str = "") -> Schema:
     """Of a key: a number in its range, and what it is."""
-    found = dict(_NUMBER)
+    schema = dict(_NUMBER)
     if key.range is not None:
         low, high = (_bound(key, value, way) for value, way in zip(key.range, (-inf, inf), strict=True))
-        found |= {"minimum": low, "maximum": high}
+        schema |= {"minimum": low, "maximum": high}
     unit = printed_unit(key.unit)
     words = key.field.replace("_", " ").capitalize() + (f" [{unit}]" if unit else "")
-    return _told(found, f"{words}: {note}" if note else words)
+    return _told(schema, f"{words}: {note}" if note else words)
 
 
 def closed(properties: Mapping[str, Schema]) -> Schema:

@@ -62,16 +62,16 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
     document = with_preload_class(document, errors)
-    thermal, found = heated(document, errors)
+    thermal, balance_keys = heated(document, errors)
     document, stated = with_own_tables(document), stated_in(document, errors)
     _find_unknown_tables(document, errors)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
-    rows = _rows(document, common, has_common, errors, found, stated)
+    rows = _rows(document, common, has_common, errors, balance_keys, stated)
     operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
     preload = preload_of(document, None, errors)
-    effects = effects_of(document, errors, found, stated)
-    readings = asked_readings(document, errors, found, stated)
+    effects = effects_of(document, errors, balance_keys, stated)
+    readings = asked_readings(document, errors, balance_keys, stated)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -82,7 +82,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         of = BearingSet(tuple(rows), operation, preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
-    wrong = _errors_of_readings(of, found)
+    wrong = _errors_of_readings(of, balance_keys)
     if wrong:
         raise SceneFileError(file, wrong)
     return of
@@ -120,7 +120,12 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
 
 
 def _rows(
-    document: dict[str, Any], common: Any, has_common: bool, errors: Errors, found: frozenset[str], stated: Stated
+    document: dict[str, Any],
+    common: Any,
+    has_common: bool,
+    errors: Errors,
+    balance_keys: frozenset[str],
+    stated: Stated,
 ) -> list[Row]:
     tables = document.get("rows")
     if not isinstance(tables, list) or not tables:
@@ -132,7 +137,7 @@ def _rows(
     rows = []
     for number, table in enumerate(tables, 1):
         own: Errors = []
-        row = _row(table, f"row {number}", common, has_common, own, found, stated)
+        row = _row(table, f"row {number}", common, has_common, own, balance_keys, stated)
         errors += own
         if row is not None:
             rows.append(row)
@@ -145,7 +150,7 @@ def _row(
     common: Any,
     has_common: bool,
     errors: Errors,
-    found: frozenset[str],
+    balance_keys: frozenset[str],
     stated: Stated,
 ) -> Row | None:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
@@ -171,8 +176,8 @@ def _row(
         numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
     if "bearing" in table:
         stated = stated.of_bearing(table["bearing"])
-    effects = [ring_effect(name, table[name], within, found, stated) for name in EFFECT_TABLES if name in table]
-    readings = asked_readings(table, within, found, stated) if "readings" in table else None
+    effects = [ring_effect(name, table[name], within, balance_keys, stated) for name in EFFECT_TABLES if name in table]
+    readings = asked_readings(table, within, balance_keys, stated) if "readings" in table else None
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)
@@ -203,7 +208,7 @@ def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:
 
 def _errors_of_readings(of: BearingSet, heat: frozenset[str]) -> Errors:
     """What is wrong with readings that only the whole row shows; what all rows have alike is said once."""
-    found = [errors_in_scene(of.turning_scene(number), heat) for number in range(len(of.rows))]
-    if all(each == found[0] for each in found):
-        return found[0]
-    return [error for number, errors in enumerate(found, 1) for error in _below(f"row {number}", errors)]
+    by_row = [errors_in_scene(of.turning_scene(number), heat) for number in range(len(of.rows))]
+    if all(each == by_row[0] for each in by_row):
+        return by_row[0]
+    return [error for number, errors in enumerate(by_row, 1) for error in _below(f"row {number}", errors)]

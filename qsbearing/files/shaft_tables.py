@@ -55,16 +55,16 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     plain = {k: v for k, v in table.items() if k not in WITHIN_SHAFT} if isinstance(table, dict) else table
     good, _ = checked(_SHAFT, "shaft", plain, errors)
     numbers: dict[str, Any] = si(keys_of(Shaft), good)
-    found: dict[str, Any] = si(OF_SET, good)
+    arguments: dict[str, Any] = si(OF_SET, good)
     if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
-        found["shaft"] = _shaft(table, numbers, errors)
+        arguments["shaft"] = _shaft(table, numbers, errors)
     elif numbers:
         errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
     if "housing" in document:
-        found["housing"] = _housing(document["housing"], errors)
-    found["spacers"] = tuple(_listed(document, "spacers", "spacer", errors))
-    found["floating"] = tuple(_listed(document, "floating", "floating", errors))
-    return found
+        arguments["housing"] = _housing(document["housing"], errors)
+    arguments["spacers"] = tuple(_listed(document, "spacers", "spacer", errors))
+    arguments["floating"] = tuple(_listed(document, "floating", "floating", errors))
+    return arguments
 
 
 def surroundings_tables(
@@ -176,7 +176,7 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
     if not isinstance(tables, list):
         errors.append(FileErrorDetail(f"[[{'shaft.' * ('.' in path)}{name}]]", "is not a list of tables"))
         return []
-    found = []
+    records = []
     for number, table in enumerate(tables, 1):
         at, before = f"{path} {number}", len(errors)
         good, unusable = checked(model, at, table, errors)
@@ -195,5 +195,5 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
         if "preload" in good:
             given["preload"] = preload_of({"preload": good["preload"]}, None, errors)
         one = made(partial(make, **given), errors) if len(errors) == before else None
-        found += [] if one is None else [one]
-    return found
+        records += [] if one is None else [one]
+    return records

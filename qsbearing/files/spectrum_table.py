@@ -49,8 +49,8 @@ def over_spectrum(
         try:
             scenes.append(made_of(at_point(rest, point), file, label))
         except SceneFileError as error:
-            found = [_of_point(each, number, point) for each in error.errors]  # type: ignore[arg-type]
-            errors += [each for each in found if each not in errors]
+            of_point = [_of_point(each, number, point) for each in error.errors]  # type: ignore[arg-type]
+            errors += [each for each in of_point if each not in errors]
     elsewhere = {path for point in points for path in point if path[0] != "operation"}
     for number, point in enumerate(points, 1):
         lacking = [path for path in elsewhere - set(point) if paths.value_at(rest, path) is None]
@@ -87,8 +87,8 @@ Point = dict[paths.Path, Any]
 
 def point_in_file(given: dict[str, Any]) -> Point:
     """The numbers of a point, keys of [operation] or paths, by their paths in the file; its time left out."""
-    found = {key: value for key, value in given.items() if key not in TIMES}
-    return {tuple(key.split(".")) if "." in key else ("operation", key): each for key, each in found.items()}
+    numbers = {key: value for key, value in given.items() if key not in TIMES}
+    return {tuple(key.split(".")) if "." in key else ("operation", key): each for key, each in numbers.items()}
 
 
 def at_point(rest: dict[str, Any], point: Point) -> dict[str, Any]:

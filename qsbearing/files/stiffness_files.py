@@ -56,8 +56,8 @@ class Seat(NamedTuple):
     @property
     def asymmetry(self) -> float:
         """As `springs.asymmetry`."""
-        found = asymmetry(self.stiffness, self.lever)
-        return found if found > NOISE else 0.0
+        ratio = asymmetry(self.stiffness, self.lever)
+        return ratio if ratio > NOISE else 0.0
 
 
 def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]:
@@ -75,7 +75,7 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
     else:
         listed = [(solution.scene.bearing, 0.0, -1.0 if mirrored else 1.0, solution)]
         speed = solution.scene.operation.speed
-    found = []
+    seats = []
     for bearing, position, sign, solved in listed:
         lever = from_shaft(solved, sign)
         scale = np.array([length, length, length, 1.0, 1.0])  # from displacements of the program to metres, radians
@@ -86,8 +86,8 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
         stiffness, load = turned * scale[:, None] * scale / length, forces * radius * scale / length
         half = 0.5 * float(np.asarray(bearing.pitch_diameter)) / length
         name = printable(bearing.name) or "bearing"
-        found.append(Seat(name, position / length, stiffness, load, half, float(speed) / rpm))
-    return found
+        seats.append(Seat(name, position / length, stiffness, load, half, float(speed) / rpm))
+    return seats
 
 
 def _facts(units: str) -> dict[str, str]:
@@ -265,12 +265,12 @@ class _Spring(NamedTuple):
 def _springs(number: int, seat: Seat) -> tuple[int, int, list[_Spring]]:
     """The nodes that move and turn with a row, and its springs, each with a node of its own."""
     first = FIRST_NODE + 100 * number
-    found = []
+    springs = []
     for count, (constant, parts) in enumerate(zip(*combined_springs(seat.stiffness, seat.lever), strict=True), 11):
         named = [(dof, float(part)) for dof, part in zip((1, 2, 3, 2, 3), parts, strict=True)]
         moves, turns = ([each for each in half if each[1]] for half in (named[:3], named[3:]))
-        found.append(_Spring(first + count, float(constant), moves, turns))
-    return first + 1, first + 2, found
+        springs.append(_Spring(first + count, float(constant), moves, turns))
+    return first + 1, first + 2, springs
 
 
 def _head(mark: str, units: str, use: str) -> list[str]:

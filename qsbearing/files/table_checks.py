@@ -212,10 +212,10 @@ def material(path: str, value: Any, errors: Errors) -> Material:
     if not isinstance(value, str):
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
         return unknown
-    found = material_named(value)
-    if found is None:
+    known = material_named(value)
+    if known is None:
         others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(named(_NEEDED))}"
         cause = question(alike(value, BY_NAME)) or others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
         return unknown
-    return found
+    return known

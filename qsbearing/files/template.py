@@ -7,11 +7,11 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from qsbearing.files.catalogue import Entry
+from qsbearing.files.catalogue import CatalogueEntry
 from qsbearing.files.file_keys import reading_tables
 
 
-def scene_template(entry: Entry, by_name: bool) -> str:
+def scene_template(entry: CatalogueEntry, by_name: bool) -> str:
     """The text of a scene file around a catalogue entry.
 
     A key of the template takes the entry's value; without one it stays if it is a comment there, else it goes.
@@ -49,7 +49,7 @@ def _readings() -> str:
     return "\n".join(lines)
 
 
-def set_template(entry: Entry) -> str:
+def set_template(entry: CatalogueEntry) -> str:
     """The text of a file of a set: two rows of a catalogue entry, back to back."""
     template = Template(Path(__file__).with_name("set_template.toml").read_text("utf-8"))
     width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
@@ -59,7 +59,7 @@ def set_template(entry: Entry) -> str:
 @cache
 def notes() -> dict[tuple[str, str], str]:
     """What the templates say beside each key, by its table and name; of a table, name "", beside its heading."""
-    found: dict[tuple[str, str], str] = {}
+    by_key: dict[tuple[str, str], str] = {}
     folder, table = Path(__file__).parent, ""
     scene = (folder / "template.toml").read_text("utf-8").replace("$readings", _readings())
     for line in [*scene.splitlines(), *(folder / "set_template.toml").read_text("utf-8").splitlines()]:
@@ -69,8 +69,8 @@ def notes() -> dict[tuple[str, str], str]:
         if is_heading:
             key, table = "", setting.strip("[] ").rpartition(".")[2]
         if note and (is_heading or (equals and key.replace(".", "").isidentifier())):
-            found.setdefault((table, key), note.strip())
-    return found
+            by_key.setdefault((table, key), note.strip())
+    return by_key
 
 
 def _toml(value: Any) -> str:

@@ -53,30 +53,30 @@ def found_temperatures(document: dict[str, Any], errors: Errors) -> frozenset[st
     if not isinstance(table, dict):
         return frozenset()
     nodes, rows = _nodes(table), document.get("rows")
-    found = {key for keys in NODE_KEYS.values() for key, node in keys.items() if node in nodes}
-    errors += _given(document.get("effects"), found, "effects")
+    balance_keys = {key for keys in NODE_KEYS.values() for key, node in keys.items() if node in nodes}
+    errors += _given(document.get("effects"), balance_keys, "effects")
     for number, row in enumerate(rows if isinstance(rows, list) else (), 1):
-        errors += _given(row, found, f"row {number}")
+        errors += _given(row, balance_keys, f"row {number}")
     for body in ("shaft", "housing"):
         own = document.get(body)
         if body in nodes and isinstance(own, dict) and "temperature_C" in own:
             errors.append(FileErrorDetail(f"{body}.temperature_C", FOUND, own["temperature_C"], "C"))
     if "oil" in nodes or "viscosity_at" in table:
-        found.add(OIL_TEMPERATURE)
+        balance_keys.add(OIL_TEMPERATURE)
         readings = document.get("readings")
         oil = readings.get("lubricant") if isinstance(readings, dict) else None
         if isinstance(oil, dict) and OIL_TEMPERATURE in oil:
             errors.append(FileErrorDetail(f"readings.lubricant.{OIL_TEMPERATURE}", FOUND, oil[OIL_TEMPERATURE], "C"))
-    return frozenset(found)
+    return frozenset(balance_keys)
 
 
-def _given(table: Any, found: set[str], path: str) -> Errors:
+def _given(table: Any, balance_keys: set[str], path: str) -> Errors:
     """Errors of the tables of ring expansion and ball expansion within this one."""
     errors: Errors = []
     for name, keys in NODE_KEYS.items():
         effect = table.get(name) if isinstance(table, dict) else None
         if isinstance(effect, dict):
-            given = [key for key in keys if key in found and key in effect]
+            given = [key for key in keys if key in balance_keys and key in effect]
             errors += [FileErrorDetail(f"{path}.{name}.{key}", FOUND, effect[key], "C") for key in given]
     return errors
 
@@ -104,7 +104,7 @@ def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
         problem = "missing" if tables is None else "is not a list of tables"
         errors.append(FileErrorDetail("[[thermal.conductances]]", problem, cause=cause))
         return ()
-    found = []
+    conductances = []
     for number, table in enumerate(tables, 1):
         path = f"thermal.{CONDUCTANCES} {number}"
         good, unusable = checked(_CONDUCTANCE, path, table, errors)
@@ -112,8 +112,8 @@ def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
         errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
         if not missing and not unusable:
             ends = tuple(good["between"])
-            found.append(Conductance(ends, **si(CONDUCTANCE, good), row=good.get("row")))
-    return tuple(found)
+            conductances.append(Conductance(ends, **si(CONDUCTANCE, good), row=good.get("row")))
+    return tuple(conductances)
 
 
 def thermal_tables(
@@ -133,15 +133,15 @@ def thermal_tables(
         {"between": list(each.between), **numbers(CONDUCTANCE, each), **({} if each.row is None else {"row": each.row})}
         for each in thermal.conductances
     ]
-    found = {(name, key) for name, keys in NODE_KEYS.items() for key, node in keys.items() if node in thermal.nodes}
-    found |= set() if thermal.oil_node is None else {("lubricant", OIL_TEMPERATURE)}
-    return {**_without(found, tables), "thermal": own}
+    left_out = {(name, key) for name, keys in NODE_KEYS.items() for key, node in keys.items() if node in thermal.nodes}
+    left_out |= set() if thermal.oil_node is None else {("lubricant", OIL_TEMPERATURE)}
+    return {**_without(left_out, tables), "thermal": own}
 
 
-def _without(found: set[tuple[str, str]], tables: Any, table: str = "") -> Any:
+def _without(left_out: set[tuple[str, str]], tables: Any, table: str = "") -> Any:
     """These tables, and those within them, without some keys of some tables."""
     if isinstance(tables, list):
-        return [_without(found, each) for each in tables]
+        return [_without(left_out, each) for each in tables]
     if not isinstance(tables, dict):
         return tables
-    return {key: _without(found, value, key) for key, value in tables.items() if (table, key) not in found}
+    return {key: _without(left_out, value, key) for key, value in tables.items() if (table, key) not in left_out}

@@ -74,7 +74,7 @@ def check_tables(document: dict[str, Any], path: Path) -> None:
             raise refused(path, f"has more than {what}", "Data of another program?")
         values = (each for table in inner for each in table.values())
         lists = (value if isinstance(value, list) else [value] for value in values)
-        inner = [each for found in lists for each in found if isinstance(each, dict)]
+        inner = [each for listed in lists for each in listed if isinstance(each, dict)]
     if empty := list(_nulls(document)):
         cause = "null is no value: write one, or leave the key out"
         raise SceneFileError(str(path), [FileErrorDetail(each, "is null", cause=cause) for each in empty])

@@ -98,6 +98,6 @@ def _in_known_unit(name: str, section: str, value: Any) -> Suggestion | None:
             if ending.replace("_", "").lower() == unit.replace("_", "").lower():
                 if type(value) not in (int, float) or not -LARGEST < value < LARGEST:
                     return Suggestion(f"Did you mean {key.name}?", key.name)
-                found = f"{key.name} = {key.in_file(value * size):.10g}"
-                return Suggestion(f"Did you mean {found}? ({value:.10g} {unit.replace('_', '/')})", key.name)
+                setting = f"{key.name} = {key.in_file(value * size):.10g}"
+                return Suggestion(f"Did you mean {setting}? ({value:.10g} {unit.replace('_', '/')})", key.name)
     return None

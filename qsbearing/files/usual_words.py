@@ -52,15 +52,15 @@ class Usual(NamedTuple):
 
 
 def _all() -> dict[str, Usual]:
-    found = {word: Usual(key) for key, words in _KEYS.items() for word in words.split()}
+    by_word = {word: Usual(key) for key, words in _KEYS.items() for word in words.split()}
     is_over = "the groove radius over the ball diameter, such as 0.52"
-    found |= {"f": Usual(_COEFFICIENT, is_over)} | {word: Usual(_COEFFICIENT, is_over) for word in _OF_GROOVES}
+    by_word |= {"f": Usual(_COEFFICIENT, is_over)} | {word: Usual(_COEFFICIENT, is_over) for word in _OF_GROOVES}
     for side in ("inner", "outer"):
         of_side = Usual(f"{side}_{_COEFFICIENT}", is_over)
-        found |= dict.fromkeys((f"f{side[0]}", f"f_{side[0]}"), of_side)
-        found |= {each: of_side for word in _OF_GROOVES for each in (f"{side}_{word}", f"{word}_{side}")}
-    found["radial_clearance"] = Usual("diametral_clearance_mm", "the whole play, from stop to stop")
-    return found
+        by_word |= dict.fromkeys((f"f{side[0]}", f"f_{side[0]}"), of_side)
+        by_word |= {each: of_side for word in _OF_GROOVES for each in (f"{side}_{word}", f"{word}_{side}")}
+    by_word["radial_clearance"] = Usual("diametral_clearance_mm", "the whole play, from stop to stop")
+    return by_word
 
 
 WORDS = _all()

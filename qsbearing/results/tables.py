@@ -14,7 +14,7 @@ from rich.text import Text
 
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.documents.numbers import plain
-from qsbearing.files.catalogue import Entry
+from qsbearing.files.catalogue import CatalogueEntry
 from qsbearing.files.keys import PRINTED
 
 TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
@@ -28,7 +28,7 @@ def digits_of(value: Any) -> str:
     return plain(float(value) + 0.0)
 
 
-def catalogue(entries: Sequence[Entry]) -> list[Block]:
+def catalogue(entries: Sequence[CatalogueEntry]) -> list[Block]:
     """All entries, one a row, their sources below."""
     heading = ("name", "kind", "Z", "D\nmm", "dm\nmm", "alpha0\ndeg", "balls", "rings", "from")
     sources: list[str] = []
@@ -56,7 +56,7 @@ def catalogue(entries: Sequence[Entry]) -> list[Block]:
     return [Table(heading, rows, "llrrrrlll", "Catalogue", notes=notes), Paragraph(hint, is_apart=True)]
 
 
-def spindle_table(entries: Sequence[Entry]) -> list[Block]:
+def spindle_table(entries: Sequence[CatalogueEntry]) -> list[Block]:
     """Standard bearings, one a row; what is inferred is marked."""
     heading = ("name", "d", "D", "B", "Z", "Dw", "dm", "alpha0\ndeg", "f *", "C\nN", "balls")
     rows = []
@@ -76,7 +76,7 @@ def spindle_table(entries: Sequence[Entry]) -> list[Block]:
     return [table, Paragraph(said, is_apart=True)]
 
 
-def catalogue_entry(entry: Entry) -> Group:
+def catalogue_entry(entry: CatalogueEntry) -> Group:
     """One entry, with the origin of every number."""
     table = RichTable(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
     table.add_column("", no_wrap=True)

@@ -13,30 +13,30 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.catalogue.entry import Entry
+from qsbearing.files.catalogue.entry import CatalogueEntry
 from qsbearing.files.catalogue.spindle_series import spindle_bearing, spindle_bearings
 from qsbearing.files.designations import Designation, angles_of, read
 from qsbearing.model.validation import alike, printable, question
 from qsbearing.remarks.wording import listed
 
-__all__ = ["Entry", "chosen", "entries", "find", "named", "nearest"]
+__all__ = ["CatalogueEntry", "chosen", "entries", "find", "named", "nearest"]
 
 
 @cache  # a study and a search look one up for each of their batches
-def entries() -> tuple[Entry, ...]:
+def entries() -> tuple[CatalogueEntry, ...]:
     """The worked examples, in the order of their names."""
     texts = [file.read_text("utf-8") for file in Path(__file__).parent.glob("*.toml")]
     return tuple(sorted((_entry(tomllib.loads(text)) for text in texts), key=lambda entry: entry.name.lower()))
 
 
-def find(name: str) -> Entry | None:
+def find(name: str) -> CatalogueEntry | None:
     """The entry of this name, in capitals or not, or of a designation that means it, such as GMN S 61914 C TA; None
     where there is none: `nearest` says what is known."""
     entry = _called(name.strip().lower())
     return entry if entry is not None else _designated(name)
 
 
-def named(name: str) -> Entry | None:
+def named(name: str) -> CatalogueEntry | None:
     """Likewise, with a warning where a designation tells more than the entry holds."""
     entry = find(name)
     told = read(name) if entry is not None and name.strip().lower() != entry.name.lower() else None
@@ -45,7 +45,7 @@ def named(name: str) -> Entry | None:
     return entry
 
 
-def _designated(name: str) -> Entry | None:
+def _designated(name: str) -> CatalogueEntry | None:
     """The spindle bearing that a designation means which tells no other maker than theirs."""
     told = read(name)
     if told is None or not told.is_plain or told.angle is None:
@@ -54,14 +54,14 @@ def _designated(name: str) -> Entry | None:
     return next((entry for entry in same if entry.name.startswith("KH") == ("KH" in told.prefix)), None)
 
 
-def _of_size(told: Designation) -> list[Entry]:
+def _of_size(told: Designation) -> list[CatalogueEntry]:
     """The spindle bearings of these boundary dimensions, of steel balls or of ceramic ones."""
     of_bore = chosen(bore=told.bore, hybrid=bool(told.ball_material)) if told.kind == "angular_contact" else []
     return [entry for entry in of_bore if entry.dimensions["outside_diameter_mm"] == told.outside]
 
 
 @lru_cache(1024)
-def _called(name: str) -> Entry | None:
+def _called(name: str) -> CatalogueEntry | None:
     """The entry of this name in small letters. An example that is a row of the table too keeps its own numbers and
     takes the row's dimensions."""
     row = spindle_bearing(name)
@@ -73,7 +73,7 @@ def _called(name: str) -> Entry | None:
 
 def chosen(
     bore: float | None = None, angle: float | None = None, series: str = "", hybrid: bool | None = None
-) -> list[Entry]:
+) -> list[CatalogueEntry]:
     """The spindle bearings of these, smallest first.
 
     Args:
@@ -129,10 +129,10 @@ def _told(told: Designation, lacking: Set[str]) -> str:
     if told.kind == "angular_contact" and not has_angle:
         is_open = told.maker in ("", "GMN") and not told.suffix and told.is_prefix_known
         is_open &= not (told.ignored and told.angles)
-        found = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
+        suggestion = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
         needs = _needs(lacking, [])
         also = f" No designation tells the balls: give {needs}." if needs else ""
-        return f"{begun}.{unknown} {_angle_wanted(told)}.{also}{found}"
+        return f"{begun}.{unknown} {_angle_wanted(told)}.{also}{suggestion}"
     play = [] if has_angle else ["diametral_clearance_mm = 0.01 or what it is when mounted"]
     alike = [entry.name for entry in same if entry.bearing["free_contact_angle_deg"] == told.angle]
     has = f"; GMN's of these dimensions and angle, with balls of its own, is name = {alike[0]!r}" if alike else ""
@@ -168,11 +168,11 @@ def _angle_wanted(told: Designation) -> str:
     return f"Its suffix tells no angle: {give}, or write the maker first"
 
 
-def _entry(data: dict[str, Any]) -> Entry:
+def _entry(data: dict[str, Any]) -> CatalogueEntry:
     # The kind stands beside the name in the data, where a reader looks for it, and in the bearing in a scene file.
     bearing = {"kind": data["kind"].replace(" ", "_"), **data["bearing"]}
     rings = data.get("dimensions", {})
-    return Entry(
+    return CatalogueEntry(
         data["name"], data["description"], data["source"], bearing, data["provenance"],
         data.get("material_provenance", {}), data["example"],
         {key: value for key, value in rings.items() if key != "source"}, rings.get("source", ""),

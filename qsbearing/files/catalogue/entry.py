@@ -7,7 +7,7 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class Entry:
+class CatalogueEntry:
     """One published bearing."""
 
     name: str

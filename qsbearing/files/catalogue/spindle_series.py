@@ -13,7 +13,7 @@ from math import cos, radians
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.catalogue.entry import Entry
+from qsbearing.files.catalogue.entry import CatalogueEntry
 
 SOURCE = "GMN Paul Mueller Industrie, High precision ball bearings, catalogue 4000 0813 EN, tables of spindle bearings"
 HYBRID = "_hybrid"
@@ -34,13 +34,13 @@ _DIMENSIONS = {
 
 
 @cache
-def spindle_bearings() -> dict[str, Entry]:
+def spindle_bearings() -> dict[str, CatalogueEntry]:
     """Every row of the table, with steel balls and with ceramic ones, by its name in small letters."""
     return {name: entry for name in _rows() if (entry := spindle_bearing(name)) is not None}
 
 
 @cache
-def spindle_bearing(name: str) -> Entry | None:
+def spindle_bearing(name: str) -> CatalogueEntry | None:
     """The row of this name in small letters; None where there is none. To make all takes a tenth of a `run`."""
     return _entry(*_rows()[name]) if name in _rows() else None
 
@@ -49,16 +49,16 @@ def spindle_bearing(name: str) -> Entry | None:
 def _rows() -> dict[str, tuple[str, dict[str, str], bool]]:
     """Name, row of the table, and whether it is one of ceramic balls, by the name in small letters."""
     text = Path(__file__).with_name("gmn_spindle_bearings.csv").read_text("utf-8")
-    found = {}
+    rows = {}
     for row in csv.DictReader(text.splitlines()):
         series, number, letter, *_ = row["name"].split()
         name = ("" if series == "S" else series) + "7" + number[1:].replace("/", "-") + letter
         for full, is_hybrid in ((name, False), (name + HYBRID, True)):
-            found[full.lower()] = (full, row, is_hybrid)
-    return found
+            rows[full.lower()] = (full, row, is_hybrid)
+    return rows
 
 
-def _entry(name: str, texts: dict[str, str], is_hybrid: bool) -> Entry:
+def _entry(name: str, texts: dict[str, str], is_hybrid: bool) -> CatalogueEntry:
     printed, row = texts["name"], {key: float(each) for key, each in texts.items() if key != "name"}
     diameter, f = row["Dw_mm"], row["inferred_f"]
     bearing: dict[str, Any] = {
@@ -78,7 +78,7 @@ def _entry(name: str, texts: dict[str, str], is_hybrid: bool) -> Entry:
     if is_hybrid:
         dimensions["static_load_rating_N"] = row["C0_HY"]
     dimensions = {_of_face(key, value, bearing): value for key, value in dimensions.items()}
-    return Entry(
+    return CatalogueEntry(
         name,
         f"{size} spindle bearing, {row['alpha_deg']:g} degrees, {balls} balls (GMN {'HY ' * is_hybrid}{printed})",
         f"{SOURCE}, row {printed}; groove radii are inferred, see provenance",
@@ -110,7 +110,7 @@ def _provenance(printed: str, row: dict[str, float], is_hybrid: bool) -> dict[st
     columns = {
         "ball_count": "Z", "ball_diameter_mm": "Dw", "pitch_diameter_mm": "dm", "free_contact_angle_deg": "alpha",
     }  # fmt: skip
-    found = {key: f"catalogue row {printed}, column {column}" for key, column in columns.items()}
+    provenance = {key: f"catalogue row {printed}, column {column}" for key, column in columns.items()}
     is_median = printed.startswith("KH") and row["CaxS"] < LEAST_RIGIDITY
     fitted = (
         "the median of its series, because the row's own rigidities are printed to too few digits"
@@ -120,13 +120,13 @@ def _provenance(printed: str, row: dict[str, float], is_hybrid: bool) -> dict[st
     groove = f"inferred: not in the catalogue. f = {row['inferred_f']:g}, equal in both rings (assumed), is {fitted}"
     if printed.startswith("KH"):
         groove += ". The static ratings of KH rows ask for 0.56 at the inner ring, whose pressures may be higher"
-    found |= {"inner_groove_radius_mm": groove, "outer_groove_radius_mm": "inferred: see inner_groove_radius_mm"}
-    found["ball_material"] = (
+    provenance |= {"inner_groove_radius_mm": groove, "outer_groove_radius_mm": "inferred: see inner_groove_radius_mm"}
+    provenance["ball_material"] = (
         "catalogue: all sizes are offered with balls of Si3N4, prefix HY; that the rings keep their grooves is assumed"
         if is_hybrid
         else "catalogue: balls of 100Cr6, 7.8 g/cm3; the elastic constants are those of this program's steel, assumed"
     )
-    found["ring_material"] = (
+    provenance["ring_material"] = (
         "catalogue: rings of 100Cr6; the elastic constants are those of this program's steel, assumed"
     )
-    return found
+    return provenance

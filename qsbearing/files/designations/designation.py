@@ -74,12 +74,12 @@ class Designation:
     @property
     def given(self) -> dict[str, Any]:
         """What it says in the words of a file's [bearing]; rings, and balls of which it says nothing, are of steel."""
-        found = {
+        bearing = {
             "kind": self.kind, "bore_diameter_mm": self.bore, "outside_diameter_mm": self.outside,
             "width_mm": self.width, "free_contact_angle_deg": self.angle,
             "ball_material": self.ball_material or "steel", "ring_material": "steel",
         }  # fmt: skip
-        return {key: value for key, value in found.items() if value is not None}
+        return {key: value for key, value in bearing.items() if value is not None}
 
     @property
     def size(self) -> str:
@@ -148,8 +148,8 @@ def read(text: str) -> Designation | None:
     is_own = len(series) == 2 and series[1] in "89"
     series = f"{series[0]}1{series[1]}" if is_own else series
     maker = maker or ("FAG" if prefix in facts["prefixes"]["FAG"] and kind == "angular_contact" else "")
-    found = _completed(text, maker, prefix, series, dimension_series, kind, bore, rest)
-    return found if not is_own else Designation(**{**vars(found), "is_plain": False})
+    designation = _completed(text, maker, prefix, series, dimension_series, kind, bore, rest)
+    return designation if not is_own else Designation(**{**vars(designation), "is_plain": False})
 
 
 def _completed(
@@ -207,5 +207,5 @@ def _angle(maker: str, prefix: str, rest: str) -> tuple[str, float | None, tuple
 
 def _taken(pattern: re.Pattern[str], rest: str) -> tuple[re.Match[str] | None, str]:
     """A part of the suffix, and what is left without it."""
-    found = pattern.search(rest)
-    return found, rest if found is None else f"{rest[: found.start()]}-{rest[found.end() :]}"
+    match = pattern.search(rest)
+    return match, rest if match is None else f"{rest[: match.start()]}-{rest[match.end() :]}"

@@ -27,5 +27,5 @@ def width(bore: float, outside: float) -> float | None:
 
     Series 00 and 10 have the same diameters; the width is that of 10, which nearly every bearing has.
     """
-    found = [size[1] for (series, d), size in table().items() if (d, size[0]) == (bore, outside) and series != "00"]
-    return found[0] if found else None
+    widths = [size[1] for (series, d), size in table().items() if (d, size[0]) == (bore, outside) and series != "00"]
+    return widths[0] if widths else None

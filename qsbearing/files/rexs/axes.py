@@ -12,30 +12,30 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.rexs.model import Component
-from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.reader import AttributeReader
 
 ALONG = 1e-6
 """By how much a bearing's axis may lie off its shaft's (chosen: vectors are written with some digits)."""
 
 
-def turned(reader: Reader, bearing: Component, shaft: Component | None) -> NDArray:
+def turned(reader: AttributeReader, bearing: Component, shaft: Component | None) -> NDArray:
     """What takes loads and displacements (x, y, z, about y, about z) from the shaft's axes to the bearing's; (5, 5)."""
     within = reader.whole(bearing, "reference_component_for_position")
     own, other = _axes(reader, bearing), np.eye(3)
     if shaft is not None and within != shaft.number:
         other = _axes(reader, shaft)
-    found = np.eye(5)
+    turn = np.eye(5)
     rotation = own @ other.T
     if abs(abs(rotation[0, 0]) - 1.0) > ALONG:
         path = f"{bearing}: u_axis_vector"
         error = FileErrorDetail(path, f"is not along the axis of {shaft}", own[0].round(9).tolist())
         reader.errors += [] if error in reader.errors else [error]
-        return found
-    found[:3, :3], found[3:, 3:] = rotation, rotation[1:, 1:]
-    return np.where(np.abs(found) > ALONG, found, 0.0)
+        return turn
+    turn[:3, :3], turn[3:, 3:] = rotation, rotation[1:, 1:]
+    return np.where(np.abs(turn) > ALONG, turn, 0.0)
 
 
-def _axes(reader: Reader, component: Component) -> NDArray:
+def _axes(reader: AttributeReader, component: Component) -> NDArray:
     """Unit vectors u, v, w as rows; those of the whole model where the component states none."""
     given = [reader.array(component, f"{name}_axis_vector") for name in "uw"]
     u, w = (None if each is None else np.asarray(each, float) for each in given)

@@ -19,8 +19,8 @@ from qsbearing.files.fits import names as fit_names
 from qsbearing.files.keys import BALL_EXPANSION, BEARING, MATERIAL, MATERIALS, PRINTED, RING_EXPANSION, Key, key_of
 from qsbearing.files.rexs.axes import turned
 from qsbearing.files.rexs.model import Component
-from qsbearing.files.rexs.reader import Reader
-from qsbearing.files.rexs.scene_text import Table
+from qsbearing.files.rexs.reader import AttributeReader
+from qsbearing.files.rexs.scene_text import NotedTable
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import STEEL
@@ -61,11 +61,11 @@ NO_DIRECTION = "no_direction"
 
 
 @dataclass
-class Row:
+class BearingRow:
     """One row of balls of a bearing."""
 
     bearing: Component
-    table: Table
+    table: NotedTable
     """[bearing]"""
     turn: NDArray
     """`axes.turned`"""
@@ -75,18 +75,18 @@ class Row:
     """Whether the outer ring carries no axial load."""
     position: float | None
     """Of the balls' centres along the shaft [m]."""
-    effects: Table
+    effects: NotedTable
     """Ring and ball expansion, where the model tells of fits or temperatures."""
     first_azimuth: float | None
     """Of the first ball, in the axes of the scene [rad]."""
 
 
-def is_ours(reader: Reader, component: Component) -> bool:
+def is_ours(reader: AttributeReader, component: Component) -> bool:
     """Whether a component is a bearing that is solved here."""
     return component.kind in ROLLING and reader.word(component, "bearing_type") in KINDS
 
 
-def rows_of(reader: Reader, bearing: Component, shaft: Component | None) -> list[Row]:
+def rows_of(reader: AttributeReader, bearing: Component, shaft: Component | None) -> list[BearingRow]:
     """The rows of a bearing, in its order along the shaft."""
     parts: list[Component | None] = [*reader.model.parts(bearing.number, "rolling_bearing_row")]
     count = max(reader.whole(bearing, "number_of_bearing_rows") or 1, 1)
@@ -94,7 +94,7 @@ def rows_of(reader: Reader, bearing: Component, shaft: Component | None) -> list
     turn = turned(reader, bearing, shaft)
     middle = reader.number(bearing, "u_coordinate_on_shaft_inner_side")
     distance = reader.number(bearing, "distance_between_bearing_rows") or 0.0
-    found = []
+    rows = []
     for number, part in enumerate(parts):
         along = (number - 0.5 * (len(parts) - 1)) * distance * turn[0, 0]
         absorbs = (reader.word(part, "axial_force_absorption_of_row") if part else "") or reader.word(
@@ -106,22 +106,22 @@ def rows_of(reader: Reader, bearing: Component, shaft: Component | None) -> list
         effects = _expansion(reader, bearing, part, table)
         _materials(reader, bearing, part, table, needs_expansion=bool(effects))
         _name(reader, bearing, table)
-        found.append(
-            Row(
+        rows.append(
+            BearingRow(
                 bearing, table, turn, 1.0 if is_either else None if direction is None else direction * turn[0, 0],
                 absorbs == NO_DIRECTION, None if middle is None else middle + along, effects,
                 _first_azimuth(reader, part, turn, table),
             )
         )  # fmt: skip
-    return found
+    return rows
 
 
-def elements_of(reader: Reader, part: Component | None) -> list[Component]:
+def elements_of(reader: AttributeReader, part: Component | None) -> list[Component]:
     """The rolling elements of a row, in order."""
     return [] if part is None else reader.model.parts(part.number, "rolling_element")
 
 
-def azimuths(reader: Reader, elements: list[Component], turn: NDArray) -> NDArray | None:
+def azimuths(reader: AttributeReader, elements: list[Component], turn: NDArray) -> NDArray | None:
     """Of rolling elements, in the axes of the scene [rad]; None unless each states its position."""
     angles = [reader.number(each, "angular_position_around_u") for each in elements]
     if not angles or None in angles:
@@ -131,8 +131,8 @@ def azimuths(reader: Reader, elements: list[Component], turn: NDArray) -> NDArra
     return np.asarray(np.round(np.arctan2(z, y), 12) % (2.0 * pi))  # a multiple of 22.5 degrees stays one
 
 
-def _bearing(reader: Reader, bearing: Component, part: Component | None) -> Table:
-    table = Table(kind=str(KINDS[reader.word(bearing, "bearing_type")]))
+def _bearing(reader: AttributeReader, bearing: Component, part: Component | None) -> NotedTable:
+    table = NotedTable(kind=str(KINDS[reader.word(bearing, "bearing_type")]))
     if part is not None:
         elements = elements_of(reader, part)
         count = reader.whole(part, "number_of_rolling_elements") or len(elements)
@@ -161,18 +161,20 @@ def _bearing(reader: Reader, bearing: Component, part: Component | None) -> Tabl
     return table
 
 
-def _materials(reader: Reader, bearing: Component, part: Component | None, table: Table, needs_expansion: bool) -> None:
+def _materials(
+    reader: AttributeReader, bearing: Component, part: Component | None, table: NotedTable, needs_expansion: bool
+) -> None:
     rings = reader.model.parts(bearing.number, "bearing_ring")
     owners = {"ball_material": elements_of(reader, part), "ring_material": [bearing, *rings]}
     for name, components in owners.items():
-        found = [reader.model.referenced(each.number, "material") for each in components]
-        known = {each.number: each for each in found if each is not None}
+        materials = [reader.model.referenced(each.number, "material") for each in components]
+        known = {each.number: each for each in materials if each is not None}
         if len(known) > 1:
             table.note(name, "the parts have different materials: that of the first is taken")
         table.set(name, *material(reader, next(iter(known.values()), None), needs_expansion))
 
 
-def material(reader: Reader, of: Component | None, needs_expansion: bool) -> tuple[Any, str]:
+def material(reader: AttributeReader, of: Component | None, needs_expansion: bool) -> tuple[Any, str]:
     """A material as a file has it, and what is assumed of it."""
     if of is None:
         return "steel", ASSUMED
@@ -188,7 +190,7 @@ def material(reader: Reader, of: Component | None, needs_expansion: bool) -> tup
     return given, "; ".join([f"{of.name or of.kind} [{of.number}]", *notes])
 
 
-def _name(reader: Reader, bearing: Component, table: Table) -> None:
+def _name(reader: AttributeReader, bearing: Component, table: NotedTable) -> None:
     """Look the bearing up by its designation, where its own numbers are not enough."""
     errors: Errors = []
     bearing_of({"bearing": dict(table)}, "", errors, may_infer=True)
@@ -205,20 +207,20 @@ def _name(reader: Reader, bearing: Component, table: Table) -> None:
         table.note("", f"designation {word}: not in the catalogue of this program")
 
 
-def _first_azimuth(reader: Reader, part: Component | None, turn: NDArray, table: Table) -> float | None:
+def _first_azimuth(reader: AttributeReader, part: Component | None, turn: NDArray, table: NotedTable) -> float | None:
     elements = elements_of(reader, part)
-    found = azimuths(reader, elements, turn)
-    if found is None or len(found) != table.get("ball_count"):
+    angles = azimuths(reader, elements, turn)
+    if angles is None or len(angles) != table.get("ball_count"):
         return None
-    steps = np.diff(np.sort(found), append=found.min() + 2.0 * pi)
+    steps = np.diff(np.sort(angles), append=angles.min() + 2.0 * pi)
     if np.ptp(steps) > 1e-3 * float(steps.mean()):
         table.note("ball_count", "assumed: evenly spaced from the first; the model has them unevenly")
-    return float(found[0])
+    return float(angles[0])
 
 
-def _expansion(reader: Reader, bearing: Component, part: Component | None, of: Table) -> Table:
+def _expansion(reader: AttributeReader, bearing: Component, part: Component | None, of: NotedTable) -> NotedTable:
     """The tables ring_expansion and ball_expansion within [effects]; none where the model tells of neither."""
-    found, rings = Table(), Table()
+    effects, rings = NotedTable(), NotedTable()
     for seat, ring, sign, bodies, word, key, wall in _SEATS:
         limits = [reader.positive(bearing, f"{end}_{body}_diameter") for body in bodies for end in _ENDS]
         known, fit = [each for each in limits if each is not None], reader.word(bearing, word)
@@ -230,7 +232,7 @@ def _expansion(reader: Reader, bearing: Component, part: Component | None, of: T
             rings.set("tolerance_class", reader.word(bearing, "bearing_tolerance_class") or "P0")
         else:
             if fit:
-                found.note("", f"{word} {fit}: not known here, the seat is left out")
+                effects.note("", f"{word} {fit}: not known here, the seat is left out")
             continue
         rings.put(_KEYS[key], reader.positive(bearing, wall))
     for side in ("inner", "outer"):
@@ -238,26 +240,26 @@ def _expansion(reader: Reader, bearing: Component, part: Component | None, of: T
             _KEYS[f"{side}_ring_temperature_C"], reader.number(bearing, f"mean_operating_temperature_{side}_ring")
         )
     if not rings:
-        return found
+        return effects
     rings.put(_KEYS["reference_temperature_C"], *_reference_temperature(reader))
-    found["ring_expansion"] = rings
+    effects["ring_expansion"] = rings
     balls = {reader.number(each, "mean_operating_temperature") for each in elements_of(reader, part)} - {None}
     if balls:
-        table = found["ball_expansion"] = Table()
+        table = effects["ball_expansion"] = NotedTable()
         table.put(_KEYS["ball_temperature_C"], sum(each for each in balls if each is not None) / len(balls))
         table.put(_KEYS["reference_temperature_C"], *_reference_temperature(reader))
-    return found
+    return effects
 
 
-def _reference_temperature(reader: Reader) -> tuple[float, str]:
+def _reference_temperature(reader: AttributeReader) -> tuple[float, str]:
     units = (each for each in reader.model.components.values() if each.kind == "gear_unit")
-    found = [value for each in units if (value := reader.number(each, "reference_temperature")) is not None]
-    return (found[0], "") if found else (REFERENCE_TEMPERATURE, ASSUMED)
+    temperatures = [value for each in units if (value := reader.number(each, "reference_temperature")) is not None]
+    return (temperatures[0], "") if temperatures else (REFERENCE_TEMPERATURE, ASSUMED)
 
 
-def readings(reader: Reader, bearing: Component, casing: Component | None) -> Table:
+def readings(reader: AttributeReader, bearing: Component, casing: Component | None) -> NotedTable:
     """[readings]: life, and the oil where the model tells it whole."""
-    found = Table(life=Table())
+    tables = NotedTable(life=NotedTable())
     oil = reader.model.referenced(bearing.number, "lubricant") or (
         reader.model.referenced(casing.number, "lubricant") if casing is not None else None
     )
@@ -265,19 +267,19 @@ def readings(reader: Reader, bearing: Component, casing: Component | None) -> Ta
         (value for each in (bearing, casing) if each and (value := reader.number(each, "temperature_lubricant"))), None
     )
     if oil is None or temperature is None:
-        return found
+        return tables
     from qsbearing.readings.lubricant import TABLE
 
     keys: dict[str, Key] = {key.field: key for key in map(key_of, TABLE.inputs)}
-    table = Table()
+    table = NotedTable()
     table.put(keys["viscosity_at_40"], reader.positive(oil, "viscosity_at_40_degree_celsius"))
     table.put(keys["viscosity_at_100"], reader.positive(oil, "viscosity_at_100_degree_celsius"))
     table.put(keys["oil_temperature"], temperature)
     table.put(keys["oil_density"], reader.positive(oil, "density_at_15_degree_celsius"))
     if len(table) < 3:
-        return found
-    found["lubricant"] = table
+        return tables
+    tables["lubricant"] = table
     contamination = reader.positive(bearing, "contamination_factor_iso_281_2007")
     if contamination is not None:
-        found["life"].set("contamination_factor", contamination)
-    return found
+        tables["life"].set("contamination_factor", contamination)
+    return tables

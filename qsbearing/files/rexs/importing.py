@@ -16,11 +16,11 @@ from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.keys import OPERATION, PRELOAD, Key
 from qsbearing.files.limits import MOST_MODEL_FILES
 from qsbearing.files.rexs import shaft_mapping
-from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, Row, is_ours, readings, rows_of
+from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, BearingRow, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
 from qsbearing.files.rexs.names import NEWEST
-from qsbearing.files.rexs.reader import Reader
-from qsbearing.files.rexs.scene_text import Table, text_of
+from qsbearing.files.rexs.reader import AttributeReader
+from qsbearing.files.rexs.scene_text import NotedTable, text_of
 from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
@@ -48,7 +48,7 @@ class SceneText:
     text: str
     lacks: list[str]
     """What must be given before it can be solved, one sentence each."""
-    document: Table
+    document: NotedTable
 
 
 @dataclass
@@ -73,13 +73,13 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     errors: Errors = []
     cases: list[LoadCase | None] = [*model.load_cases] or [None]
     files: list[SceneText] = []
-    plain = Reader(model, None, errors)
+    plain = AttributeReader(model, None, errors)
     ours = [each for each in model.components.values() if is_ours(plain, each)]
     if len(cases) * len(ours) > MOST_MODEL_FILES:
         cause = "Take the load cases out that do not matter, or name one shaft"
         raise refused(path, f"would make more than {MOST_MODEL_FILES:,} files", cause)
     for case in cases:
-        reader = Reader(model, case, errors)
+        reader = AttributeReader(model, case, errors)
         chosen = _chosen(reader, shaft)
         for each in ours:
             if shaft is None or shaft_mapping.sides(reader, each).get("inner_part") in chosen:
@@ -94,30 +94,30 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     return Imported(files, named, remarks)
 
 
-def _chosen(reader: Reader, shaft: str | None) -> list[Component]:
+def _chosen(reader: AttributeReader, shaft: str | None) -> list[Component]:
     known = shaft_mapping.shafts(reader)
-    found = [each for each in known if shaft in (None, each.name, str(each.number))]
-    if shaft is not None and not found:
+    chosen = [each for each in known if shaft in (None, each.name, str(each.number))]
+    if shaft is not None and not chosen:
         cause = f"Shafts of this model: {', '.join(f'{each.number} ({each.name})' for each in known) or 'none'}"
         raise SceneFileError(
             "--shaft", [FileErrorDetail("--shaft", "no shaft has this name or id", shaft, cause=cause)]
         )
-    return found
+    return chosen
 
 
 def _remarks(model: Model) -> list[str]:
     own = sum(name.startswith("custom") for each in model.components.values() for name in each.attributes)
-    found = [f"{own} attributes of the other program's own are not read"] if own else []
+    remarks = [f"{own} attributes of the other program's own are not read"] if own else []
     if model.version > NEWEST:
-        found.append(f"version {model.version_text} is newer than 2.0.0, as which it is read")
-    return found
+        remarks.append(f"version {model.version_text} is newer than 2.0.0, as which it is read")
+    return remarks
 
 
 def _suffix(case: LoadCase | None, model: Model) -> str:
     return f"_case_{case.number}" if case is not None and len(model.load_cases) > 1 else ""
 
 
-def _share(reader: Reader) -> float | None:
+def _share(reader: AttributeReader) -> float | None:
     """The load case's part of the time."""
     units = (each for each in reader.model.components.values() if each.kind == "gear_unit")
     return next(
@@ -125,8 +125,8 @@ def _share(reader: Reader) -> float | None:
     )
 
 
-def _origin(reader: Reader, bearings: list[int], **others: object) -> Table:
-    table = Table(bearings=bearings, **others)
+def _origin(reader: AttributeReader, bearings: list[int], **others: object) -> NotedTable:
+    table = NotedTable(bearings=bearings, **others)
     if reader.case is not None:
         share = _share(reader)
         table.set("load_case", reader.case.number, "" if share is None else f"share of the time: {share:g}")
@@ -134,7 +134,7 @@ def _origin(reader: Reader, bearings: list[int], **others: object) -> Table:
     return table
 
 
-def _speeds(reader: Reader, bearing: Component, table: Table) -> bool:
+def _speeds(reader: AttributeReader, bearing: Component, table: NotedTable) -> bool:
     """Put the speeds into [operation]; whether anything turns."""
     parts = shaft_mapping.sides(reader, bearing)
     for side, field in (("inner", "speed"), ("outer", "outer_speed")):
@@ -147,8 +147,8 @@ def _speeds(reader: Reader, bearing: Component, table: Table) -> bool:
     return any(table.get(_OPERATION[field].name) for field in ("speed", "outer_speed"))
 
 
-def _effects(turns: bool, own: Table) -> Table:
-    table = Table()
+def _effects(turns: bool, own: NotedTable) -> NotedTable:
+    table = NotedTable()
     if turns:
         table.set("ball", ["centrifugal_force", "gyroscopic_moment"])
         table.set("raceway_control", "outer", "assumed: no attribute of REXS tells it")
@@ -157,19 +157,19 @@ def _effects(turns: bool, own: Table) -> Table:
     return table
 
 
-def _of_bearing(reader: Reader, path: Path, bearing: Component) -> SceneText:
+def _of_bearing(reader: AttributeReader, path: Path, bearing: Component) -> SceneText:
     parts = shaft_mapping.sides(reader, bearing)
     rows = rows_of(reader, bearing, parts.get("inner_part"))
     row, is_single = rows[0], len(rows) == 1
     sign = row.direction or 1.0 if is_single else 1.0
     row.table.note("", str(bearing))
-    document = Table(bearing=row.table) if is_single else Table(rows=[_row(each) for each in rows])
-    operation = document["operation"] = Table()
+    document = NotedTable(bearing=row.table) if is_single else NotedTable(rows=[_row(each) for each in rows])
+    operation = document["operation"] = NotedTable()
     turns = _speeds(reader, bearing, operation)
     lacks = _load(reader, bearing, row, sign, document)
     if row.first_azimuth:
         operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
-    if effects := _effects(turns, row.effects if is_single else Table()):
+    if effects := _effects(turns, row.effects if is_single else NotedTable()):
         document["effects"] = effects
     document["readings"] = readings(reader, bearing, parts.get("outer_part"))
     origin = document[ORIGIN] = _origin(reader, [bearing.number] * len(rows))
@@ -187,7 +187,7 @@ def _with_spectra(
 ) -> Iterator[SceneText]:
     """Of each bearing with a load in all load cases, and of each shaft, if their shares make up the time: one file of
     all of them; a remark where they differ in what the points of one file cannot."""
-    shares = [_share(Reader(model, case, errors)) for case in model.load_cases]
+    shares = [_share(AttributeReader(model, case, errors)) for case in model.load_cases]
     if len(shares) < 2 or None in shares or abs(sum(each or 0.0 for each in shares) - 1.0) > WHOLE:
         return
     cases: dict[str, list[SceneText]] = {}
@@ -200,14 +200,14 @@ def _with_spectra(
         if differs:
             remarks.append(f"{title}: no load spectrum, since its load cases differ in {differs}")
             continue
-        document = Table(own[0].document | {"spectrum": []})
-        document["spectrum"] = [Table(share=share, **each) for share, each in zip(shares, points, strict=True)]
+        document = NotedTable(own[0].document | {"spectrum": []})
+        document["spectrum"] = [NotedTable(share=share, **each) for share, each in zip(shares, points, strict=True)]
         del document["operation"]
-        document[ORIGIN] = Table({key: each for key, each in document[ORIGIN].items() if key != "load_case"})
+        document[ORIGIN] = NotedTable({key: each for key, each in document[ORIGIN].items() if key != "load_case"})
         yield _finished(document, f"{own[0].name.partition('_case_')[0]}_spectrum.toml", title, path)
 
 
-def _points(documents: list[Table]) -> tuple[list[dict[str, float]], str]:
+def _points(documents: list[NotedTable]) -> tuple[list[dict[str, float]], str]:
     """The numbers in which files differ, and their operations, as points of a spectrum; or what no point can have."""
     plain = [{name: each for name, each in _plain(one).items() if name != ORIGIN} for one in documents]
     numbers = [{at: paths.value_at(one, at) for at in paths.numbers_of(one)} for one in plain]
@@ -223,53 +223,53 @@ def _points(documents: list[Table]) -> tuple[list[dict[str, float]], str]:
     return [{at[1] if at[0] == "operation" else ".".join(at): each[at] for at in varied} for each in numbers], ""
 
 
-def _preload(document: Table, forces: list[float]) -> None:
+def _preload(document: NotedTable, forces: list[float]) -> None:
     """[preload] of the forces that bearings state, if any does."""
     if forces:
-        table = document["preload"] = Table()
+        table = document["preload"] = NotedTable()
         table.put(PRELOAD[1], max(forces), "assumed: held rigidly, before fitting; programs differ")
         if len(set(forces)) > 1:
             table.note("", "the bearings have different preload forces: the largest is written")
 
 
-def _load(reader: Reader, bearing: Component, row: Row, sign: float, document: Table) -> list[str]:
+def _load(reader: AttributeReader, bearing: Component, row: BearingRow, sign: float, document: NotedTable) -> list[str]:
     """Loads of a shaft that this bearing alone carries, else by the results in the model; what else bears on the shaft
     shares its loads and presses the bearing, so that the load is missing. Without a shaft a preload is all there is."""
     shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
-    found, note, is_alone = None, "the sum of the forces on the shaft", True
+    forces, note, is_alone = None, "the sum of the forces on the shaft", True
     tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
     if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
         is_alone = len(carried) == 1 and not shaft_mapping.lacking(reader, shaft)
         if given and is_alone:
-            found = np.sum([load.values[:3] for load in given], axis=0)
-    if found is None and (found := _results(reader, bearing, row.turn)) is not None:
+            forces = np.sum([load.values[:3] for load in given], axis=0)
+    if forces is None and (forces := _results(reader, bearing, row.turn)) is not None:
         note = "by the results that stand in the model"
         angles = [reader.number(bearing, f"angular_deflection_in_{axis}") for axis in "vw"]
         if None not in angles:
             tilts, of_tilts = row.turn[3:, 3:].T @ np.array(angles, float) * sign, note
-    if found is None and not is_alone and shaft is not None:
+    if forces is None and not is_alone and shaft is not None:
         solved = f"`qsbearing run shaft_{shaft.number}{_suffix(reader.case, reader.model)}.toml` prints it of its row"
         return [f"the load of {bearing}, which shares {shaft} with others: {solved}, preload included"]
-    if found is None:
+    if forces is None:
         _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
         return []
-    for field, value in zip(_LOADS[:3], found * (sign, 1.0, 1.0), strict=True):
+    for field, value in zip(_LOADS[:3], forces * (sign, 1.0, 1.0), strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, note)
     for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
     return []
 
 
-def _results(reader: Reader, bearing: Component, turn: NDArray) -> NDArray | None:
+def _results(reader: AttributeReader, bearing: Component, turn: NDArray) -> NDArray | None:
     """The load on the inner ring in the shaft's axes: minus what the bearing does to it."""
     forces = [reader.number(bearing, f"force_acting_on_inner_component_{axis}") for axis in "uvw"]
     return None if None in forces else -turn[:3, :3].T @ np.array(forces, float)
 
 
-def _row(row: Row) -> Table:
-    table = Table()
+def _row(row: BearingRow) -> NotedTable:
+    table = NotedTable()
     table.note("", str(row.bearing))
     table.put(SET_NUMBERS["rows"][0], row.position, "the middle of the bearing: assumed that its balls are there")
     if row.direction is not None:
@@ -281,8 +281,8 @@ def _row(row: Row) -> Table:
     return table
 
 
-def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
-    document = Table()
+def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneText:
+    document = NotedTable()
     bearings = shaft_mapping.bearings_on(reader, shaft)
     rows = [row for each in bearings for row in rows_of(reader, each, shaft)]
     document["rows"] = [_row(each) for each in rows]
@@ -290,7 +290,7 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
     table = document["shaft"] = shaft_mapping.shaft_table(reader, shaft, given)
     reference = rows[0].position or 0.0
     table.put(OF_SET[0], reference)
-    operation = document["operation"] = Table()
+    operation = document["operation"] = NotedTable()
     turns = _speeds(reader, bearings[0], operation)
     for field in _LOADS:
         operation.put(_OPERATION[field], 0.0)
@@ -298,8 +298,8 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
         operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
     _preload(document, [force for each in bearings if (force := reader.positive(each, "preload_force")) is not None])
     floating = [number for number, row in enumerate(rows, 1) if row.floats]
-    document |= {"floating": [Table(rows=[number]) for number in floating]} if floating else {}
-    document["effects"] = _effects(turns, Table())
+    document |= {"floating": [NotedTable(rows=[number]) for number in floating]} if floating else {}
+    document["effects"] = _effects(turns, NotedTable())
     casing = shaft_mapping.sides(reader, bearings[0]).get("outer_part")
     document["readings"] = readings(reader, bearings[0], casing)
     lacks = shaft_mapping.lacking(reader, shaft)
@@ -313,13 +313,13 @@ def _of_shaft(reader: Reader, path: Path, shaft: Component) -> SceneText:
     return _finished(document, name, str(shaft), path)
 
 
-def _finished(document: Table, name: str, title: str, path: Path) -> SceneText:
+def _finished(document: NotedTable, name: str, title: str, path: Path) -> SceneText:
     """The text of the tables, and what reading it finds missing.
 
     Raises:
         SceneFileError: it is not read as what was written.
     """
-    found: list[str] = []
+    missing: list[str] = []
     heading = f"# {title}\n# of {printable(path.name)}. Run it with: qsbearing run {name}\n\n"
     text = heading + text_of(document)
     tables = tables_of(text, Path(name))
@@ -331,8 +331,8 @@ def _finished(document: Table, name: str, title: str, path: Path) -> SceneText:
         listed: Any = error.errors
         lacks = "missing" in document[ORIGIN]
         told = [each for each in listed if not (lacks and each.key == "operation")]  # the load, told better there
-        found = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in told]
-    return SceneText(name, title, text, found, document)
+        missing = [each.problem if each.key == f"{ORIGIN}.missing" else each.line for each in told]
+    return SceneText(name, title, text, missing, document)
 
 
 def _plain(value: Any) -> Any:

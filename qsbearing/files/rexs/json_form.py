@@ -10,7 +10,7 @@ from typing import Any
 
 from qsbearing.files.file_errors import refused
 from qsbearing.files.json_text import parsed
-from qsbearing.files.rexs.model import Place, Span
+from qsbearing.files.rexs.model import ListExtent, Span
 
 
 class _Placed(JSONDecoder):
@@ -41,11 +41,11 @@ def read(data: bytes, path: Path, with_places: bool) -> tuple[dict[str, Any], di
     Raises:
         SceneFileError: it is no JSON, or no REXS.
     """
-    found, spans = parsed(data, path), {}  # the first bounds depth and size
+    document, spans = parsed(data, path), {}  # the first bounds depth and size
     if with_places:
         decoder = _Placed()
-        found, spans = decoder.decode(data.decode("utf-8")), decoder.spans
-    root = found.get("model") if isinstance(found, dict) else None
+        document, spans = decoder.decode(data.decode("utf-8")), decoder.spans
+    root = document.get("model") if isinstance(document, dict) else None
     if not isinstance(root, dict):
         raise refused(path, 'is no REXS model: there is no table "model" in it')
     return root, spans
@@ -75,7 +75,7 @@ def accumulation(components: list[str], indent: str) -> str:
     return f'"accumulation": {{"components": [{",".join(f"{indent}  {each}" for each in components)}{indent}]}}'
 
 
-def insertion(text: str, place: Place, items: list[str], indent: str) -> tuple[Span, str]:
+def insertion(text: str, place: ListExtent, items: list[str], indent: str) -> tuple[Span, str]:
     """The edit that adds items to a list. Commas begin the new lines, so that the line before stays as it is."""
     if place.last is not None:
         return (place.last[1], place.last[1]), "".join(f"{indent},{each}" for each in items)

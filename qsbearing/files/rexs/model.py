@@ -16,7 +16,7 @@ from qsbearing.model.validation import printable, whole_number
 Span = tuple[int, int]
 
 
-class Place(NamedTuple):
+class ListExtent(NamedTuple):
     """Of something in the text that has items: its own extent, and that of its last item."""
 
     span: Span
@@ -41,7 +41,7 @@ class Component:
     kind: str
     name: str
     attributes: dict[str, Attribute] = field(default_factory=dict)
-    place: Place | None = None
+    place: ListExtent | None = None
 
     def __str__(self) -> str:
         return printable(f"component {self.number} ({self.kind}{f', {self.name}' if self.name else ''})")
@@ -67,7 +67,7 @@ class LoadCase:
 
     number: int
     components: dict[int, Component]
-    place: Place | None = None
+    place: ListExtent | None = None
 
 
 @dataclass
@@ -78,7 +78,7 @@ class Model:
     components: dict[int, Component]
     relations: list[Relation]
     load_cases: list[LoadCase]
-    places: dict[str, Place]
+    places: dict[str, ListExtent]
     """Of the lists `components` and `relations`; `accumulation`: where one may be put after the load cases."""
     accumulation: LoadCase | None = None
     """What all load cases do together; number 0."""
@@ -89,11 +89,11 @@ class Model:
 
     @cached_property
     def _by_component(self) -> dict[int, list[Relation]]:
-        found: dict[int, list[Relation]] = {}
+        by_component: dict[int, list[Relation]] = {}
         for relation in self.relations:
             for number in {number for _, number in relation.parts}:
-                found.setdefault(number, []).append(relation)
-        return found
+                by_component.setdefault(number, []).append(relation)
+        return by_component
 
     def relations_of(self, number: int) -> list[Relation]:
         """All relations of a component."""
@@ -101,13 +101,15 @@ class Model:
 
     def related(self, kind: str, role: str, number: int) -> list[Relation]:
         """Relations of a kind in which a component has a role, in their order."""
-        found = [each for each in self.relations_of(number) if each.kind == kind and (role, number) in each.parts]
-        return sorted(found, key=lambda each: each.order)
+        relations = [each for each in self.relations_of(number) if each.kind == kind and (role, number) in each.parts]
+        return sorted(relations, key=lambda each: each.order)
 
     def parts(self, number: int, kind: str) -> list[Component]:
         """The components of a type that a component is assembled of, in order."""
-        found = [each for name in ("ordered_assembly", "assembly") for each in self.related(name, "assembly", number)]
-        numbers = [each.of("part") for each in found]
+        assemblies = [
+            each for name in ("ordered_assembly", "assembly") for each in self.related(name, "assembly", number)
+        ]
+        numbers = [each.of("part") for each in assemblies]
         return [
             self.components[each] for each in numbers if each in self.components and self.components[each].kind == kind
         ]
@@ -115,9 +117,9 @@ class Model:
     def referenced(self, number: int, kind: str) -> Component | None:
         """The component of a type, such as a material, that a component refers to."""
         for each in self.related("reference", "origin", number):
-            found = self.components.get(each.of("referenced") or -1)
-            if found is not None and found.kind == kind:
-                return found
+            component = self.components.get(each.of("referenced") or -1)
+            if component is not None and component.kind == kind:
+                return component
         return None
 
 
@@ -136,9 +138,9 @@ def model_of(root: dict[str, Any], spans: dict[int, Span]) -> tuple[Model, Error
             return []
         return value or []
 
-    def place(table: dict[str, Any], name: str) -> Place | None:
+    def place(table: dict[str, Any], name: str) -> ListExtent | None:
         items = table.get(name)
-        return Place(spans[id(items)], spans.get(id(items[-1])) if items else None) if id(items) in spans else None
+        return ListExtent(spans[id(items)], spans.get(id(items[-1])) if items else None) if id(items) in spans else None
 
     def numbered(items: list[dict[str, Any]], what: str) -> Iterator[tuple[int, dict[str, Any]]]:
         seen = set()
@@ -151,7 +153,7 @@ def model_of(root: dict[str, Any], spans: dict[int, Span]) -> tuple[Model, Error
                 yield number, each
 
     def components(table: dict[str, Any], what: str) -> dict[int, Component]:
-        found = {}
+        by_number = {}
         for number, each in numbered(
             listed(table, "components", what), "component" if table is root else f"{what}: component"
         ):
@@ -164,8 +166,8 @@ def model_of(root: dict[str, Any], spans: dict[int, Span]) -> tuple[Model, Error
                 one.attributes[name] = Attribute(
                     name, _text(given.get("unit")), values[0] if values else None, spans.get(id(given))
                 )
-            found[number] = one
-        return found
+            by_number[number] = one
+        return by_number
 
     relations, cases = [], []
     for number, each in numbered(listed(root, "relations", "model"), "relation"):
@@ -215,7 +217,7 @@ def _text(value: Any) -> str:
 def _whole(value: Any, path: str, errors: Errors) -> int | None:
     """An id or an order; None, and an error, where it is no whole number."""
     text = str(value).strip() if isinstance(value, str | int) and not isinstance(value, bool) else ""
-    if (found := whole_number(text)) is not None:
-        return found
+    if (number := whole_number(text)) is not None:
+        return number
     errors.append(FileErrorDetail(path, "missing" if value is None else "is not a whole number", value))
     return None

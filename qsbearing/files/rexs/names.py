@@ -31,11 +31,11 @@ def _histories() -> dict[str, list[list[_Name]]]:
         if whole_number(line[:1]) is not None:
             number, since, name, unit = line.split(",")
             by_id.setdefault(number, []).append(_Name(version_of(since), name, unit))
-    found: dict[str, list[list[_Name]]] = {}
+    histories: dict[str, list[list[_Name]]] = {}
     for history in by_id.values():
         last = next(each.name for each in reversed(history) if each.name)
-        found.setdefault(last, []).append(history)
-    return found
+        histories.setdefault(last, []).append(history)
+    return histories
 
 
 def version_of(text: str) -> tuple[int, ...]:
@@ -55,12 +55,12 @@ def spellings(name: str, version: tuple[int, ...]) -> tuple[str, ...]:
 @cache
 def current(name: str, version: tuple[int, ...]) -> tuple[str, str] | None:
     """Name and unit of an attribute in a version; None where the version has none."""
-    found = None
+    name_and_unit = None
     for history in _histories()[name]:
         known = [each for each in history if each.since <= version]
         if known and known[-1].name:
-            found = known[-1].name, known[-1].unit
-    return found
+            name_and_unit = known[-1].name, known[-1].unit
+    return name_and_unit
 
 
 def unit_of(name: str) -> str:

@@ -13,14 +13,14 @@ import numpy as np
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.rexs.model import Attribute, Component, LoadCase, Model
 from qsbearing.files.rexs.names import spellings, unit_of
-from qsbearing.files.rexs.units import NUMBER, Unit, unit_named
+from qsbearing.files.rexs.units import NUMBER, RexsUnit, unit_named
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.validation import comma_advice, printable
 
 _CODES = {"float64": "<f8", "float32": "<f4", "int32": "<i4"}
 
 
-class Reader:
+class AttributeReader:
     """Reads attributes of components; None where there is none, or an error, which is added to `errors`."""
 
     def __init__(self, model: Model, case: LoadCase | None, errors: Errors) -> None:
@@ -31,17 +31,17 @@ class Reader:
         changed = self.case.components.get(component.number) if self.case else None
         for holder in (changed, component):
             for each in spellings(name, self.model.version) if holder else ():
-                found = holder.attributes.get(each) if holder else None
-                if found is not None and found.value is not None:
-                    return found
+                attribute = holder.attributes.get(each) if holder else None
+                if attribute is not None and attribute.value is not None:
+                    return attribute
         return None
 
     def number(self, component: Component, name: str) -> float | None:
         """In SI, by the unit that the file states."""
-        found = self.attribute(component, name)
-        if found is None:
+        attribute = self.attribute(component, name)
+        if attribute is None:
             return None
-        value, unit = self._finite(component, found, found.value), self._unit(component, found, name)
+        value, unit = self._finite(component, attribute, attribute.value), self._unit(component, attribute, name)
         return None if value is None or unit is None else unit.si(value)
 
     def positive(self, component: Component, name: str) -> float | None:
@@ -58,35 +58,35 @@ class Reader:
 
     def word(self, component: Component, name: str) -> str:
         """A text or the word of a choice; empty where there is none."""
-        found = self.attribute(component, name)
-        return printable(found.value.strip()) if found is not None and isinstance(found.value, str) else ""
+        attribute = self.attribute(component, name)
+        return printable(attribute.value.strip()) if attribute is not None and isinstance(attribute.value, str) else ""
 
     def array(self, component: Component, name: str) -> list[float] | None:
         """Numbers in SI."""
-        found = self.attribute(component, name)
-        unit = None if found is None else self._unit(component, found, name)
-        if found is None or unit is None:
+        attribute = self.attribute(component, name)
+        unit = None if attribute is None else self._unit(component, attribute, name)
+        if attribute is None or unit is None:
             return None
-        values = found.value
+        values = attribute.value
         if isinstance(values, dict):
-            values = self._decoded(component, found)
+            values = self._decoded(component, attribute)
         if not isinstance(values, list):
-            self._wrong(component, found.name, "is no array", found.value)
+            self._wrong(component, attribute.name, "is no array", attribute.value)
             return None
-        numbers = [self._finite(component, found, each) for each in values]
+        numbers = [self._finite(component, attribute, each) for each in values]
         return None if None in numbers else [unit.si(each) for each in numbers if each is not None]
 
-    def _decoded(self, component: Component, found: Attribute) -> Any:
+    def _decoded(self, component: Component, attribute: Attribute) -> Any:
         """The numbers of base64; blanks and line ends may stand in it."""
-        code, text = str(found.value.get("code")), str(found.value.get("value"))
+        code, text = str(attribute.value.get("code")), str(attribute.value.get("value"))
         try:
             data = base64.b64decode("".join(text.split()), validate=True)
             return np.frombuffer(data, _CODES[code]).astype(float).tolist()
         except (binascii.Error, ValueError, KeyError):
-            self._wrong(component, found.name, f"is no array of {', '.join(_CODES)} in base64", code)
+            self._wrong(component, attribute.name, f"is no array of {', '.join(_CODES)} in base64", code)
             return []
 
-    def _finite(self, component: Component, found: Attribute, value: Any) -> float | None:
+    def _finite(self, component: Component, attribute: Attribute, value: Any) -> float | None:
         number = None
         is_text = isinstance(value, str) and "_" not in value
         if is_text or (isinstance(value, int | float) and not isinstance(value, bool)):
@@ -95,17 +95,19 @@ class Reader:
         if number is not None and isfinite(number):
             return number
         problem = "is not a number" if number is None else "is not a finite number"
-        self._wrong(component, found.name, problem, value, comma_advice(value))
+        self._wrong(component, attribute.name, problem, value, comma_advice(value))
         return None
 
-    def _unit(self, component: Component, found: Attribute, name: str) -> Unit | None:
+    def _unit(self, component: Component, attribute: Attribute, name: str) -> RexsUnit | None:
         usual = unit_of(name)
-        wanted, given = unit_named(usual), unit_named(found.unit)
+        wanted, given = unit_named(usual), unit_named(attribute.unit)
         assert wanted is not None, usual
         if given is None or given.kind != wanted.kind:
             is_bare = given is not None and given.kind == NUMBER
-            problem = "has no unit" if is_bare else f"is in {found.unit!r}, which is no unit of this kind that is known"
-            self._wrong(component, found.name, problem, cause=f"The data model has it in {usual}")
+            problem = (
+                "has no unit" if is_bare else f"is in {attribute.unit!r}, which is no unit of this kind that is known"
+            )
+            self._wrong(component, attribute.name, problem, cause=f"The data model has it in {usual}")
             return None
         return given
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.files.rexs.axes import turned
 from qsbearing.files.rexs.bearing_mapping import azimuths, elements_of
 from qsbearing.files.rexs.model import Component
-from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.reader import AttributeReader
 from qsbearing.files.rexs.shaft_mapping import sides
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.rotor_dynamics.springs import from_shaft
@@ -41,7 +41,7 @@ class RowResult(NamedTuple):
     """Of the balls' centres, from the middle of the bearing along the shaft [m]."""
 
 
-def bearing_values(reader: Reader, bearing: Component, rows: list[RowResult], moved: NDArray | None) -> Values:
+def bearing_values(reader: AttributeReader, bearing: Component, rows: list[RowResult], moved: NDArray | None) -> Values:
     """What stands with the bearing.
 
     Loads, stiffness and displacements are meant in its middle.
@@ -58,41 +58,41 @@ def bearing_values(reader: Reader, bearing: Component, rows: list[RowResult], mo
     if moved is None:
         only = rows[0]
         moved = np.linalg.solve(from_shaft(only.solution, only.sign, only.arm), only.solution.displacement)
-    found: Values = {}
+    values: Values = {}
     matrix = turn @ stiffness @ turn.T
     for force, line in zip(_FORCES, matrix, strict=True):
-        found |= {
+        values |= {
             f"operating_point_stiffness_{force}_{move}": value for move, value in zip(_MOMENTS, line, strict=True)
         }
-    found |= dict(zip(_LOADS, -(turn @ load), strict=True))
-    found |= dict(zip(_MOVES, turn @ moved, strict=True))
+    values |= dict(zip(_LOADS, -(turn @ load), strict=True))
+    values |= dict(zip(_MOVES, turn @ moved, strict=True))
     pressures = {side: max(float(np.nanmax(getattr(row.solution, side).max_pressure)) for row in rows)
                  for side in ("inner", "outer")}  # fmt: skip
-    found |= {f"maximum_hertzian_pressure_{side}_ring": value for side, value in pressures.items()}
-    found["maximum_hertzian_pressure"] = max(pressures.values())
+    values |= {f"maximum_hertzian_pressure_{side}_ring": value for side, value in pressures.items()}
+    values["maximum_hertzian_pressure"] = max(pressures.values())
     speeds = [float(np.nanmean(speed)) for row in rows if (speed := row.solution.orbital_speed) is not None]
     if speeds:
-        found["speed_rolling_element_set"] = float(np.mean(speeds))
-    found["operating_radial_bearing_clearance"] = min(
+        values["speed_rolling_element_set"] = float(np.mean(speeds))
+    values["operating_radial_bearing_clearance"] = min(
         float(row.solution.scene.operating_bearing.diametral_clearance) for row in rows
     )
     lives = [row.readings.get("life") for row in rows]
     if all(each is not None for each in lives):
-        found["nominal_reference_rating_life_time_iso_16281_2008"] = float(
+        values["nominal_reference_rating_life_time_iso_16281_2008"] = float(
             system_life([each.basic_duration for each in lives])
         )
         if all(each.modified_reference_rating_life is not None for each in lives):
-            found["modified_reference_rating_life_time_iso_16281_2008"] = float(
+            values["modified_reference_rating_life_time_iso_16281_2008"] = float(
                 system_life([each.duration for each in lives])
             )
     safeties = [row.readings.get("static_safety") for row in rows]
     if all(each is not None for each in safeties):
-        found["static_safety_factor_iso_76_2006"] = min(float(each.static_safety) for each in safeties)
-    return {name: float(value) + 0.0 for name, value in found.items() if isfinite(float(value))}  # type: ignore[arg-type]
+        values["static_safety_factor_iso_76_2006"] = min(float(each.static_safety) for each in safeties)
+    return {name: float(value) + 0.0 for name, value in values.items() if isfinite(float(value))}  # type: ignore[arg-type]
 
 
 def contact_values(
-    reader: Reader, part: Component, turn: NDArray, row: RowResult
+    reader: AttributeReader, part: Component, turn: NDArray, row: RowResult
 ) -> list[tuple[Component, dict[str, Values]]] | None:
     """What stands with the contacts of each rolling element, by raceway; None where the elements are not the balls."""
     elements = elements_of(reader, part)
@@ -107,24 +107,24 @@ def contact_values(
         balls = apart.argmin(axis=1)
         if len(set(balls.tolist())) < count or apart.min(axis=1).max() > 0.25 * 2.0 * pi / count:
             return None
-    found = []
+    contacts = []
     for element, ball in zip(elements, balls, strict=True):
         values = {
             side: {name: float(getattr(getattr(solution, side), path)[ball]) + 0.0 for name, path in _CONTACT.items()}
             for side in ("inner", "outer")
         }
-        found.append((element, {side: {name: each for name, each in one.items() if isfinite(each)}
+        contacts.append((element, {side: {name: each for name, each in one.items() if isfinite(each)}
                                 for side, one in values.items()}))  # fmt: skip
-    return found  # type: ignore[return-value]
+    return contacts  # type: ignore[return-value]
 
 
-def shaft_values(reader: Reader, shaft: Component, solution: Any) -> Values:
+def shaft_values(reader: AttributeReader, shaft: Component, solution: Any) -> Values:
     """The deflection of an elastic shaft at its nodes: those of the model, else where its sections begin and end."""
     nodes = reader.array(shaft, "u_coordinates_of_beam_nodes")
     if not nodes:
         of = solution.set.shaft
         nodes = [float(each) for each in np.cumsum([of.start, *(each.length for each in of.sections)])]
     moved = solution.deflection(nodes)
-    found: Values = {"u_coordinates_of_beam_nodes": nodes}
-    return found | {f"displacement_{axis}_of_nodes": [float(each) + 0.0 for each in moved[:, number]]
+    values: Values = {"u_coordinates_of_beam_nodes": nodes}
+    return values | {f"displacement_{axis}_of_nodes": [float(each) + 0.0 for each in moved[:, number]]
                     for number, axis in enumerate("uvw")}  # fmt: skip

@@ -9,7 +9,7 @@ from qsbearing.files.keys import Key
 from qsbearing.model.validation import printable
 
 
-class Table(dict[str, Any]):
+class NotedTable(dict[str, Any]):
     """A table of a scene file, with a note on some of its keys, and on itself under the key ""."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -32,10 +32,10 @@ class Table(dict[str, Any]):
         self.notes[name] = "; ".join(filter(None, (self.notes.get(name), said)))
 
 
-def text_of(table: Table, path: str = "") -> str:
+def text_of(table: NotedTable, path: str = "") -> str:
     """The text of tables, their notes as comments.
 
-    A `Table` within stands under a heading of its own, any other dict on the line of its key.
+    A `NotedTable` within stands under a heading of its own, any other dict on the line of its key.
     """
     lines: list[str] = []
     for name in (*table, *(name for name in table.notes if name not in table)):
@@ -57,9 +57,9 @@ def text_of(table: Table, path: str = "") -> str:
     return "\n".join(line for number, line in enumerate(lines) if line or number) + "\n"
 
 
-def _tables(value: Any) -> list[Table]:
+def _tables(value: Any) -> list[NotedTable]:
     values = value if isinstance(value, list) else [value]
-    return [each for each in values if isinstance(each, Table)]
+    return [each for each in values if isinstance(each, NotedTable)]
 
 
 def _value(value: Any) -> str:

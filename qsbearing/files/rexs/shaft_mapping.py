@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, is_ours, material
 from qsbearing.files.rexs.model import Component
-from qsbearing.files.rexs.reader import Reader
-from qsbearing.files.rexs.scene_text import Table
+from qsbearing.files.rexs.reader import AttributeReader
+from qsbearing.files.rexs.scene_text import NotedTable
 from qsbearing.files.set_keys import SET_NUMBERS
 from qsbearing.model.units import mm
 from qsbearing.systems.sets.shaft import LOADS
@@ -41,68 +41,70 @@ class Load(NamedTuple):
     """Forces x, y, z and moments about y, z; SI."""
 
 
-def shafts(reader: Reader) -> list[Component]:
+def shafts(reader: AttributeReader) -> list[Component]:
     """All shafts of the model."""
     return [each for each in reader.model.components.values() if each.kind == "shaft"]
 
 
-def sides(reader: Reader, bearing: Component) -> dict[str, Component]:
+def sides(reader: AttributeReader, bearing: Component) -> dict[str, Component]:
     """What a bearing's `inner_part` and `outer_part` sit on and in."""
-    found: dict[str, Component] = {}
+    by_role: dict[str, Component] = {}
     for each in reader.model.related("side", "assembly", bearing.number):
-        found |= {role: reader.model.components[number] for role, number in each.parts if role != "assembly"}
-    return found
+        by_role |= {role: reader.model.components[number] for role, number in each.parts if role != "assembly"}
+    return by_role
 
 
-def bearings_on(reader: Reader, shaft: Component) -> list[Component]:
+def bearings_on(reader: AttributeReader, shaft: Component) -> list[Component]:
     """The bearings that are solved here and whose inner ring sits on the shaft, along it."""
-    found = [reader.model.components[each.of("assembly") or -1]
+    bearings = [reader.model.components[each.of("assembly") or -1]
              for each in reader.model.related("side", "inner_part", shaft.number) if each.of("assembly")]  # fmt: skip
-    ours = [each for each in found if is_ours(reader, each)]
+    ours = [each for each in bearings if is_ours(reader, each)]
     return sorted(ours, key=lambda each: reader.number(each, "u_coordinate_on_shaft_inner_side") or 0.0)
 
 
-def lacking(reader: Reader, shaft: Component) -> list[str]:
+def lacking(reader: AttributeReader, shaft: Component) -> list[str]:
     """What carries or loads a shaft and is not solved here, one sentence each."""
-    model, found = reader.model, []
+    model, sentences = reader.model, []
     for number in {each.of("part"): each for each in model.related("assembly", "assembly", shaft.number)}:
         part = model.components[number] if number is not None else None
         if part is not None and part.kind not in HARMLESS:
-            found.append(f"the forces of {part}: write them as [[shaft.loads]]")
+            sentences.append(f"the forces of {part}: write them as [[shaft.loads]]")
     for each in model.relations_of(shaft.number):
         if each.kind in _QUIET:
             continue
         other = model.components[next((n for role, n in each.parts if n != shaft.number), shaft.number)]
         holder = model.components.get(each.of("assembly") or -1, other)
         if not is_ours(reader, holder):
-            found.append(f"the stiffness of {holder}: write it as [[shaft.supports]], or its forces as [[shaft.loads]]")
+            sentences.append(
+                f"the stiffness of {holder}: write it as [[shaft.supports]], or its forces as [[shaft.loads]]"
+            )
         elif each.of("inner_part") != shaft.number:
-            found.append(
+            sentences.append(
                 f"{holder} has its inner ring on {other}: as [[shaft.supports]], if the other part stands still"
             )
         elif (part := sides(reader, holder).get("outer_part")) is not None and part.kind != "gear_casing":
-            found.append(f"{holder} stands in {part}, which may move: a rigid housing is written")
-    return found
+            sentences.append(f"{holder} stands in {part}, which may move: a rigid housing is written")
+    return sentences
 
 
-def loads(reader: Reader, shaft: Component) -> list[Load]:
+def loads(reader: AttributeReader, shaft: Component) -> list[Load]:
     """The external loads on a shaft."""
-    found = []
+    external = []
     for each in reader.model.parts(shaft.number, "external_load"):
         values = [reader.number(each, name) or 0.0 for name in _LOAD]
-        found.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), np.array(values)))
-    return found
+        external.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), np.array(values)))
+    return external
 
 
-def _ever(reader: Reader, shaft: Component) -> NDArray:
+def _ever(reader: AttributeReader, shaft: Component) -> NDArray:
     """Which components of each external load there are in any load case; (load, component)."""
-    cases = [Reader(reader.model, case, []) for case in reader.model.load_cases] or [reader]
+    cases = [AttributeReader(reader.model, case, []) for case in reader.model.load_cases] or [reader]
     return np.any([[load.values != 0.0 for load in loads(each, shaft)] for each in (reader, *cases)], axis=0)
 
 
-def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
+def shaft_table(reader: AttributeReader, shaft: Component, given: list[Load]) -> NotedTable:
     """[shaft] with its sections and loads; without sections it is rigid."""
-    table = Table()
+    table = NotedTable()
     sections, start = _sections(reader, shaft, table)
     if sections:
         table.put(_SHAFT["start"], start)
@@ -111,7 +113,7 @@ def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
         table.note("", "without sections: rigid")
     listed = []
     for load, ever in zip(given, _ever(reader, shaft), strict=True):
-        one = Table()
+        one = NotedTable()
         one.put(_LOADS["position"], load.position)
         for key, value, acts in zip(_LOAD.values(), load.values, ever, strict=True):
             one.put(key, value if acts else None)
@@ -124,7 +126,7 @@ def shaft_table(reader: Reader, shaft: Component, given: list[Load]) -> Table:
     return table
 
 
-def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Table], float]:
+def _sections(reader: AttributeReader, shaft: Component, table: NotedTable) -> tuple[list[NotedTable], float]:
     """The sections along the shaft, and where the first begins [m]; what is between them is noted."""
     parts = reader.model.parts(shaft.number, "shaft_section")
     placed = [(reader.number(each, "u_coordinate_on_shaft"), each) for each in parts]
@@ -133,13 +135,13 @@ def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Tabl
         placed = [(None, each) for each in parts]
     placed.sort(key=lambda each: each[0] or 0.0)
     of, note = material(reader, reader.model.referenced(shaft.number, "material"), needs_expansion=False)
-    found: list[Table] = []
+    sections: list[NotedTable] = []
     start = end = placed[0][0] or 0.0 if placed else 0.0
     for at, part in placed:
         if at is not None and abs(at - end) > SAME:
             kind = "a gap" if at > end else "an overlap"
             table.note("sections", f"{kind} of {abs(at - end) / mm:.6g} mm before {part}")
-        one = Table()
+        one = NotedTable()
         one.note("", str(part))
         length = reader.positive(part, "length")
         one.put(SECTION["length_mm"], length)
@@ -149,6 +151,6 @@ def _sections(reader: Reader, shaft: Component, table: Table) -> tuple[list[Tabl
             if first is not None and last is not None and first != last:
                 one.put(SECTION[f"end_{side}_diameter_mm"], last)
         one.set("material", of, note)
-        found.append(one)
+        sections.append(one)
         end = (end if at is None else at) + (length or 0.0)
-    return found, start
+    return sections, start

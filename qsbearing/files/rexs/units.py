@@ -9,7 +9,7 @@ from qsbearing.model.units import GPa, MPa, deg, mm, rpm, um, zero_celsius
 NUMBER = "number"
 
 
-class Unit(NamedTuple):
+class RexsUnit(NamedTuple):
     """A unit of a file."""
 
     kind: str
@@ -42,13 +42,13 @@ _KINDS: dict[str, dict[str, float]] = {
     "moment over angle": {"Nmm/rad": 1e-3, "Nm/rad": 1.0},
     "time": {"h": 3600.0, "min": 60.0, "s": 1.0},
 }
-_UNITS = {text: Unit(kind, size) for kind, texts in _KINDS.items() for text, size in texts.items()} | {
-    "C": Unit("temperature", 1.0, zero_celsius),
-    "°C": Unit("temperature", 1.0, zero_celsius),
-    "K": Unit("temperature", 1.0),
+_UNITS = {text: RexsUnit(kind, size) for kind, texts in _KINDS.items() for text, size in texts.items()} | {
+    "C": RexsUnit("temperature", 1.0, zero_celsius),
+    "°C": RexsUnit("temperature", 1.0, zero_celsius),
+    "K": RexsUnit("temperature", 1.0),
 }
 
 
-def unit_named(text: str) -> Unit | None:
+def unit_named(text: str) -> RexsUnit | None:
     """The unit of a text, whatever its blanks; None for one that is not known."""
     return _UNITS.get("".join(text.split()))

@@ -9,9 +9,9 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.rexs.axes import turned
 from qsbearing.files.rexs.bearing_mapping import elements_of, is_ours
-from qsbearing.files.rexs.model import Component, LoadCase, Place, Span
+from qsbearing.files.rexs.model import Component, ListExtent, LoadCase, Span
 from qsbearing.files.rexs.names import current
-from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.reader import AttributeReader
 from qsbearing.files.rexs.results import RowResult, Values, bearing_values, contact_values, shaft_values
 from qsbearing.files.rexs.shaft_mapping import sides
 from qsbearing.files.rexs.source import model_in, opened
@@ -47,7 +47,7 @@ class WriteBack:
             next(iter(self._component("shaft", self._origin["shaft"])), None) if "shaft" in self._origin else None
         )
         self.case = self._load_case()
-        self.reader = Reader(self.model, self.case, self.errors)
+        self.reader = AttributeReader(self.model, self.case, self.errors)
         for each in self.bearings:
             if not is_ours(self.reader, each):
                 self._refuse("bearings", f"{each} is no ball bearing that is solved here", value=each.number)
@@ -71,17 +71,17 @@ class WriteBack:
         self.errors.append(FileErrorDetail(f"{ORIGIN}.{key}", problem, value, cause=cause))
 
     def _component(self, key: str, number: Any) -> list[Component]:
-        found = self.model.components.get(number) if type(number) is int else None
-        if found is None:
+        component = self.model.components.get(number) if type(number) is int else None
+        if component is None:
             self._refuse(key, "is no component of this model", "Is it the model that the scene was made of?", number)
-        return [] if found is None else [found]
+        return [] if component is None else [component]
 
     def _load_case(self) -> LoadCase | None:
         number = self._origin.get("load_case")
-        found = next((each for each in self.model.load_cases if each.number == number), None)
-        if number is not None and found is None:
+        case = next((each for each in self.model.load_cases if each.number == number), None)
+        if number is not None and case is None:
             self._refuse("load_case", "is no load case of this model", value=number)
-        return found
+        return case
 
     def put(self, solution: Any, readings: Any) -> bytes:
         """The file with the results of a solved case in it.
@@ -131,10 +131,10 @@ class WriteBack:
         if not elements_of(self.reader, part) or self.model.version < SINCE_CONTACTS:
             self.notes.append(f"{part}: has no rolling elements that contacts could be put to")
             return
-        found = contact_values(self.reader, part, turn, row)
-        if found is None:
+        contacts = contact_values(self.reader, part, turn, row)
+        if contacts is None:
             self.notes.append(f"{part}: its rolling elements are not the balls that were solved; contacts are left out")
-        for element, by_side in found or ():
+        for element, by_side in contacts or ():
             known = {self.reader.word(each, "rolling_element_contact_type"): each
                      for each in self.model.parts(element.number, CONTACT)}  # fmt: skip
             for side, values in by_side.items():
@@ -163,13 +163,13 @@ class WriteBack:
 
     def _written(self, values: Values) -> list[tuple[str, str, Any]]:
         """Name, unit and value of each attribute that the version has."""
-        found = []
+        attributes = []
         for name, value in values.items():
             own = current(name, self.model.version)
             if own is not None:
-                found.append((*own, _in_unit(value, own[1])))
-        self.count += len(found)
-        return found
+                attributes.append((*own, _in_unit(value, own[1])))
+        self.count += len(attributes)
+        return attributes
 
     def _values(self, component: Component, values: Values) -> None:
         """Add attributes to a component, or to what the load case says of it; replace those that are there."""
@@ -197,14 +197,14 @@ class WriteBack:
             self.source.form.component(component.number, component.kind, component.name, attributes, indent)
         )
 
-    def _insert(self, place: Place, items: list[str]) -> None:
+    def _insert(self, place: ListExtent, items: list[str]) -> None:
         self._edits.append(self.source.form.insertion(self._text, place, items, self._indent_of(place)))
 
     @property
-    def _after_cases(self) -> Place:
+    def _after_cases(self) -> ListExtent:
         """Where the accumulation goes: in XML after the last load case, in JSON after the list of them."""
         place = self.model.places["accumulation"]
-        return Place(place.span, place.span) if self.source.is_json else place
+        return ListExtent(place.span, place.span) if self.source.is_json else place
 
     def _indent(self, name: str) -> str:
         if name == "case" and self.case is not None and self.case.place is None:
@@ -212,7 +212,7 @@ class WriteBack:
         place = self.case.place if name == "case" and self.case else self.model.places.get(name)
         return self._indent_of(place) if place is not None else "\n"
 
-    def _indent_of(self, place: Place) -> str:
+    def _indent_of(self, place: ListExtent) -> str:
         """A line end and the blanks before an item, as the file has them."""
         text = self._text
         newline, tab = ("\n", " ") if isinstance(text, str) else (b"\n", b" ")

@@ -13,7 +13,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.limits import MOST_TAGS
-from qsbearing.files.rexs.model import Place, Span
+from qsbearing.files.rexs.model import ListExtent, Span
 
 DEEPEST = 16
 """Elements within each other; REXS has ten."""
@@ -47,9 +47,9 @@ def read(data: bytes, path: Path) -> tuple[dict[str, Any], dict[int, Span]]:
         raise refused(path, f"is no REXS model: its outermost element is <{root.tag[:40]}>, not <model>")
     spans: dict[int, Span] = {}
 
-    def kept(node: _Node, found: Any) -> Any:
-        spans[id(found)] = node.span
-        return found
+    def kept(node: _Node, content: Any) -> Any:
+        spans[id(content)] = node.span
+        return content
 
     def component(node: _Node) -> dict[str, Any]:
         attributes = [
@@ -65,22 +65,22 @@ def read(data: bytes, path: Path) -> tuple[dict[str, Any], dict[int, Span]]:
     def relation(node: _Node) -> dict[str, Any]:
         return {**node.given, "refs": [ref.given for ref in node.all("ref")]}
 
-    found: dict[str, Any] = {"version": root.given.get("version")}
+    model: dict[str, Any] = {"version": root.given.get("version")}
     for name, make in (("component", component), ("relation", relation)):
         outer = root.all(f"{name}s")
         if len(outer) > 1:
             raise refused(path, f"has <{name}s> {len(outer)} times; a REXS model has it once")
         if outer:
             items = [kept(each, make(each)) for each in outer[0].all(name)]
-            found[f"{name}s"] = kept(outer[0], items)
+            model[f"{name}s"] = kept(outer[0], items)
 
     def spectrum(node: _Node) -> dict[str, Any]:
         cases = kept(node, [kept(each, load_case(each)) for each in node.all("load_case")])
         together = node.all("accumulation")
         return {"load_cases": cases} | ({"accumulation": load_case(together[0])} if together else {})
 
-    found["load_spectrum"] = [spectrum(outer) for outer in root.all("load_spectrum")]
-    return found, spans
+    model["load_spectrum"] = [spectrum(outer) for outer in root.all("load_spectrum")]
+    return model, spans
 
 
 def _tree(data: bytes, path: Path) -> _Node:
@@ -155,7 +155,7 @@ def accumulation(components: list[str], indent: str) -> str:
     return f"<accumulation>{''.join(f'{indent}  {each}' for each in components)}{indent}</accumulation>"
 
 
-def insertion(data: bytes, place: Place, items: list[str], indent: str) -> tuple[Span, bytes]:
+def insertion(data: bytes, place: ListExtent, items: list[str], indent: str) -> tuple[Span, bytes]:
     """The edit that adds items to an element, after those that it has."""
     text = "".join(indent + each for each in items).encode()
     if place.last is not None:

@@ -19,7 +19,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.rexs.importing import import_model
-from qsbearing.files.rexs.reader import Reader
+from qsbearing.files.rexs.reader import AttributeReader
 from qsbearing.files.rexs.source import model_in, opened
 from qsbearing.files.rexs.write_back import WriteBack
 from qsbearing.files.scene_or_set import scene_or_set_of
@@ -102,7 +102,7 @@ def test_numbers_read_back_are_those_of_the_solution(
     written(file, result)
     _, solution, readings = result
     model = model_in(opened(file))
-    reader = Reader(model, None, [])
+    reader = AttributeReader(model, None, [])
     bearing, sign = model.components[6], -1.0 if mirrored else 1.0
 
     def read(*names: str) -> list[float | None]:
@@ -229,7 +229,7 @@ def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Pat
     model = written(file, result)
     assert len(model.notes) == 0  # bearings without rows have no contacts to speak of
     found = model_in(opened(file))
-    reader = Reader(found, None, [])
+    reader = AttributeReader(found, None, [])
     names = [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]
     forces = np.array([[reader.number(found.components[at], name) for name in names] for at in (5, 6)], float)
     assert forces.sum(axis=0) == pytest.approx(
@@ -254,7 +254,7 @@ def test_the_rows_of_a_bearing_add_up_in_its_middle(tmp_path: Path) -> None:
     (note,) = model.notes
     assert note.startswith("component 70 (rolling_bearing_row): its rolling elements are not the balls")
     bearing = model_in(opened(file)).components[6]
-    reader = Reader(model_in(opened(file)), None, [])
+    reader = AttributeReader(model_in(opened(file)), None, [])
     assert solution.set.reference == pytest.approx(0.012)
     sign = np.array([-1.0, -1.0, 1.0, -1.0, 1.0])  # the bearing's axes are turned about w
     for (row, column), name in (
