@@ -11,7 +11,7 @@ from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.material import BY_NAME
 from qsbearing.model.validation import Field, Setting
-from qsbearing.remarks.wording import Reader, Words
+from qsbearing.remarks.wording import Audience, Words
 from qsbearing.studies import keys
 
 FieldOfPage = dict[str, Any]
@@ -106,7 +106,7 @@ def _spelled(field: Field, path: str) -> str:
     return spelled(field, path) if isinstance(field.value, type) else f"{label(field.field)}: {field.value}"
 
 
-ON_PAGE = Words(Reader.PAGE, _spelled)
+ON_PAGE = Words(Audience.PAGE, _spelled)
 """How remarks name fields on the page."""
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from qsbearing.documents.model import Block
-    from qsbearing.studies.chooser.explain import Row
+    from qsbearing.studies.chooser.explain import Assessment
     from qsbearing.studies.chooser.explained import Explained
 
 HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
@@ -84,7 +84,7 @@ def _shown(explanation: Explained, tolerance: float) -> list[Block]:
     return [*heading(solution, of_set), *rows_tables(of_set), *told, *after]
 
 
-def _effects(rows: Sequence[Row], tolerance: float) -> list[Block]:
+def _effects(rows: Sequence[Assessment], tolerance: float) -> list[Block]:
     """What leaving each out changes, found by solving; with usual parameters, after ≈, where its own are not known.
     Below: why a verdict cannot be given, and how to include what is needed."""
     from qsbearing.documents.model import Paragraph, Table

@@ -150,7 +150,7 @@ def _model_of(scene: str, into: str) -> Any:
         refuse(str(error))
 
 
-class Found(NamedTuple):
+class RunOutput(NamedTuple):
     """A result, and how it is shown in every way that may be asked for."""
 
     solution: Solution | SetSolution
@@ -170,7 +170,7 @@ class Found(NamedTuple):
         return "not all points are solved" if self.solution.shape else "there is no solution to write"
 
 
-def _of_scene(scene: Scene, accuracy: float | None) -> Found:
+def _of_scene(scene: Scene, accuracy: float | None) -> RunOutput:
     from qsbearing.results.readings_record import Readings, all_columns
 
     def blocks(solution: Solution, readings: Readings) -> list[Block]:
@@ -189,7 +189,7 @@ def _of_scene(scene: Scene, accuracy: float | None) -> Found:
     asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
     if "spectrum" in scene.readings:
         from qsbearing.results.spectrum_report import spectrum_result as blocks
-    return _found(solution, asked, all_columns, blocks)
+    return _output(solution, asked, all_columns, blocks)
 
 
 def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
@@ -199,7 +199,7 @@ def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
     return [f"{name}: {refusal(scene.bearing)}" for name, given in options.items() if given is not None]
 
 
-def _of_data_sheet(scene: Scene) -> Found:
+def _of_data_sheet(scene: Scene) -> RunOutput:
     """Results as ranges; in JSON beside those of the set whose ratings fit best."""
     from dataclasses import replace
 
@@ -216,10 +216,10 @@ def _of_data_sheet(scene: Scene) -> Found:
     def blocks(solution: Solution, _: Readings) -> list[Block]:
         return inferred.inferred_tables(solution)
 
-    return _found(solution, scene, all_columns, blocks, with_ranges)
+    return _output(solution, scene, all_columns, blocks, with_ranges)
 
 
-def _of_set(of: BearingSet, accuracy: float | None) -> Found:
+def _of_set(of: BearingSet, accuracy: float | None) -> RunOutput:
     from qsbearing.documents.model import Paragraph
     from qsbearing.files.file_keys import IN_FILE
     from qsbearing.remarks.bearing import chosen
@@ -236,16 +236,16 @@ def _of_set(of: BearingSet, accuracy: float | None) -> Found:
     asked = of if accuracy is None else solution.set
     if "spectrum" in of.readings:
         from qsbearing.results.set_spectrum_report import set_spectrum_result as blocks
-    return _found(solution, asked, set_columns, blocks)
+    return _output(solution, asked, set_columns, blocks)
 
 
-def _found(
+def _output(
     solution: Any,
     asked: Any,
     columns: Callable[..., Any],
     blocks: Callable[..., Any],
     record: Callable[[], dict[str, Any]] | None = None,
-) -> Found:
+) -> RunOutput:
     """What is shown of a solution and its readings, and of the limits of fits that have a name."""
     from qsbearing.results.readings_record import all_taken
     from qsbearing.results.whole import of_fits, whole_record
@@ -256,7 +256,7 @@ def _found(
         return [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
 
     whole = record or partial(whole_record, solution, readings)
-    return Found(solution, asked, whole, shown, partial(columns, solution, readings), readings)
+    return RunOutput(solution, asked, whole, shown, partial(columns, solution, readings), readings)
 
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:

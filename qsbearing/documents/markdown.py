@@ -12,13 +12,13 @@ from qsbearing.documents.inline import parser, runs_of
 from qsbearing.documents.model import (
     Block,
     Bullets,
+    Callout,
     Cell,
     Code,
     Formula,
     Md,
     Paragraph,
     Picture,
-    Remark,
     Section,
     Table,
     anchor_of,
@@ -100,7 +100,7 @@ class _Page:
             return [self.table()]
         if token.type == "blockquote_open":
             inside = self.until("blockquote_close")
-            return [Remark(self.line(each)) for each in inside if each.type == "inline"]
+            return [Callout(self.line(each)) for each in inside if each.type == "inline"]
         self.at += 1  # comments, rules
         return []
 

@@ -24,10 +24,10 @@ from qsbearing.files.keys import (
     named,
 )
 from qsbearing.model.validation import Setting, whole_number
-from qsbearing.remarks.wording import Reader, Words
+from qsbearing.remarks.wording import Audience, Words
 
 if TYPE_CHECKING:
-    from qsbearing.readings.entry import Table
+    from qsbearing.readings.entry import ReadingTable
 
 REPORT = "report"
 """The table that says what a design report is about and for whom."""
@@ -42,7 +42,7 @@ _EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coeffic
 _OF_EFFECTS = {"ball_effects": "ball"}
 
 
-def reading_tables() -> dict[str, Table]:
+def reading_tables() -> dict[str, ReadingTable]:
     """The tables within [readings]."""
     from qsbearing.readings.asked import tables
 
@@ -144,7 +144,7 @@ def _toml(value: Any) -> str:
     return "[" + ", ".join(map(_toml, value)) + "]" if isinstance(value, list) else f'"{value}"'
 
 
-IN_FILE = Words(Reader.FILE, spelled)
+IN_FILE = Words(Audience.FILE, spelled)
 """How remarks name fields to whoever reads or writes files."""
 
 

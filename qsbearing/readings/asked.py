@@ -36,7 +36,7 @@ from qsbearing.readings import (
     static_rating,
     subsurface_stress,
 )
-from qsbearing.readings.entry import Reading, Table
+from qsbearing.readings.entry import Reading, ReadingTable
 from qsbearing.readings.lubricant import FREEZING, OIL_DENSITY, VISCOSITY_INDEX, OilState, oil_of
 
 Arguments = Mapping[str, Any]
@@ -65,15 +65,15 @@ READINGS: dict[str, Reading] = {file.ENTRY.name: file.ENTRY for file in _FILES}
 """Every reading, in the order in which they are taken and shown."""
 
 
-def tables() -> dict[str, Table]:
+def tables() -> dict[str, ReadingTable]:
     """What a file may have within [readings]: each reading, and before film the lubricant."""
-    found: dict[str, Table] = {}
+    in_file: dict[str, ReadingTable] = {}
     for name, each in READINGS.items():
         if name == film_thickness.ENTRY.name:
-            found[LUBRICANT] = lubricant.TABLE
+            in_file[LUBRICANT] = lubricant.TABLE
         if each.in_file is not None:
-            found[name] = each.in_file
-    return found
+            in_file[name] = each.in_file
+    return in_file
 
 
 def name_errors(readings: Iterable[str]) -> Errors:
@@ -99,8 +99,8 @@ def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, 
         if entry.needs_oil and LUBRICANT not in readings:
             errors.append(ErrorDetail(f"readings.{name}", "needs an oil", cause=NEEDS_OIL))
         given = entry.arguments(arguments, oil or ANY_OIL if LUBRICANT in readings or entry.needs_oil else None)
-        found = given.errors(None if scene is None else scene.bearing)
-        errors += [replace(each, field=f"readings.{name}.{each.field}") for each in found]
+        own_errors = given.errors(None if scene is None else scene.bearing)
+        errors += [replace(each, field=f"readings.{name}.{each.field}") for each in own_errors]
     return errors
 
 

@@ -36,7 +36,7 @@ from qsbearing.model.units import mm
 from qsbearing.model.validation import LENGTH, ErrorDetail, within
 from qsbearing.readings.ball_motion import AXIS, orbital_speed
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 CLEARANCES = (1e-6, 0.1)
@@ -122,8 +122,8 @@ def _of_cases(speeds: NDArray, balls: NDArray) -> tuple[NDArray, NDArray, NDArra
         cases = np.flatnonzero((counts == count) & goes_on)
         for begin in range(0, cases.size, AT_ONCE):
             some = cases[begin : begin + AT_ONCE]
-            mean, *found = advance_over_a_turn(own[some], turn)
-            along, advance = (np.where(np.abs(each) < ROUNDING, 0.0, each) for each in found)
+            mean, *advances = advance_over_a_turn(own[some], turn)
+            along, advance = (np.where(np.abs(each) < ROUNDING, 0.0, each) for each in advances)
             of_case[:, some] = mean, along.max(axis=-1), -along.min(axis=-1)
             of_ball[some, :count] = advance
     mean, lead, lag = of_case.reshape(3, *balls.shape)
@@ -152,7 +152,7 @@ ENTRY = Reading(
     by="Jones's orbital speeds",
     take=simply(ball_advance),
     record=PocketClearance,
-    table=Table(
+    table=ReadingTable(
         example="pocket_clearance_mm = 0.3  # of the cage, along the pitch circle; left out: not compared\n",
     ),
     needs=(("load", "sine", "cosine"), AXIS),

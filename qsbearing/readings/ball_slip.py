@@ -36,7 +36,7 @@ from qsbearing.model.validation import DENSITY, FORCE, RATIO, ErrorDetail, withi
 from qsbearing.readings.ball_drag import drag_force
 from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OIL_DENSITY
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
@@ -184,8 +184,8 @@ def _ratio(used: NDArray, held: NDArray) -> NDArray:
 
 def _largest(of_balls: NDArray) -> NDArray:
     """Of each case; NaN where there is none."""
-    found = np.where(np.isnan(of_balls), -np.inf, of_balls).max(axis=-1)
-    return np.asarray(np.where(np.isneginf(found), np.nan, found))
+    largest = np.where(np.isnan(of_balls), -np.inf, of_balls).max(axis=-1)
+    return np.asarray(np.where(np.isneginf(largest), np.nan, largest))
 
 
 def _found(
@@ -206,7 +206,7 @@ ENTRY = Reading(
     by="closed forms, derived in its file",
     take=simply(ball_slip),
     record=SlipArguments,
-    table=Table(example="friction_coefficient = 0.05\n"),
+    table=ReadingTable(example="friction_coefficient = 0.05\n"),
     needs=NEEDS,
     of_case=(
         Result("axis_moment_used", words="gyroscopic moment over what friction holds"),

@@ -37,7 +37,7 @@ from qsbearing.readings.ellipse_sliding import (
     sliding_table,
     tabulated_sliding_speed,
 )
-from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
@@ -142,8 +142,8 @@ def friction(solution: Solution, given: FrictionArguments) -> Friction:
     speed = np.abs(of_inner - of_outer)[..., 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, total / speed, np.nan)
-    found = control_remarks(solution) + remarks(_found(solution, given.friction_coefficient), total.shape)
-    return Friction(inner, outer, drag, total, torque, found)
+    said = control_remarks(solution) + remarks(_found(solution, given.friction_coefficient), total.shape)
+    return Friction(inner, outer, drag, total, torque, said)
 
 
 def _raceway(
@@ -155,8 +155,8 @@ def _raceway(
     shape = contacts.semi_major_axis, contacts.semi_minor_axis
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
     tables = 2 if loss is None else 3
-    found = filled(solution, tables, _fill, motion_arrays(solution), sliding_table(), side, *given, *arrays)
-    return RacewayFriction(found[0], found[1], None if loss is None else found[2])
+    values = filled(solution, tables, _fill, motion_arrays(solution), sliding_table(), side, *given, *arrays)
+    return RacewayFriction(values[0], values[1], None if loss is None else values[2])
 
 
 @entry(
@@ -191,14 +191,14 @@ def _fill(
 
 
 def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
-    found: list[tuple[Any, Remark]] = []
+    holding: list[tuple[Any, Remark]] = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
             used = side.required_friction / np.asarray(mu, float)[..., None]
             slips = (used > 1.0).any(axis=-1)
-            found.append((slips, remark("friction_given_exceeded", name)))
-            found.append(((used > CREEP).any(axis=-1) & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
-    return found
+            holding.append((slips, remark("friction_given_exceeded", name)))
+            holding.append(((used > CREEP).any(axis=-1) & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
+    return holding
 
 
 ENTRY = Reading(
@@ -207,7 +207,7 @@ ENTRY = Reading(
     by="Heathcote, Jones, Johnson",
     take=simply(friction),
     record=FrictionArguments,
-    table=Table(
+    table=ReadingTable(
         example="friction_coefficient = 0.05\n",
     ),
     needs=NEEDS,

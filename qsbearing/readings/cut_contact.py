@@ -37,14 +37,14 @@ _BELOW = {"load_loss": 2.5, "centre": 2.0, "intensity": 1.0}
 
 def of_share(name: str, share: NDArray, ellipticity: NDArray) -> NDArray:
     """One of `_FITS` by the part of the major axis beyond the edge: zero where none is, NaN beyond `MOST`."""
-    found = np.where(np.isnan(share) | (share > MOST), np.nan, 0.0)
+    fitted = np.where(np.isnan(share) | (share > MOST), np.nan, 0.0)
     at = np.flatnonzero((share > 0.0) & (share <= MOST))
     if at.size:
         t, k = share.ravel()[at], np.broadcast_to(ellipticity, share.shape).ravel()[at]
         log_t, log_k = np.log(np.maximum(t, LEAST)), np.log(np.clip(k, *ELLIPTICITIES) / 8.0)
         terms = (c * log_k**i * log_t**j for c, (i, j) in zip(_FITS[name], _POWERS, strict=True))
-        found.ravel()[at] = np.exp(sum(terms)) * np.minimum(t / LEAST, 1.0) ** _BELOW[name]
-    return found
+        fitted.ravel()[at] = np.exp(sum(terms)) * np.minimum(t / LEAST, 1.0) ** _BELOW[name]
+    return fitted
 
 
 def edge_pressure(

@@ -92,7 +92,7 @@ def simply(function: Callable[..., Any]) -> Take:
 
 
 @dataclass(frozen=True)
-class Table:
+class ReadingTable:
     """What a table within [readings] of a scene file holds."""
 
     choices: tuple[str, ...] = ()
@@ -117,7 +117,7 @@ class Reading:
     take: Take
     record: Callable[..., Checked] = NoArguments
     """Makes the record of its arguments, in SI; one named `oil` is that of [readings.lubricant]."""
-    table: Table | None = Table()
+    table: ReadingTable | None = ReadingTable()
     """In a scene file; None: it has none there."""
     needs: tuple[tuple[str, ...], tuple[str, ...]] = (), ()
     """Arrays of contacts and of balls that it takes from the solution."""
@@ -131,7 +131,7 @@ class Reading:
     """A sentence below its tables, where its name does not state what it covers."""
 
     @functools.cached_property
-    def in_file(self) -> Table | None:
+    def in_file(self) -> ReadingTable | None:
         """Its table in a scene file, with the numbers that its record takes; None: it has none there."""
         return self.table and replace(self.table, inputs=self.table.inputs or inputs_of(self.record))
 

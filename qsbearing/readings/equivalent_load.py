@@ -63,7 +63,7 @@ def equivalent_load(bearing: BallBearing, radial_load: ArrayLike, axial_load: Ar
 def factors(angle: NDArray, relative_load: NDArray) -> tuple[NDArray, NDArray, NDArray]:
     """(e, Y, X) of a radial bearing at a nominal contact angle up to 45 degrees [rad] and Fa/(Z D^2) [N/mm^2]."""
     degrees = angle / deg
-    found = [np.zeros(np.broadcast_shapes(degrees.shape, relative_load.shape)) for _ in range(3)]
+    interpolated = [np.zeros(np.broadcast_shapes(degrees.shape, relative_load.shape)) for _ in range(3)]
     for i, node in enumerate(_ANGLES):
         part = np.interp(degrees, _ANGLES, np.eye(_ANGLES.size)[i])  # one at its node, zero at all others
         if not part.any():
@@ -72,5 +72,5 @@ def factors(angle: NDArray, relative_load: NDArray) -> tuple[NDArray, NDArray, N
         if node in _LIGHT:
             e, Y, X = _LIGHT[node]
             at_node = np.interp(relative_load, _LOADS, e), np.interp(relative_load, _LOADS, Y), X
-        found = [total + part * np.asarray(value) for total, value in zip(found, at_node, strict=True)]
-    return found[0], found[1], found[2]
+        interpolated = [total + part * np.asarray(value) for total, value in zip(interpolated, at_node, strict=True)]
+    return interpolated[0], interpolated[1], interpolated[2]

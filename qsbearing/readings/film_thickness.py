@@ -44,7 +44,7 @@ from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import LENGTH, ErrorDetail, Quantity, within
 from qsbearing.readings.ball_motion import AXIS, MOTION, contact_motion, gamma, motion_arrays, ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
@@ -249,25 +249,25 @@ def _raceway(
     at_reduction = 2 if is_heated else -1
     at_ratio = -1 if rough is None else 2 + is_heated
     places = side, at_reduction, at_ratio
-    found = filled(solution, max(1, *places[1:]) + 1, _fill, motion_arrays(solution), *places, g, tuple(given), *arrays)
-    parameter, reduction = (None if at < 0 else found[at] for at in (at_ratio, at_reduction))
-    return RacewayFilm(found[0], found[1], parameter, reduction)
+    films = filled(solution, max(1, *places[1:]) + 1, _fill, motion_arrays(solution), *places, g, tuple(given), *arrays)
+    parameter, reduction = (None if at < 0 else films[at] for at in (at_ratio, at_reduction))
+    return RacewayFilm(films[0], films[1], parameter, reduction)
 
 
 def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, Remark]]:
-    found: list[tuple[Any, Remark]] = []
+    holding: list[tuple[Any, Remark]] = []
     if oil.is_estimated:
-        found.append((True, remark("pressure_viscosity_estimated")))
+        holding.append((True, remark("pressure_viscosity_estimated")))
     if factor is not None and inner.thermal_reduction is None:
-        found.append((factor < WARM_INLET, remark("film_isothermal", limit=WARM_INLET)))
+        holding.append((factor < WARM_INLET, remark("film_isothermal", limit=WARM_INLET)))
     spread = {"limit_percent": 100.0 * (1.0 - WARM_INLET), "spread_percent": 100.0 * FACTOR_SPREAD}
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.thermal_reduction is not None:
             heated = (raceway.thermal_reduction < WARM_INLET).any(axis=-1)
-            found.append((heated, remark("film_reduced", name, **spread)))
+            holding.append((heated, remark("film_reduced", name, **spread)))
         if raceway.film_parameter is not None:
-            found.append(((raceway.film_parameter < MIXED).any(axis=-1), remark("film_thin", name)))
-    return found
+            holding.append(((raceway.film_parameter < MIXED).any(axis=-1), remark("film_thin", name)))
+    return holding
 
 
 ENTRY = Reading(
@@ -276,7 +276,7 @@ ENTRY = Reading(
     by="Hamrock & Dowson; ASTM D341, D2270",
     take=simply(film),
     record=FilmArguments,
-    table=Table(
+    table=ReadingTable(
         example="""\
 ball_roughness_um = 0.02
 raceway_roughness_um = 0.1

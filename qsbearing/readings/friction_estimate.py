@@ -35,7 +35,7 @@ from qsbearing.model.validation import (
 )
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.lubricant import OilState
@@ -215,10 +215,10 @@ def skf_torque(
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
-    found: tuple[ArrayLike, Remark] = (True, remark("speed_rating_unknown"))
+    of_speed: tuple[ArrayLike, Remark] = (True, remark("speed_rating_unknown"))
     if speed_rating is not None:
-        found = (n * rpm > np.asarray(speed_rating), remark("speed_rating_exceeded"))
-    return _estimate(solution, rolling + sliding, SKF, remarks([found], solution.shape))
+        of_speed = (n * rpm > np.asarray(speed_rating), remark("speed_rating_exceeded"))
+    return _estimate(solution, rolling + sliding, SKF, remarks([of_speed], solution.shape))
 
 
 def angular_contact_terms(
@@ -311,7 +311,7 @@ ENTRY = Reading(
     by="SKF; Palmgren, Schaeffler",
     take=simply(friction_estimates),
     record=_arguments,
-    table=Table(
+    table=ReadingTable(
         inputs=inputs_of(EstimateArguments),
         choices=("series",),
         example="""\

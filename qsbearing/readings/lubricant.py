@@ -28,7 +28,7 @@ from qsbearing.model.validation import (
     raise_if_any,
     within,
 )
-from qsbearing.readings.entry import Table
+from qsbearing.readings.entry import ReadingTable
 
 FREEZING = 273.15
 RANGES = {
@@ -215,8 +215,8 @@ def viscosity_at_100(cold: ArrayLike, index: ArrayLike) -> Any:
     """Viscosity at 100 C [mm^2/s] of an oil of this viscosity at 40 C [mm^2/s] and viscosity index."""
     pairs = np.stack([each.ravel() for each in np.broadcast_arrays(np.asarray(cold, float), np.asarray(index, float))])
     different, which = np.unique(pairs, axis=1, return_inverse=True)
-    found = np.array([_viscosity_at_100(*map(float, pair)) for pair in different.T])
-    return found[which].reshape(np.broadcast_shapes(np.shape(cold), np.shape(index)))[()]
+    viscosities = np.array([_viscosity_at_100(*map(float, pair)) for pair in different.T])
+    return viscosities[which].reshape(np.broadcast_shapes(np.shape(cold), np.shape(index)))[()]
 
 
 @lru_cache(maxsize=256)
@@ -239,7 +239,7 @@ def _reference_oils(hot: float) -> tuple[float, float]:
     return float(np.polyval(row[1:4], hot)), float(np.polyval(row[4:7], hot))
 
 
-TABLE = Table(
+TABLE = ReadingTable(
     inputs=(
         number("iso_viscosity_grade", range=RANGES["grade"]),
         number("viscosity_index", range=RANGES["viscosity_index"]),

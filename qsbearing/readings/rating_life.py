@@ -36,7 +36,7 @@ from qsbearing.readings.dynamic_rating import (
     element_load_ratings,
 )
 from qsbearing.readings.dynamic_rating import dynamic_load_rating as rating_of_geometry
-from qsbearing.readings.entry import Reading, Table, both_or_neither, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.equivalent_load import equivalent_load
 from qsbearing.readings.life_factors import (
     GREATEST_RATIO,
@@ -264,18 +264,18 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
-    found: list[Found] = [*_found(solution, rating, from_geometry, kappa)]
-    found.append((np.isnan(P) & np.isfinite(system), remark("life_thrust_uncovered")))
+    holding: list[Found] = [*_found(solution, rating, from_geometry, kappa)]
+    holding.append((np.isnan(P) & np.isfinite(system), remark("life_thrust_uncovered")))
     if factor is not None:
-        found.append(((factor > PRACTICE) & (factor < LARGEST), remark("life_factor_large", limit=PRACTICE)))
-        found.append((factor >= LARGEST, remark("life_factor_capped", limit=LARGEST)))
+        holding.append(((factor > PRACTICE) & (factor < LARGEST), remark("life_factor_large", limit=PRACTICE)))
+        holding.append((factor >= LARGEST, remark("life_factor_capped", limit=LARGEST)))
     found_life = Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         (),
     )  # fmt: skip
     hours = found_life.duration / HOUR
-    found.append((np.isfinite(hours) & (hours > LONGEST_HOURS), partial(_long, hours)))
-    return replace(found_life, remarks=remarks(found, shape))
+    holding.append((np.isfinite(hours) & (hours > LONGEST_HOURS), partial(_long, hours)))
+    return replace(found_life, remarks=remarks(holding, shape))
 
 
 def _long(hours: NDArray, i: int) -> Remark:
@@ -332,20 +332,20 @@ def _found(
         for most in (INNER_GROOVE_COVERED, OUTER_GROOVE_COVERED)
     )
     wide = (inner_f > inner_most + 1e-9) | (outer_f > outer_most + 1e-9)
-    found: list[tuple[NDArray, Remark]] = [
+    holding: list[tuple[NDArray, Remark]] = [
         (numbers.is_hybrid, remark("life_of_ceramic")),
         (largest_pressure(solution) > STATIC_PRESSURE, remark("life_dents", limit_MPa=STATIC_PRESSURE / MPa)),
     ]
     if from_geometry and rating is Rating.ISO_281:
-        found.append((wide, remark("life_grooves_uncovered")))
+        holding.append((wide, remark("life_grooves_uncovered")))
         gamma = numbers.nominal_gamma
         outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
-        found.append((outside, remark("life_size_uncovered")))
+        holding.append((outside, remark("life_size_uncovered")))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)
-        found.append((kappa < LEAST_RATIO, remark("life_viscosity_low", limit=LEAST_RATIO)))
-        found.append((kappa > GREATEST_RATIO, remark("life_viscosity_high", limit=GREATEST_RATIO)))
-    return found
+        holding.append((kappa < LEAST_RATIO, remark("life_viscosity_low", limit=LEAST_RATIO)))
+        holding.append((kappa > GREATEST_RATIO, remark("life_viscosity_high", limit=GREATEST_RATIO)))
+    return holding
 
 
 ENTRY = Reading(
@@ -354,7 +354,7 @@ ENTRY = Reading(
     by="ISO/TS 16281, ISO 281, Lundberg & Palmgren",
     take=simply(life),
     record=LifeArguments,
-    table=Table(
+    table=ReadingTable(
         choices=("rating", "capacity", "cleanliness", "fatigue_limit_by"),
         example="""\
 dynamic_load_rating_N = 100000     # C; without it from the geometry

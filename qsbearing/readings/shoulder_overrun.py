@@ -34,7 +34,7 @@ from qsbearing.model.units import MPa, deg
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
@@ -116,20 +116,20 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
     """
-    found: list[RacewayOverrun | None] = []
+    raceways: list[RacewayOverrun | None] = []
     said = []
     for side, name, contacts, shoulder, other in (
         (INNER, "inner", solution.inner, given.inner_shoulder_diameter, given.inner_open_diameter),
         (OUTER, "outer", solution.outer, given.outer_shoulder_diameter, given.outer_open_diameter),
     ):
         if shoulder is None:
-            found.append(None)
+            raceways.append(None)
             continue
         other = shoulder if other is None else other
         raceway = _raceway(solution, contacts, side, shoulder, other, given.edge_radius)
         said += _remarks(name, raceway)
-        found.append(raceway)
-    return Overrun(found[0], found[1], remarks(said, solution.shape))
+        raceways.append(raceway)
+    return Overrun(raceways[0], raceways[1], remarks(said, solution.shape))
 
 
 def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]:
@@ -149,10 +149,10 @@ def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]
 
 def _numbers(raceway: RacewayOverrun, at: tuple[Any, ...]) -> dict[str, float]:
     """What the edge does to one contact, as far as it is computed, in the units of a remark."""
-    found = {"load_loss_percent": 100.0 * raceway.load_loss[at], "turn_deg": raceway.load_turn[at] / deg}
+    numbers = {"load_loss_percent": 100.0 * raceway.load_loss[at], "turn_deg": raceway.load_turn[at] / deg}
     if raceway.edge_pressure is not None:
-        found |= {"edge_pressure_MPa": raceway.edge_pressure[at] / MPa, "limit_MPa": STATIC_PRESSURE / MPa}
-    return {key: float(value) for key, value in found.items() if np.isfinite(value)}
+        numbers |= {"edge_pressure_MPa": raceway.edge_pressure[at] / MPa, "limit_MPa": STATIC_PRESSURE / MPa}
+    return {key: float(value) for key, value in numbers.items() if np.isfinite(value)}
 
 
 def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float) -> NDArray:
@@ -240,7 +240,7 @@ ENTRY = Reading(
     by="geometry",
     take=simply(overrun),
     record=OverrunArguments,
-    table=Table(
+    table=ReadingTable(
         example="""\
 inner_shoulder_diameter_mm = 112
 outer_shoulder_diameter_mm = 139

@@ -194,13 +194,13 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
     moment = np.hypot(solution.load[..., 3], solution.load[..., 4])
     arm = 0.5 * np.asarray(bearing.pitch_diameter, float)
     limit = STATIC_PRESSURE / MPa
-    found = [
+    holding = [
         (contact < 1.0, remark("static_dents", limit_MPa=limit)),
         (moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny), remark("static_moment")),
         (np.isnan(equivalent) & np.isfinite(radial), remark("static_thrust_uncovered")),
         (BearingNumbers(bearing).is_hybrid, remark("static_of_ceramic", limit_MPa=limit)),
     ]
-    return StaticSafety(rating, equivalent, safety, contact, remarks(found, solution.shape))
+    return StaticSafety(rating, equivalent, safety, contact, remarks(holding, solution.shape))
 
 
 def largest_pressure(solution: Solution) -> NDArray:

@@ -79,12 +79,12 @@ def stress(solution: Solution) -> Stress:
     solution.read_at_once(*NEEDS)
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))
     numbers = BearingNumbers(solution.scene.operating_bearing)
-    found = []
+    holding = []
     for name, raceway in (("inner", inner), ("outer", outer)):
         deep = raceway.dent > NOTICEABLE * numbers.ball_diameter[..., None]
-        found.append((deep.any(axis=-1), remark("dent_noticeable", name, limit=NOTICEABLE)))
-    found.append((numbers.is_hybrid, remark("dent_of_ceramic")))
-    return Stress(inner, outer, remarks(found, solution.shape))
+        holding.append((deep.any(axis=-1), remark("dent_noticeable", name, limit=NOTICEABLE)))
+    holding.append((numbers.is_hybrid, remark("dent_of_ceramic")))
+    return Stress(inner, outer, remarks(holding, solution.shape))
 
 
 def _raceway(solution: Solution, contacts: RacewayContacts, side: float) -> RacewayStress:
@@ -164,8 +164,8 @@ def shear_table(poisson_ratio: float) -> NDArray:
     from scipy.interpolate import CubicSpline
 
     places = np.linspace(np.log(SLENDEREST), 0.0, TABLE)
-    found = [subsurface_shear(float(np.exp(-x)), poisson_ratio) for x in places]
-    values = [[each.stress for each in found], [each.depth for each in found]]
+    shears = [subsurface_shear(float(np.exp(-x)), poisson_ratio) for x in places]
+    values = [[each.stress for each in shears], [each.depth for each in shears]]
     return np.stack([CubicSpline(places, each).c for each in values])
 
 

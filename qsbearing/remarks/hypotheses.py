@@ -28,12 +28,12 @@ def hypotheses(solution: Any, part: slice, may_solve: bool = True) -> Iterator[F
         return
     if np.prod(solution.shape) > MOST_CASES or not np.any(_inertia(solution) > WORTH_A_SOLVE):
         return
-    found = alternatives(RACEWAY_CONTROL, solution)
-    matters = np.any([_matters(each, part) for each in found], axis=0)
+    changes = alternatives(RACEWAY_CONTROL, solution)
+    matters = np.any([_matters(each, part) for each in changes], axis=0)
 
     def differing(i: int) -> Remark:
         values: dict[str, Any] = {}
-        for name, span in ranges(solution, found, part.start + i).items():
+        for name, span in ranges(solution, changes, part.start + i).items():
             values |= {name: span.what, f"{name}_unit": span.unit}
             values |= {f"{name}_{end}": getattr(span, end) for end in ("here", "least", "most")}
         return Remark("hypotheses_differ", values=values)

@@ -19,7 +19,7 @@ from qsbearing.documents.numbers import plain
 from qsbearing.model.effects import EFFECTS, Entry
 from qsbearing.model.solution.judgement import ANOTHER_RESULT, WORDS, changed, estimated, shifted, unit_of
 from qsbearing.model.validation import Field, Setting
-from qsbearing.remarks.wording import Raceways, Reader, Words, listed, spanned
+from qsbearing.remarks.wording import Audience, Raceways, Words, listed, spanned
 
 
 class Severity(IntEnum):
@@ -137,7 +137,7 @@ def _missing(fields: Mapping[str, Any], words: Words) -> str:
 
 def needed(entry: Entry, has_size: bool, words: Words) -> str:
     """What to give for an effect that needs numbers of the scene: in a file not what its bearing has."""
-    beside = entry.needs_beside_size if has_size and words.reader is not Reader.PYTHON else ""
+    beside = entry.needs_beside_size if has_size and words.reader is not Audience.PYTHON else ""
     return words.of(beside or entry.needs)
 
 
@@ -168,8 +168,8 @@ def _pressing(fields: Mapping[str, Any], words: Words) -> str:
     said = KINDS["rows_press"].sentence.format_map(fields)
     row = f"{fields['slides']:.0f}"
     written = {
-        Reader.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
-        Reader.FILE: f": floating = [{{rows = [{row}]}}]",
+        Audience.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
+        Audience.FILE: f": floating = [{{rows = [{row}]}}]",
     }
     return f"{said}{written.get(words.reader, '')}."
 
@@ -230,16 +230,16 @@ EFFECT = {entry.name: entry for entry in EFFECTS}
 BESIDE = ("who", "raceways", "balls", "field")
 """What sentences have beside the values of a remark."""
 _ADD = {
-    Reader.PYTHON: "Set {}",
-    Reader.FILE: "Add under [effects]: {}",
-    Reader.PAGE: "Tick what is missing in the table of effects",
+    Audience.PYTHON: "Set {}",
+    Audience.FILE: "Add under [effects]: {}",
+    Audience.PAGE: "Tick what is missing in the table of effects",
 }
-_GIVE = {Reader.PYTHON: "give", Reader.FILE: "give", Reader.PAGE: "open a scene file that gives"}
+_GIVE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
 _DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
 _LIST = {
-    Reader.PYTHON: "To see each: qsbearing explain FILE",
-    Reader.FILE: "To see each: qsbearing explain FILE",
-    Reader.PAGE: "The table of effects has the range",
+    Audience.PYTHON: "To see each: qsbearing explain FILE",
+    Audience.FILE: "To see each: qsbearing explain FILE",
+    Audience.PAGE: "The table of effects has the range",
 }
 _ENDED = ", a limit of practice; wear or the lubricant will"
 _YIELDING = (

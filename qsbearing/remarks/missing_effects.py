@@ -43,22 +43,22 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
         return
     of = asked(solution)
-    found = []
+    candidates = []
     for entry in EFFECTS:
         if entry.hypothesis or not entry.can_be_added(of):
             continue
         predicted = _predicted(entry, solution)
         if not are_few:
-            found.append((entry, predicted))
+            candidates.append((entry, predicted))
         elif np.any(predicted.largest > WORTH_A_SOLVE):
-            found += [(entry, each) for each in changes(entry, solution)]
-    if not found:
+            candidates += [(entry, each) for each in changes(entry, solution)]
+    if not candidates:
         return
-    matters = np.stack([_matters(change, part) for _, change in found])
-    by = np.max([change.largest.reshape(-1)[part] for _, change in found], axis=0)
+    matters = np.stack([_matters(change, part) for _, change in candidates])
+    by = np.max([change.largest.reshape(-1)[part] for _, change in candidates], axis=0)
 
     def missing(i: int) -> Remark:
-        here = [each for each, matters_there in zip(found, matters[:, i], strict=True) if matters_there]
+        here = [each for each, matters_there in zip(candidates, matters[:, i], strict=True) if matters_there]
         k = part.start + i
         most = [_most([change], k) for _, change in here]
         about = list(zip(here, most, strict=True))
@@ -85,35 +85,35 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
         if not entry.needs or not lacking:
             continue
         predicted = [_predicted(entry, solution)] if entry.tells_without else []
-        found = changes(entry, solution) if are_few else predicted
-        if found:
+        assumed = changes(entry, solution) if are_few else predicted
+        if assumed:
             of = Of(rows=() if len(lacking) == len(rows) else tuple(lacking))
-            matters = np.any([_matters(each, part) for each in found], axis=0)
-            by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
-            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, found, part.start)
+            matters = np.any([_matters(each, part) for each in assumed], axis=0)
+            by = np.max([each.largest.reshape(-1)[part] for each in assumed], axis=0)
+            yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, assumed, part.start)
 
 
-def _lacks(solution: Any, entry: Entry, of: Of, found: list[Change], start: int, i: int) -> Remark:
+def _lacks(solution: Any, entry: Entry, of: Of, assumed: list[Change], start: int, i: int) -> Remark:
     """That an effect is missing, in some rows or in all, what it would change under each assumption, if solved."""
     k = start + i
-    quantity, by = _most(found, k)
-    there = [each for each in found if np.ravel(each.is_solved)[k]]
-    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
+    quantity, by = _most(assumed, k)
+    there = [each for each in assumed if np.ravel(each.is_solved)[k]]
+    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in assumed)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
     values |= {"is_estimated": not is_solved, "has_size": has_size_for(entry, solution)}
     return Remark("effect_data_missing", of, values | _moved(solution, there if quantity == DISPLACEMENT else [], k))
 
 
-def _moved(solution: Any, found: list[Change], k: int) -> dict[str, tuple[float, ...]]:
+def _moved(solution: Any, compared: list[Change], k: int) -> dict[str, tuple[float, ...]]:
     """Of a remark that speaks of displacements: by how much they change with each effect, or under each assumption."""
-    by = [moved(solution, each.displacement) for each in found if each.displacement is not None]
+    by = [moved(solution, each.displacement) for each in compared if each.displacement is not None]
     return {"displacements_um": tuple(float(np.ravel(each)[k] / um) for each in by)} if by else {}
 
 
-def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:
+def _most(compared: list[Change], k: int) -> tuple[str, tuple[float, ...]]:
     """Which quantity changes most in a case, counted along the flattened axes, and by how much with each change that is
     solved; nothing where none is."""
-    with_solution = [each for each in found if np.ravel(each.is_solved)[k]]
+    with_solution = [each for each in compared if np.ravel(each.is_solved)[k]]
     if not with_solution:
         return "", ()
     errors = {name: np.ravel(error)[k] for name, error in with_solution[-1].errors.items()}
@@ -123,9 +123,9 @@ def _most(found: list[Change], k: int) -> tuple[str, tuple[float, ...]]:
 
 def _predicted(entry: Entry, solution: Any) -> Change:
     """By the indicator, of a set in the row where it is most."""
-    found = [judge(entry, row).errors for row in rows_of(solution)]
+    row_errors = [judge(entry, row).errors for row in rows_of(solution)]
     nothing = np.zeros(solution.shape)
-    errors = {name: np.max([each.get(name, nothing) for each in found], axis=0) for name in QUANTITIES}
+    errors = {name: np.max([each.get(name, nothing) for each in row_errors], axis=0) for name in QUANTITIES}
     return Change("", "", errors, np.ones(solution.shape, bool))
 
 

@@ -21,8 +21,8 @@ def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterato
         return
     rounding = rounding_of_load(solution.load, solution.scene.bearing)
     at_rest = not_grown(solution.preload_at_rest, solution.load[..., 0], rounding)
-    found = solution.preload_loads if may_solve else at_rest
-    if found is None:
+    loads = solution.preload_loads if may_solve else at_rest
+    if loads is None:
         return
 
     def cases(values: Any) -> NDArray:
@@ -35,7 +35,7 @@ def preload_remarks(solution: Solution, part: slice, may_solve: bool) -> Iterato
     def fitted() -> tuple[NDArray, NDArray]:
         return cases(solution.preload_unmounted), cases(solution.preload_mounted)
 
-    yield from of_loads(PreloadLoads(*map(cases, found)), preload.state, stiffness, fitted)
+    yield from of_loads(PreloadLoads(*map(cases, loads)), preload.state, stiffness, fitted)
 
 
 def not_grown(given: Any, carried: Any, rounding: Any) -> PreloadLoads:

@@ -68,12 +68,12 @@ class Of:
 
     def record(self) -> dict[str, Any]:
         """As JSON has it: what there is to tell."""
-        found = {each.name: getattr(self, each.name) for each in fields(self)}
+        record = {each.name: getattr(self, each.name) for each in fields(self)}
         if self.balls is not None:
-            found["balls"] = self.balls.numbers
+            record["balls"] = self.balls.numbers
         if self.cases is not None:
-            found["cases"] = vars(self.cases)
-        return {name: value for name, value in found.items() if value}
+            record["cases"] = vars(self.cases)
+        return {name: value for name, value in record.items() if value}
 
 
 def of_row(row: Any, number: int) -> Of:
@@ -142,9 +142,9 @@ class Warned(str):
     remark: Remark
 
     def __new__(cls, text: str, remark: Remark) -> Warned:
-        found = super().__new__(cls, text)
-        found.remark = remark
-        return found
+        warned = super().__new__(cls, text)
+        warned.remark = remark
+        return warned
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Warned, (str(self), self.remark)
@@ -192,21 +192,21 @@ Remarks = tuple[tuple[NDArray, Remark | Callable[[int], Remark]], ...]
 """Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
 
 
-def remarks(found: Iterable[Found], shape: tuple[int, ...]) -> Remarks:
+def remarks(holding: Iterable[Found], shape: tuple[int, ...]) -> Remarks:
     """What holds in some case.
 
     Args:
-        found: where each holds, which broadcasts to the case axes.
+        holding: where each holds, which broadcasts to the case axes.
         shape: the case axes of the solution; none for a single case, or for what holds of all alike.
     """
-    marked = [(np.broadcast_to(np.asarray(where, bool), shape), each) for where, each in found]
+    marked = [(np.broadcast_to(np.asarray(where, bool), shape), each) for where, each in holding]
     return tuple((where, each) for where, each in marked if where.any())
 
 
-def told(found: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
+def told(holding: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
     """What holds of a case, what matters most first; without a place of several, in how many cases each holds."""
     said = []
-    for where, each in found:
+    for where, each in holding:
         where, at = np.asarray(where), 0
         if place is not None and where.shape:
             where, at = where[place], int(np.ravel_multi_index(place, where.shape))
@@ -221,18 +221,18 @@ def told(found: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
     return in_order(said)
 
 
-def in_case(solution: Any, found: Callable[[Any, slice], Iterable[Found]], index: Any) -> list[Remark]:
+def in_case(solution: Any, holding: Callable[[Any, slice], Iterable[Found]], index: Any) -> list[Remark]:
     """What holds of a solved case of a bearing or set; without an index of several, in how many each holds.
 
     Args:
-        found: for a stretch of cases, where each remark holds, and that of the i-th of them.
+        holding: for a stretch of cases, where each remark holds, and that of the i-th of them.
     """
     solved = np.ravel(solution.converged)
     if index is None and solution.shape:
-        every = found(solution, slice(0, solved.size))
+        every = holding(solution, slice(0, solved.size))
         return told(((np.reshape(np.where(solved, where, 0), solution.shape), each) for where, each in every), None)
     k = solution.flat_index(index)
-    one = found(solution, slice(k, k + 1)) if solved[k] else ()
+    one = holding(solution, slice(k, k + 1)) if solved[k] else ()
     return told(((np.asarray(where)[0], each) for where, each in one), None)
 
 

@@ -13,7 +13,7 @@ from qsbearing.documents.numbers import plain
 from qsbearing.model.validation import Field, Sentence
 
 
-class Reader(StrEnum):
+class Audience(StrEnum):
     """Who reads, and so what fields and settings are called."""
 
     PYTHON = "python"
@@ -24,7 +24,7 @@ class Reader(StrEnum):
 class Words(NamedTuple):
     """How a sentence names fields."""
 
-    reader: Reader
+    reader: Audience
     spell: Callable[[Field, str], str]
     """From a field, and a path beside it where its table is not in its name."""
 
@@ -34,7 +34,7 @@ class Words(NamedTuple):
         return sentence.written(said) if isinstance(sentence, Sentence) else sentence
 
 
-PYTHON = Words(Reader.PYTHON, lambda field, path: str(field))
+PYTHON = Words(Audience.PYTHON, lambda field, path: str(field))
 
 
 class Span(tuple[float, ...]):

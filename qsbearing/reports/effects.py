@@ -15,7 +15,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.bearing import chosen
 from qsbearing.remarks.wording import capital
 from qsbearing.reports.evidence import of_rows
-from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, NOT_NEEDED, Row
+from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, NOT_NEEDED, Assessment
 from qsbearing.systems.sets.set_solution import SetSolution
 
 DEFAULT_TOLERANCE = 0.01
@@ -73,7 +73,7 @@ def assumptions(scene: Scene) -> list[str]:
     return said
 
 
-def section(solution: Solution, asked: Scene, rows: Sequence[Row], tolerance: float) -> Section:
+def section(solution: Solution, asked: Scene, rows: Sequence[Assessment], tolerance: float) -> Section:
     """Assumptions, and a row for each effect and choice.
 
     Args:
@@ -86,14 +86,14 @@ def section(solution: Solution, asked: Scene, rows: Sequence[Row], tolerance: fl
     return _section(assumptions(solution.scene), said, rows, tolerance)
 
 
-def section_of_set(solution: SetSolution, rows: Sequence[Row]) -> Section:
+def section_of_set(solution: SetSolution, rows: Sequence[Assessment]) -> Section:
     """Likewise of a set."""
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
     return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
 
 
-def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], tolerance: float) -> Section:
+def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessment], tolerance: float) -> Section:
     blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it; with "
@@ -112,7 +112,7 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Row], t
     return Section("Assumptions and effects", blocks, "effects")
 
 
-def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
+def is_right(rows: Sequence[Assessment], tolerance: float) -> list[Block]:
     """In short: what the model has or lacks that changes a result by more than the tolerance, and what to do."""
     title = "Is the model right for this case?"
     what = {entry.name: entry for entry in EFFECTS}
@@ -139,7 +139,7 @@ def is_right(rows: Sequence[Row], tolerance: float) -> list[Block]:
     return [Table(headings, lines, "llll", title, stack=True), Paragraph(said)]
 
 
-def _status(row: Row) -> str:
+def _status(row: Assessment) -> str:
     """What its colour stands for: of what is lacking by the size of the change, whatever the reason."""
     if row.verdict == NOT_NEEDED or (row.verdict == NEEDED and row.in_scene):
         return "pass"
@@ -148,6 +148,6 @@ def _status(row: Row) -> str:
     return "missing"
 
 
-def _line(row: Row) -> list[Cell]:
+def _line(row: Assessment) -> list[Cell]:
     changes = (row.change(name).replace("\n", " ") for name in QUANTITIES)
     return [row.what, "yes" if row.in_scene else "no", *changes, Badge(row.verdict, _status(row))]

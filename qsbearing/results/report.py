@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.documents.model import Block, Callout, Paragraph, Table
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
@@ -195,11 +195,11 @@ def ending(found: dict[str, Any]) -> list[Block]:
     if found["status"] != "converged":
         message = found["message"]
         if message.startswith(status):
-            return [Remark(message, "fail", status, "red")]
-        return [Remark(status, "fail", status, "red"), Paragraph(message)]
+            return [Callout(message, "fail", status, "red")]
+        return [Callout(status, "fail", status, "red"), Paragraph(message)]
     took = f"{status} in {found['iterations']} iterations, {duration(found['seconds'])}"
     told = f"{took}; largest imbalance {found['residual']:.1e} of the largest force"
-    return [Remark(told, "pass", status, "green")]
+    return [Callout(told, "pass", status, "green")]
 
 
 def asked_for(found: dict[str, Any]) -> str:

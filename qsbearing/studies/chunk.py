@@ -141,12 +141,12 @@ def put(plan: Plan, chunk: Chunk, numbers: NDArray, solution: Solution | SetSolu
     chunk.reason[numbers] = _codes(solution.reason, chunk.reasons)
     chunk.iterations[numbers] = np.ravel(solution.iterations)
     chunk.residual[numbers] = np.ravel(solution.residual)
-    for name, found in read(solution, plan.results, readings).items():
+    for name, values in read(solution, plan.results, readings).items():
         out = chunk.results[name]
         if out.ndim == 1:
-            out[numbers] = np.reshape(found, numbers.size)
+            out[numbers] = np.reshape(values, numbers.size)
         else:
-            out[numbers, : found.shape[-1]] = np.reshape(found, (numbers.size, -1))
+            out[numbers, : values.shape[-1]] = np.reshape(values, (numbers.size, -1))
 
 
 def _codes(words: Any, known: tuple[str, ...]) -> NDArray:
@@ -211,5 +211,5 @@ def _chosen_effects(study: Study, points: Points, possible: Scene | BearingSet) 
     together = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
     made = scenes_of_points(study, together, next(iter(together.values())).size).parts
     scene = made[0].scene if made else possible
-    found = solve_set(scene).set if isinstance(scene, BearingSet) else choose(scene).scene
-    return {name: getattr(found, name) for name in (*CHOICES, "ball_effects", "ring_effects", "tolerance")}
+    chosen = solve_set(scene).set if isinstance(scene, BearingSet) else choose(scene).scene
+    return {name: getattr(chosen, name) for name in (*CHOICES, "ball_effects", "ring_effects", "tolerance")}

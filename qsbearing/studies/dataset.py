@@ -32,7 +32,7 @@ FORMAT = 1
 def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]:
     """For each variable of the results its dimensions, type and attributes."""
     dims = points.dims
-    found: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
+    variables: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
         "status": (dims, np.int8, _flags(STATUSES)),
         "reason": (dims, np.int16, {"long_name": "why there is no equilibrium, or no bearing"}),
         "iterations": (dims, np.int32, {"units": "1"}),
@@ -40,8 +40,8 @@ def variables_of(plan: Plan, points: Points) -> dict[str, tuple[tuple[str, ...],
     }
     for result in plan.results:
         own = (*dims, BALL) if result.is_per_ball else dims
-        found[result.name] = (own, np.float64, result.attributes | {"column": result.column})
-    return found
+        variables[result.name] = (own, np.float64, result.attributes | {"column": result.column})
+    return variables
 
 
 def arrays_of(chunk: Chunk, reasons: tuple[str, ...]) -> dict[str, NDArray]:
@@ -65,7 +65,7 @@ def all_reasons(chunks: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
 def attributes(plan: Plan) -> dict[str, Any]:
     """What the results were made from: the study, and all of its scene at one point."""
     scene = base_scene(plan.study)
-    found = {
+    attrs = {
         "Conventions": "CF-1.11",
         "title": f"Study of {label_of(scene)}",
         "source": f"qsbearing {__version__}",
@@ -74,11 +74,11 @@ def attributes(plan: Plan) -> dict[str, Any]:
         "study": json.dumps(plan.study.as_data()),
     }
     if scene is not None:
-        found["input"] = json.dumps(input_tables(scene))
+        attrs["input"] = json.dumps(input_tables(scene))
     if plan.chosen is not None:
-        found["chosen_effects"] = str(plan.chosen)
+        attrs["chosen_effects"] = str(plan.chosen)
     revision = commit()
-    return found | ({"commit": revision} if revision else {})
+    return attrs | ({"commit": revision} if revision else {})
 
 
 def reason_attributes(reasons: tuple[str, ...]) -> dict[str, Any]:
@@ -90,10 +90,10 @@ def coordinates(
     points: Points, samples: slice = slice(0, 0)
 ) -> dict[str, tuple[tuple[str, ...], NDArray, dict[str, Any]]]:
     """Every varied key: dimensions, values (of the random ones, at these samples), attributes."""
-    found = {}
+    coords = {}
     for name, (dims, values) in points.coordinates(samples).items():
-        found[name] = (dims, values, {"units": keys.known(name).unit or "1"})
-    return found
+        coords[name] = (dims, values, {"units": keys.known(name).unit or "1"})
+    return coords
 
 
 def dataset_of(plan: Plan, points: Points, chunks: dict[int, Chunk]) -> xarray.Dataset:

@@ -53,14 +53,14 @@ class Ranged(NamedTuple):
 
 def ranges(solution: Solution) -> list[Ranged]:
     """The main results and every number of the readings, of a solution over the bearings of a data sheet."""
-    found: InferredBearing = solution.scene.bearing.inferred
+    inferred: InferredBearing = solution.scene.bearing.inferred
     kept = main_results(solution)
     solved = np.asarray(solution.converged)
     out = []
     for name, values in read(solution, kept.values()).items():
         values = np.where(solved, np.broadcast_to(values, solved.shape), np.nan)
         if np.isfinite(values).any() and np.nanmax(np.abs(values)) > 0.0:
-            each = Ranged(kept[name], found.range_of(values), found.shares_removed(values))
+            each = Ranged(kept[name], inferred.range_of(values), inferred.shares_removed(values))
             out.append(each)
     return out
 
@@ -81,9 +81,9 @@ def _of_bearings(each: Remark) -> Remark:
 
 def inferred_record(solution: Solution) -> dict[str, Any]:
     """The ranges as plain data: `inferred`, and beside it the sets, which of them make the ends, and the shares."""
-    found: InferredBearing = solution.scene.bearing.inferred
+    inferred: InferredBearing = solution.scene.bearing.inferred
     every = ranges(solution)
-    numbers = found.set_number
+    numbers = inferred.set_number
     return {
         "inferred": {each.key: [each.range.least, each.range.most] for each in every},
         "inferred_ends": {each.key: [int(numbers[case]) + 1 for case in each.range[2:]] for each in every},
@@ -94,38 +94,38 @@ def inferred_record(solution: Solution) -> dict[str, Any]:
                 "ball_count": int(count),
                 "ball_diameter_mm": float(f"{diameter / mm:.10g}"),
                 "groove_radius_coefficient": [float(f"{f:.6g}") for f in (least, most)],
-                "misfit": float(found.misfit[case]),
-                "rating_practice": str(found.practice[case]),
+                "misfit": float(inferred.misfit[case]),
+                "rating_practice": str(inferred.practice[case]),
             }
-            for case, count, diameter, least, most in _sets(found)
+            for case, count, diameter, least, most in _sets(inferred)
         ],
     }
 
 
-def _sets(found: InferredBearing) -> list[tuple[int, float, float, float, float]]:
+def _sets(inferred: InferredBearing) -> list[tuple[int, float, float, float, float]]:
     """First case, ball count, ball diameter and f of each set."""
-    bearing: Any = found.bearing
+    bearing: Any = inferred.bearing
     f: NDArray = bearing.inner_groove_radius / bearing.ball_diameter
-    cases = [np.flatnonzero(found.set_number == number) for number in np.unique(found.set_number)]
+    cases = [np.flatnonzero(inferred.set_number == number) for number in np.unique(inferred.set_number)]
     return [(c[0], bearing.ball_count[c[0]], bearing.ball_diameter[c[0]], f[c].min(), f[c].max()) for c in cases]
 
 
-def _only_one(found: InferredBearing) -> str:
+def _only_one(inferred: InferredBearing) -> str:
     """What bounds the list of one set."""
-    diameter = float(np.ravel(found.bearing.ball_diameter)[0])
-    if found.sheet.ball_count is not None and found.sheet.ball_diameter is not None:
+    diameter = float(np.ravel(inferred.bearing.ball_diameter)[0])
+    if inferred.sheet.ball_count is not None and inferred.sheet.ball_diameter is not None:
         return "The balls are given; the ratings agree with them."
-    least, most = FILLS[found.bearing.kind]
+    least, most = FILLS[inferred.bearing.kind]
     sizes = f", {'inch' if np.isclose(INCH_SIZES, diameter).any() else 'mm'} sizes" * (
-        found.sheet.ball_diameter is None
+        inferred.sheet.ball_diameter is None
     )
     return f"Only one set fits within these bounds: fill {100.0 * least:.0f} to {100.0 * most:.0f} %{sizes}."
 
 
 def inferred_tables(solution: Solution) -> list[Block]:
     """The ranges and the sets for people."""
-    found: InferredBearing = solution.scene.bearing.inferred
-    every, numbers = ranges(solution), found.set_number
+    inferred: InferredBearing = solution.scene.bearing.inferred
+    every, numbers = ranges(solution), inferred.set_number
     others = [name for name in OTHER_NUMBERS if any(name in each.removed for each in every)]
     heading = ("inferred", "", "least", "of set", "most", "of set", *(f"{OTHER_NUMBERS[name]}\n%" for name in others))
     rows = []
@@ -143,17 +143,19 @@ def inferred_tables(solution: Solution) -> list[Block]:
             f"{count:.0f}",
             f"{diameter / mm:.4g}",
             f"{least:.4f} to {most:.4f}",
-            f"{found.misfit[case]:.2g}",
-            found.practice[case].replace("_", " "),
+            f"{inferred.misfit[case]:.2g}",
+            inferred.practice[case].replace("_", " "),
         )
-        for number, (case, count, diameter, least, most) in enumerate(_sets(found), 1)
+        for number, (case, count, diameter, least, most) in enumerate(_sets(inferred), 1)
     ]
-    title = f"{found.bearing.name or 'Bearing'} from its data sheet: {len(sets)} ball set{'s' if len(sets) > 1 else ''}"
+    title = (
+        f"{inferred.bearing.name or 'Bearing'} from its data sheet: {len(sets)} ball set{'s' if len(sets) > 1 else ''}"
+    )
     columns = ("set", "Z", "D\nmm", "f", "misfit", "ratings read as")
     numbers_known = ", ".join(OTHER_WORDS[name] for name in others)
     several = "The list holds every set that the ratings allow; the first, which fits best, often is not the true one."
     note = (
-        several if len(sets) > 1 else _only_one(found)
+        several if len(sets) > 1 else _only_one(inferred)
     ) + f" In %: what part of a range goes, on average, if one more number is known: {numbers_known}." * bool(others)
     result = "Results: least and most over all sets and their groove radii"
     return [

@@ -60,20 +60,20 @@ def _all() -> dict[str, StudyKey]:
         else:
             within = next((holder for holder, names in of_section.items() if table in names), "")
             tables.append(((within, table) if within else (table,), table))
-    found: dict[str, StudyKey] = {}
+    by_name: dict[str, StudyKey] = {}
     for path, table in tables:
         for key in by_table[table]:
-            name = f"{path[-1]}_{key.name}" if table == "material" or key.name in found else key.name
+            name = f"{path[-1]}_{key.name}" if table == "material" or key.name in by_name else key.name
             own = ".".join((*path, key.name))
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)
-            found[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
+            by_name[name] = StudyKey(name, (*path, key.name), key.unit, replaces)
     for name in COEFFICIENTS:
-        found[name] = StudyKey(name, ("bearing", name), "1", _replaced(name))
+        by_name[name] = StudyKey(name, ("bearing", name), "1", _replaced(name))
     for key in RACEWAYS:
-        found[key.name] = StudyKey(key.name, ("bearing", key.name), key.unit)
+        by_name[key.name] = StudyKey(key.name, ("bearing", key.name), key.unit)
     for radius in ("inner_groove_radius_mm", "outer_groove_radius_mm"):
-        found[radius] = replace(found[radius], replaces=_replaced(radius))
-    return found
+        by_name[radius] = replace(by_name[radius], replaces=_replaced(radius))
+    return by_name
 
 
 def _replaced(name: str) -> tuple[str, ...]:

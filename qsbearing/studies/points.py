@@ -63,19 +63,19 @@ class Points:
         """What each key takes at the points of a chunk, flattened, in the keys' units; those of one value as one."""
         shape = tuple(part.stop - part.start for part in chunk)
         along = dict(zip(self.dims, chunk, strict=True))
-        found: dict[str, NDArray] = {}
+        by_key: dict[str, NDArray] = {}
         for axis in self.study.variables:
             values = getattr(axis, "values", None)
             if values is not None and len(values) == 1:
-                found[axis.key] = np.asarray(values[0])
+                by_key[axis.key] = np.asarray(values[0])
         for place, axis in enumerate(self.study.axes):
             values = np.asarray(axis.values)[along[axis.key]]
             wide = values.reshape(-1, *(1,) * (len(shape) - place - 1))
-            found[axis.key] = np.broadcast_to(wide, shape).ravel()
+            by_key[axis.key] = np.broadcast_to(wide, shape).ravel()
         if self.study.samples:
             for key, values in self.samples(along[SAMPLE]).items():
-                found[key] = np.broadcast_to(values, shape).ravel()
-        return found
+                by_key[key] = np.broadcast_to(values, shape).ravel()
+        return by_key
 
     def samples(self, part: slice) -> dict[str, NDArray]:
         """The values of the random keys at a stretch of the samples."""
@@ -93,14 +93,14 @@ class Points:
 
     def coordinates(self, samples: slice) -> dict[str, tuple[tuple[str, ...], NDArray]]:
         """Dimensions and values of every varied key: along its axis, or at these samples."""
-        found: dict[str, Any] = {axis.key: ((axis.key,), np.asarray(axis.values)) for axis in self.study.axes}
+        by_key: dict[str, Any] = {axis.key: ((axis.key,), np.asarray(axis.values)) for axis in self.study.axes}
         for axis in self.study.variables:
             values = getattr(axis, "values", None)
             if values is not None and len(values) == 1:
-                found[axis.key] = ((), np.asarray(values[0]))
+                by_key[axis.key] = ((), np.asarray(values[0]))
         if self.study.samples:
-            found |= {key: ((SAMPLE,), values) for key, values in self.samples(samples).items()}
-        return found
+            by_key |= {key: ((SAMPLE,), values) for key, values in self.samples(samples).items()}
+        return by_key
 
 
 @lru_cache(maxsize=4)

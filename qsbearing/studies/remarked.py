@@ -14,8 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Paragraph
-from qsbearing.documents.model import Remark as Shown
+from qsbearing.documents.model import Callout, Paragraph
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.kinds import KINDS, Severity
@@ -124,14 +123,14 @@ def records(seen: Look, points: int) -> list[dict[str, Any]]:
     Args:
         points: all that the study has.
     """
-    found = []
+    remarks = []
     for one in seen["remarks"].values():
         cases = {"count": one["count"], "of": seen["solved"]}
         cases |= {name: one[name] for name in ("at", "first", "last", "least", "most")}
         of = one["record"]["of"] | {"cases": cases}
         text = f"{_where(one, seen, points)}: {one['record']['text']}"
-        found.append(one["record"] | {"of": of, "text": text})
-    return sorted(found, key=lambda each: KINDS[each["code"]].severity)
+        remarks.append(one["record"] | {"of": of, "text": text})
+    return sorted(remarks, key=lambda each: KINDS[each["code"]].severity)
 
 
 def _where(one: Mapping[str, Any], seen: Look, points: int) -> str:
@@ -155,19 +154,19 @@ def attributes(seen: Look, points: int) -> dict[str, Any]:
     return dict(zip(KEPT, (json.dumps(records(seen, points)), seen["looked_at"], points), strict=True))
 
 
-def blocks(found: Sequence[Mapping[str, Any]], looked: int, points: int) -> list[Shown | Paragraph]:
+def blocks(remarks: Sequence[Mapping[str, Any]], looked: int, points: int) -> list[Callout | Paragraph]:
     """For people: a line for each, and how many points were looked at.
 
     Args:
-        found: as `records` gives them, or a file that kept them.
+        remarks: as `records` gives them, or a file that kept them.
         points: all that the study has.
     """
-    said: list[Shown | Paragraph] = []
-    for number, each in enumerate(found):
+    said: list[Callout | Paragraph] = []
+    for number, each in enumerate(remarks):
         kind, severity = KINDS.get(each["code"]), Severity[each["severity"].upper()]
         see = f" (see qsbearing guide {kind.see})" if kind else ""  # of another version: none
         text = f"{severity.words}: {each['text'].removesuffix('.')}{see}."
-        said.append(Shown(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0))
+        said.append(Callout(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0))
     if not may_solve(points):
         some = f"{looked:,} of {points:,} points are looked at, spread over all of them" if looked < points else ""
         told = "nothing is solved again for them: `qsbearing run` tells of one point what takes that"
@@ -175,15 +174,15 @@ def blocks(found: Sequence[Mapping[str, Any]], looked: int, points: int) -> list
     return said
 
 
-def of_look(seen: Look, points: int) -> list[Shown | Paragraph]:
+def of_look(seen: Look, points: int) -> list[Callout | Paragraph]:
     """Likewise of what was seen just now."""
     return blocks(records(seen, points), seen["looked_at"], points)
 
 
-def of_results(kept: Mapping[str, Any]) -> list[Shown | Paragraph]:
+def of_results(kept: Mapping[str, Any]) -> list[Callout | Paragraph]:
     """Likewise of the attributes of a study's results; nothing of results made before they kept any."""
-    found, looked, points = records_of(kept).values()
-    return blocks(found, looked, points)
+    remarks, looked, points = records_of(kept).values()
+    return blocks(remarks, looked, points)
 
 
 def records_of(kept: Mapping[str, Any]) -> dict[str, Any]:

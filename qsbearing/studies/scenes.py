@@ -31,7 +31,7 @@ distribution without limits goes where it means nothing)."""
 OWN_VALUE = "the file's own value, though the key varies"
 
 
-class Part(NamedTuple):
+class ScenePoints(NamedTuple):
     """Points that are the cases of one scene or set."""
 
     scene: Scene | BearingSet
@@ -45,7 +45,7 @@ class Part(NamedTuple):
 class PossibleScenes(NamedTuple):
     """The scenes of those points of a chunk that describe a bearing: one, unless numbers vary that make another set."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[ScenePoints, ...]
     possible: NDArray
     """Which they are; shape (point,)."""
     reason: NDArray
@@ -65,7 +65,7 @@ def scenes_of_points(
     Raises:
         SceneFileError: what is wrong with the study whatever the point.
     """
-    found = PossibleScenes((), np.ones(count, bool), np.zeros(count, np.int16), ())
+    scenes = PossibleScenes((), np.ones(count, bool), np.zeros(count, np.int16), ())
     apart = _apart(study)
     varied = [values[key] for key in apart if values[key].ndim]
     groups = [np.arange(count)]
@@ -77,8 +77,8 @@ def scenes_of_points(
     for points in groups:
         own = {key: array[points] if array.ndim else array for key, array in values.items()}
         own |= {key: own[key].ravel()[0] for key in apart}
-        found = _with_scene(study, own, points, found, bool(apart), bool(is_looked[points[0]]))
-    return found
+        scenes = _with_scene(study, own, points, scenes, bool(apart), bool(is_looked[points[0]]))
+    return scenes
 
 
 def _apart(study: Study) -> list[str]:
@@ -91,7 +91,7 @@ def _with_scene(
     study: Study,
     values: dict[str, NDArray],
     points: NDArray,
-    found: PossibleScenes,
+    scenes: PossibleScenes,
     by_value: bool,
     is_looked: bool,
 ) -> PossibleScenes:
@@ -100,13 +100,13 @@ def _with_scene(
     Args:
         by_value: whether what is wrong with all of these points may be right at others.
     """
-    possible, reasons = np.ones(points.size, bool), list(found.reasons)
-    parts = found.parts
+    possible, reasons = np.ones(points.size, bool), list(scenes.reasons)
+    parts = scenes.parts
     while possible.any():
         kept = {key: array[possible] if array.ndim else array for key, array in values.items()}
         try:
             scene = _over_one_axis(_scene(study, kept), int(possible.sum()))
-            parts = (*parts, Part(scene, points[possible], is_looked))
+            parts = (*parts, ScenePoints(scene, points[possible], is_looked))
             break
         except SceneFileError as error:
             wrong = [each for each in error.errors if isinstance(each, FileErrorDetail)]
@@ -122,10 +122,10 @@ def _with_scene(
                 if text not in reasons:
                     reasons.append(text)
                 fresh = concerned[possible[concerned]]
-                found.reason[points[fresh]] = reasons.index(text) + 1
+                scenes.reason[points[fresh]] = reasons.index(text) + 1
                 possible[fresh] = False
-    found.possible[points] = possible
-    return found._replace(parts=parts, reasons=tuple(reasons))
+    scenes.possible[points] = possible
+    return scenes._replace(parts=parts, reasons=tuple(reasons))
 
 
 def _over_one_axis(scene: Scene | BearingSet, count: int) -> Scene | BearingSet:
@@ -247,8 +247,8 @@ def check_base(study: Study) -> None:
             _scene(study, {key: array.ravel()[0] for key, array in (base or {}).items() if key != name})
         except SceneFileError as error:
             at = ".".join(keys.known(name).path)
-            found: list[Any] = [each for each in error.errors if getattr(each, "key", "") == at]
-            wrong += [replace(each, note=OWN_VALUE) for each in found]
+            errors: list[Any] = [each for each in error.errors if getattr(each, "key", "") == at]
+            wrong += [replace(each, note=OWN_VALUE) for each in errors]
     if wrong:
         raise SceneFileError(study.file, wrong)
 

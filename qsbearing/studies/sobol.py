@@ -141,9 +141,9 @@ def _solved(plan: Plan, values: dict[str, NDArray], looks: list[Look]) -> NDArra
         chunk = solve_points(plan, given, thread_count(), False)
         looks.append(chunk.remarks)
         for row, result in enumerate(plan.results):
-            found = chunk.results[result.name]
+            numbers = chunk.results[result.name]
             over = OVER[SIZE if result.result.is_signed else "max"]
-            out[row, part] = over(found, axis=1) if result.is_per_ball else found
+            out[row, part] = over(numbers, axis=1) if result.is_per_ball else numbers
     return out
 
 

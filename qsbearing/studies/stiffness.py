@@ -74,7 +74,7 @@ def _columns(solution: Solution | SetSolution, mirrored: bool) -> dict[str, NDAr
         return stiffness_columns(solution, mirrored=mirrored)
     of_shaft: Any = solution
     columns = stiffness_columns(of_shaft, mirrored=mirrored)
-    for number, (row, found) in enumerate(zip(solution.set.rows, solution.rows, strict=True), 1):
-        own = matrix_columns(found, mirrored=mirrored != (row.sign < 0.0))
+    for number, (row, solved) in enumerate(zip(solution.set.rows, solution.rows, strict=True), 1):
+        own = matrix_columns(solved, mirrored=mirrored != (row.sign < 0.0))
         columns |= {Place(OF_ROW, Result(name), number).name: column for name, column in own.items()}
     return columns

@@ -206,11 +206,11 @@ class Store:
 
     def _suits(self, number: int) -> bool:
         """Whether the arrays of a chunk that was kept are those of its points."""
-        found, expected = (
+        kept, expected = (
             [(each.shape, each.dtype) for each in dataset.arrays_of(chunk, chunk.reasons).values()]
             for chunk in (self.get(number), empty_chunk(self.plan, self.points.size(number), ("",)))
         )
-        return found == expected
+        return kept == expected
 
     def finished(self) -> set[int]:
         """Numbers of the chunks that are there."""
@@ -273,18 +273,18 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
     place = Path(file)
     check_regular(place, "a results file")
     with damage_told(place):
-        found = xarray.open_dataset(place, engine="h5netcdf", cache=False)
-    version = found.attrs.get("qsbearing_format")
+        results = xarray.open_dataset(place, engine="h5netcdf", cache=False)
+    version = results.attrs.get("qsbearing_format")
     if version != dataset.FORMAT:
-        found.close()
-        made = found.attrs.get("qsbearing_version", "another program")
+        results.close()
+        made = results.attrs.get("qsbearing_version", "another program")
         raise refused(place, f"is not a results file of this version (made by {made})", "Run the sweep again")
     try:
-        json_of(found.attrs.get("study"), place)
+        json_of(results.attrs.get("study"), place)
     except SceneFileError:
-        found.close()
+        results.close()
         raise
-    return found
+    return results
 
 
 def _json_of(place: Path) -> Any:

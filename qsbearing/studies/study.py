@@ -117,8 +117,8 @@ class Study(Plotted):
         Raises:
             SceneFileError: everything that is wrong with the study, at once; what its points find is found by `sweep`.
         """
-        found = read(source)
-        document, file, label = dict(found.document), found.file, found.label
+        contents = read(source)
+        document, file, label = dict(contents.document), contents.file, contents.label
         errors: list[FileErrorDetail] = []
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
@@ -227,21 +227,21 @@ def _of_each_ball(variable: Variable, count: int) -> list[Variable]:
 
 
 def _variables(varied: dict[str, Any], document: dict[str, Any], errors: list[FileErrorDetail]) -> tuple[Variable, ...]:
-    found: dict[str, Variable] = {}
+    by_key: dict[str, Variable] = {}
     ball_count = ball_count_of(document)
     for name, given in _flattened(varied):
         try:
             variable = variable_of(name, given, document)
             each = _of_each_ball(variable, ball_count) if variable.key == keys.EACH_BALL else [variable]
-            if any(one.key in found for one in each):
+            if any(one.key in by_key for one in each):
                 raise VariableError("is varied twice")
-            found |= {one.key: one for one in each}
+            by_key |= {one.key: one for one in each}
         except VariableError as error:
             errors.append(error_of(name, given, error))
-    if "ball_count" in found and any(keys.known(key).ball is not None for key in found):
+    if "ball_count" in by_key and any(keys.known(key).ball is not None for key in by_key):
         problem = "cannot vary together with deviations of single balls, which belong to a fixed number of balls"
         errors.append(FileErrorDetail("vary.ball_count", problem))
-    return tuple(found.values())
+    return tuple(by_key.values())
 
 
 def _flattened(table: dict[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:

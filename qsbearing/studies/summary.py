@@ -34,11 +34,11 @@ _MANY = 1 << 16
 
 def words(flags: DataArray) -> list[str]:
     """The meaning of each number of a variable that holds flags: a status, a reason, or `key: what is wrong`."""
-    found = []
+    meanings = []
     for word in str(flags.attrs["flag_meanings"]).split(" "):
         key, colon, sentence = word.partition(":")
-        found.append(f"{key}{colon}{sentence.replace('_', ' ')}")
-    return found
+        meanings.append(f"{key}{colon}{sentence.replace('_', ' ')}")
+    return meanings
 
 
 def endings(results: Dataset) -> list[tuple[str, int, str, dict[str, float]]]:
@@ -91,8 +91,8 @@ def record(results: Dataset) -> dict[str, Any]:
     ends = [
         {"points": count, "status": status, "why": why, "first": keys} for status, count, why, keys in endings(results)
     ]
-    found = {name: {**dict(zip(HEADS, row, strict=True)), "unit": unit} for name, row, unit in spread(results)}
-    return {"points": ends, **records_of(results.attrs), "results": found}
+    spreads = {name: {**dict(zip(HEADS, row, strict=True)), "unit": unit} for name, row, unit in spread(results)}
+    return {"points": ends, **records_of(results.attrs), "results": spreads}
 
 
 def table(results: Dataset) -> list[Block]:
@@ -126,14 +126,14 @@ def table_of_indices(indices: Dataset) -> list[Block]:
         if rest := total.size - len(order):
             shown.append(("", f"{rest} {'key' if rest == 1 else 'keys'} below {LEAST_INDEX:g}", "", ""))
     said = f"{indices.attrs['points']:,} points, {indices.attrs['base_samples']:,} base samples; ±: 95 % confidence"
-    found: list[Block] = [
+    parts: list[Block] = [
         Table(("result", "key", "first order", "total"), shown, "llrr"),
         Paragraph(said, is_apart=True),
     ]
     if indices.attrs["unsolved"]:
         lack = f"{indices.attrs['unsolved']:,} points have no solution: results that they lack have no indices"
-        found.append(Paragraph(lack))
-    return [*found, *of_results(indices.attrs)]
+        parts.append(Paragraph(lack))
+    return [*parts, *of_results(indices.attrs)]
 
 
 INDICES = ("first_order", "total")

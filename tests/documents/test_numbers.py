@@ -17,7 +17,7 @@ from qsbearing.model.solution.judgement import ATOM, NOTHING, changed, estimated
 from qsbearing.remarks.kinds import KINDS
 from qsbearing.remarks.remark import Cases, Of, Remark, some_balls
 from qsbearing.remarks.wording import Span
-from qsbearing.studies.chooser.explain import Row
+from qsbearing.studies.chooser.explain import Assessment
 from tests.qsbearing.source_text import PACKAGES, trees
 
 TIMES = st.floats(-6.0, 8.0).map(lambda power: 10.0**power)
@@ -56,11 +56,11 @@ def test_rounding_is_no_per_cent(part: float) -> None:
         assert changed(part) == "> 100 %" or part <= 1.0
 
 
-def row(first: float, last: float, quantity: str, is_assumed: bool) -> Row:
+def row(first: float, last: float, quantity: str, is_assumed: bool) -> Assessment:
     of = lambda part: {"actual": dict.fromkeys(QUANTITIES, 0.0) | {quantity: part}, "displacement_um": 20.0 * part}  # noqa: E731
     assumed = [of(first), of(last)] if is_assumed else []
     own = {"actual": None, "displacement_um": None} if is_assumed else of(first)
-    return Row(
+    return Assessment(
         effect="elastic_rings", what="", in_scene=False, indicator=None, predicted=None, actual=own["actual"],
         time_with_over_without=None, verdict="", why="", add=[], assumed=assumed, alternatives=[], range={},
         displacement_um=own["displacement_um"],

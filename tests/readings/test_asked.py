@@ -352,7 +352,7 @@ NEW = '''
 
 from dataclasses import dataclass, field
 
-from qsbearing.readings.entry import Reading, Table, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.validation import RATIO, within
@@ -392,7 +392,7 @@ ENTRY = Reading(
     by="Hertz",
     take=simply(contact_stiffness),
     record=Arguments,
-    table=Table(example="exponent = 1.5"),
+    table=ReadingTable(example="exponent = 1.5"),
     needs=(("load", "approach"), ()),
     of_case=(Result("loaded", words="balls under load"),),
     of_contact=(Result("stiffness", "N", "stiffness of a contact", size=1e6),),

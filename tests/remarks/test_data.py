@@ -23,8 +23,7 @@ from qsbearing.app import answers
 from qsbearing.app.inputs import ON_PAGE
 from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
-from qsbearing.documents.model import Remark as Shown
-from qsbearing.documents.model import Section
+from qsbearing.documents.model import Callout, Section
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
@@ -32,14 +31,14 @@ from qsbearing.inference import infer
 from qsbearing.model.effects import EFFECTS
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Of, Remark
-from qsbearing.remarks.wording import PYTHON, Reader
+from qsbearing.remarks.wording import PYTHON, Audience
 from qsbearing.reports import document, effects, set_document
 from qsbearing.reports.effects import is_right
 from qsbearing.results.guide_lists import LISTS
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies import inferred
 from qsbearing.studies.chooser.choose_set import solve_any
-from qsbearing.studies.chooser.explain import Row, explain
+from qsbearing.studies.chooser.explain import Assessment, explain
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.studies.design import shown
 from qsbearing.studies.design.compare import compare
@@ -271,19 +270,19 @@ def test_what_to_give_is_named_in_the_words_of_whoever_asks(reached: dict[str, R
     )
     said = {words.reader: [each.written(words) for each in (lacks, rating, speed)] for words in WORDS}
     for reader, (begun, *others) in {
-        Reader.FILE: (
+        Audience.FILE: (
             'Add under [effects]: ball = ["centrifugal_force", "gyroscopic_moment"], raceway_control = "per_ball"',
             'rating = "lundberg_palmgren"', "(speed_rating_rpm)",
         ),
-        Reader.PYTHON: (
+        Audience.PYTHON: (
             'Set ball_effects=(CentrifugalForce(), GyroscopicMoment()), raceway_control="per_ball"',
             'rating="lundberg_palmgren"', "(speed_rating)",
         ),
-        Reader.PAGE: ("Tick what is missing in the table of effects", "rating: lundberg_palmgren", "(speed rating)"),
+        Audience.PAGE: ("Tick what is missing in the table of effects", "rating: lundberg_palmgren", "(speed rating)"),
     }.items():  # fmt: skip
         assert said[reader][0].endswith(begun)
         assert [word in each for word, each in zip(others, said[reader][1:], strict=True)] == [True, True]
-    given = eval(f"dict({said[Reader.PYTHON][0].partition('Set ')[2]})", vars(qs))
+    given = eval(f"dict({said[Audience.PYTHON][0].partition('Set ')[2]})", vars(qs))
     assert not {each.remark.code for each in qs.warnings(qs.solve(replace(bare.scene, **given)))} & {"effects_missing"}
 
 
@@ -318,7 +317,7 @@ def test_a_file_is_not_asked_for_what_its_bearing_has(name: str, tmp_path: Path)
             effect, texts = each.values["effect"], {words.reader: each.written(words) for words in WORDS}
             named = {reader: bool(asked & {*re.findall("|".join(asked), text)}) for reader, text in texts.items()}
             expected = effect in ("ring_expansion", "elastic_rings")
-            assert named[Reader.PYTHON] == expected and named[Reader.FILE] == (expected and not has), texts
+            assert named[Audience.PYTHON] == expected and named[Audience.FILE] == (expected and not has), texts
 
 
 ONE = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 15000\naxial_load_N = 500\n'
@@ -326,7 +325,7 @@ TWO = f'{ONE}[preload]\nrigid_N = 300\n[[rows]]\nposition_mm = 0\ncarries = "+x"
 TWO += '[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
 
 
-def rows_of_explain(path: Path) -> list[Row]:
+def rows_of_explain(path: Path) -> list[Assessment]:
     of = load_scene_or_set(path)
     return explain(of, 0.01)[1] if isinstance(of, qs.Scene) else explain_set(of, 0.01)[1]
 
@@ -435,7 +434,7 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
         assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == of_page
     else:
         whole = set_document.document(solution, "", "")
-    assert [each.text for each in whole.head if isinstance(each, Shown)][1:] == lines
+    assert [each.text for each in whole.head if isinstance(each, Callout)][1:] == lines
 
 
 def html_text(paragraph: str) -> str:

@@ -9,16 +9,16 @@ from hypothesis import strategies as st
 from qsbearing.documents.model import Badge, Table
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.reports.effects import is_right
-from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, Row
+from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, Assessment
 
 LACKING = [entry.name for entry in EFFECTS if entry.needs]
 
 
-def row(effect: str, size: float, verdict: str, quantity: str) -> Row:
+def row(effect: str, size: float, verdict: str, quantity: str) -> Assessment:
     """Of an effect that is missing, which changes one quantity."""
     of = {"actual": dict.fromkeys(QUANTITIES, 0.0) | {quantity: size}, "displacement_um": 20.0 * size}
     is_assumed = verdict == DATA_MISSING
-    return Row(
+    return Assessment(
         effect=effect, what=effect, in_scene=False, indicator=None, predicted=None,
         actual=None if is_assumed else of["actual"], time_with_over_without=None, verdict=verdict, why="",
         add=["x = 1"], assumed=[of | {"under": "", "what": ""}] if is_assumed else [], alternatives=[], range={},

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies.paper import figures
-from qsbearing.studies.paper.statements import HERE, Statement, Verdict, both, falls, judge, rises
+from qsbearing.studies.paper.statements import HERE, Claim, ClaimVerdict, both, falls, judge, rises
 
 xarray = pytest.importorskip("xarray")
 FIGURES = {figure.name: figure for figure in figures.FIGURES}
@@ -93,21 +93,21 @@ def test_what_the_paper_states_is_judged(results: dict) -> None:
         for statement in FIGURES[name].statements
     }
     backwards = "With speed the outer contact angle rises and the inner one falls"
-    assert verdicts[backwards].verdict is Verdict.DOES_NOT_HOLD, "its conclusion prints the trend backwards"
+    assert verdicts[backwards].verdict is ClaimVerdict.DOES_NOT_HOLD, "its conclusion prints the trend backwards"
     stiffness = verdicts["With speed the axial stiffness falls"]
-    assert stiffness.verdict is Verdict.HOLDS_IN_A_RANGE, "not monotone"
+    assert stiffness.verdict is ClaimVerdict.HOLDS_IN_A_RANGE, "not monotone"
     assert "axial_load_N 2000: speed_rpm 0 to 5400" in stiffness.where
     fit = verdicts["That many balls fit on the pitch circle"]
     assert fit.where == "ball_count 8 to 17"
     others = set(verdicts) - {backwards, stiffness.statement.sentence, fit.statement.sentence}
-    assert {verdicts[sentence].verdict for sentence in others} == {Verdict.HOLDS}
+    assert {verdicts[sentence].verdict for sentence in others} == {ClaimVerdict.HOLDS}
 
 
 @pytest.mark.parametrize("name", ["life_groove_radius", "life_ball_count"])
 def test_lives_are_those_of_the_reading(name: str) -> None:
     """At one point of each, and what is stated of them holds."""
     results = figures.sweep(FIGURES[name].study)
-    assert {judge(statement, results).verdict for statement in FIGURES[name].statements} == {Verdict.HOLDS}
+    assert {judge(statement, results).verdict for statement in FIGURES[name].statements} == {ClaimVerdict.HOLDS}
     scene = qs.load_scene("b218")
     scene = replace(scene, operation=qs.Operation(speed=10_000 * qs.rpm, axial_load=10 * qs.kN))
     if name == "life_ball_count":
@@ -125,12 +125,12 @@ def test_verdicts_look_at_solved_points_only() -> None:
     y = np.array([0.0, 1.0, 2.0, 1.5, 1.0, 0.0])
     status = np.array([0, 0, 0, 0, 1, 0])
     data = xarray.Dataset({"y": ("x", np.where(status, np.nan, y)), "status": ("x", status)}, {"x": x})
-    up, down = Statement("", HERE, rises("y", "x")), Statement("", HERE, falls("y", "x"))
-    assert (judge(up, data).verdict, judge(up, data).where) == (Verdict.HOLDS_IN_A_RANGE, "x 0 to 2")
+    up, down = Claim("", HERE, rises("y", "x")), Claim("", HERE, falls("y", "x"))
+    assert (judge(up, data).verdict, judge(up, data).where) == (ClaimVerdict.HOLDS_IN_A_RANGE, "x 0 to 2")
     assert judge(down, data).where == "x 2 to 3"
-    assert judge(Statement("", HERE, both(up.test, down.test)), data).verdict is Verdict.DOES_NOT_HOLD
-    assert judge(up, data.isel(x=slice(0, 3))).verdict is Verdict.HOLDS
-    assert judge(Statement("", HERE, lambda results: results["y"] < 1.8), data).where == "x 0 to 1, 3 to 3, 5 to 5"
+    assert judge(Claim("", HERE, both(up.test, down.test)), data).verdict is ClaimVerdict.DOES_NOT_HOLD
+    assert judge(up, data.isel(x=slice(0, 3))).verdict is ClaimVerdict.HOLDS
+    assert judge(Claim("", HERE, lambda results: results["y"] < 1.8), data).where == "x 0 to 1, 3 to 3, 5 to 5"
 
 
 def test_the_command_writes_pictures_results_and_study_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -105,5 +105,5 @@ def _chosen(of: BearingSet, asked: float, how: dict[str, Any]) -> SetSolution:
 
 def _error(solution: SetSolution, reference: SetSolution) -> float:
     """The largest of all results and cases; infinite where one alone is solved."""
-    found = float(np.max(largest(solution, reference), initial=0.0))
-    return np.inf if np.isnan(found) else found
+    error = float(np.max(largest(solution, reference), initial=0.0))
+    return np.inf if np.isnan(error) else error

@@ -44,7 +44,7 @@ ENOUGH = 0.1
 
 
 @dataclass(frozen=True)
-class Row:
+class Assessment:
     """What there is to say about one effect or choice at one case; null for what there is not."""
 
     effect: str
@@ -79,8 +79,8 @@ class Row:
     @property
     def solved(self) -> list[dict[str, float | None]]:
         """What it changes: in all, or else under each assumption."""
-        found = [self.actual, *(each["actual"] for each in self.assumed)]
-        return [each for each in found if each is not None]
+        errors = [self.actual, *(each["actual"] for each in self.assumed)]
+        return [each for each in errors if each is not None]
 
     def size(self, quantity: str) -> float:
         """The largest change of one of `QUANTITIES`."""
@@ -102,8 +102,8 @@ class Row:
         from the first assumption to the last."""
         is_own = self.actual is not None
         own = {"actual": self.actual, "displacement_um": self.displacement_um}
-        found = [each for each in ([own] if is_own else self.assumed) if each["actual"] is not None]
-        shown = list(dict.fromkeys(_change(each, quantity, is_own) for each in found)) or ["-"]
+        with_solution = [each for each in ([own] if is_own else self.assumed) if each["actual"] is not None]
+        shown = list(dict.fromkeys(_change(each, quantity, is_own) for each in with_solution)) or ["-"]
         return shown[0] if is_own or shown in (["0"], ["-"]) else "≈ " + "\nto ".join(shown)
 
     def change_in(self, quantity: str) -> str:
@@ -111,9 +111,9 @@ class Row:
         return f"{self.change(quantity)} {unit_of(quantity)}".replace("\n", " ")
 
 
-def _change(found: dict[str, Any], quantity: str, is_own: bool) -> str:
+def _change(compared: dict[str, Any], quantity: str, is_own: bool) -> str:
     """Of one of the quantities, as a solve with and one without found it, with the scene's own parameters or not."""
-    part = found["actual"][quantity] if unit_of(quantity) == "%" else found["displacement_um"]
+    part = compared["actual"][quantity] if unit_of(quantity) == "%" else compared["displacement_um"]
     if part is None:
         return "-"
     return shifted(part) if unit_of(quantity) != "%" else percent(part, "") if is_own else changed(part, "")
@@ -124,7 +124,7 @@ def two_digits(value: float | None) -> str:
     return "-" if value is None else plain(value, ".2g")
 
 
-def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Solution, list[Row]]:
+def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Solution, list[Assessment]]:
     """The scene's solution, and a row for every effect and choice, named by the scene or not.
 
     Each is solved with and without; with usual parameters where it takes some that the scene does not give.
@@ -143,18 +143,18 @@ def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Sol
     return solution, [_row(entry, solution, tolerance, words) for entry in EFFECTS]
 
 
-def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Row:
+def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Assessment:
     scene = solution.scene
     finer, coarser = entry.finer(scene), entry.coarser(scene)
-    ratio, found = None, Compared()
+    ratio, change = None, SolvedChange()
     if solution.converged:
-        found = against_others(entry, solution)
-        is_timed = bool(found.alternatives) and is_compiled(solve_cases)
+        change = against_others(entry, solution)
+        is_timed = bool(change.alternatives) and is_compiled(solve_cases)
         if finer is not coarser and (entry.switch.members is None or is_timed):
             actual, by, ratio = _solved(finer, coarser)
-            found = found if is_timed else Compared(actual, by)
-    row = row_of(entry, solution, entry.is_in(scene), found, tolerance, words)
-    if found.actual is None:
+            change = change if is_timed else SolvedChange(actual, by)
+    row = row_of(entry, solution, entry.is_in(scene), change, tolerance, words)
+    if change.actual is None:
         return row
     judged = judge(entry, solution)
     (indicator,) = (as_floats({"": judged.indicator}) or {}).values()
@@ -162,7 +162,7 @@ def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> Ro
 
 
 @dataclass(frozen=True)
-class Compared:
+class SolvedChange:
     """What solving finds of one effect or choice."""
 
     actual: dict[str, Any] | None = None
@@ -175,46 +175,48 @@ class Compared:
     """Why a change has no number."""
 
 
-def against_others(entry: Entry, solution: Any) -> Compared:
+def against_others(entry: Entry, solution: Any) -> SolvedChange:
     """A choice against its other members, an effect that there is no solution with under assumptions about it."""
     if entry.switch.members is None:
-        return Compared(assumed=changes(entry, solution))
-    found = alternatives(entry, solution)
-    counted = [each for each in found if each.is_solved or not entry.hypothesis]
+        return SolvedChange(assumed=changes(entry, solution))
+    others = alternatives(entry, solution)
+    counted = [each for each in others if each.is_solved or not entry.hypothesis]
     actual = {name: np.max([each.errors[name] for each in counted], axis=0) for name in QUANTITIES} if counted else None
     by = max((float(moved(solution, each.displacement)) for each in counted), default=None)
-    without = [each.under for each in found if not each.is_solved]
-    return Compared(
-        actual, by, alternatives=found, beyond=f"without a solution: {'; '.join(without)}" if without else ""
+    without = [each.under for each in others if not each.is_solved]
+    return SolvedChange(
+        actual, by, alternatives=others, beyond=f"without a solution: {'; '.join(without)}" if without else ""
     )
 
 
-def row_of(entry: Entry, solution: Any, is_in: bool, found: Compared, tolerance: float, words: Words = IN_FILE) -> Row:
+def row_of(
+    entry: Entry, solution: Any, is_in: bool, change: SolvedChange, tolerance: float, words: Words = IN_FILE
+) -> Assessment:
     """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
-    error = largest_of(found.assumed) if found.actual is None else float(max(found.actual.values()))
+    error = largest_of(change.assumed) if change.actual is None else float(max(change.actual.values()))
     needs = needed(entry, has_size_for(entry, solution), words) if entry.needs and not is_in else ""
-    judged, why = verdict(entry, solution, needs, error, tolerance, found.assumed)
-    several = found.alternatives or found.assumed
+    judged, why = verdict(entry, solution, needs, error, tolerance, change.assumed)
+    several = change.alternatives or change.assumed
     spans = ranges(solution, several)
     is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
     said = [each.text for each in spans.values() if is_open and each.moves]
-    told = _told(solution, found.alternatives)
-    others = [one | _channels(each) for one, each in zip(told, found.alternatives, strict=True)]
-    return Row(
+    told = _told(solution, change.alternatives)
+    others = [one | _channels(each) for one, each in zip(told, change.alternatives, strict=True)]
+    return Assessment(
         effect=entry.name,
         what=entry.what,
         in_scene=is_in,
         indicator=None,
         predicted=None,
-        actual=as_floats(found.actual),
+        actual=as_floats(change.actual),
         time_with_over_without=None,
         verdict=judged,
-        why="; ".join(filter(None, (why, ", ".join(said), found.beyond))),
+        why="; ".join(filter(None, (why, ", ".join(said), change.beyond))),
         add=lines_to_add(asked(solution), entry),
-        assumed=_told(solution, found.assumed),
+        assumed=_told(solution, change.assumed),
         alternatives=others,
         range={name: each.record for name, each in spans.items()},
-        displacement_um=in_um(found.moved),
+        displacement_um=in_um(change.moved),
         needs=needs,
     )
 
@@ -237,13 +239,13 @@ def lines_to_add(of: Any, entry: Entry) -> list[str]:
     return [line(each) for each in settings_to_add(of, [entry])]
 
 
-def largest_of(found: list[Change]) -> float | None:
+def largest_of(assumed: list[Change]) -> float | None:
     """The largest change under any assumption that has a solution; None where none has."""
-    solved = [float(each.largest) for each in found if each.is_solved]
+    solved = [float(each.largest) for each in assumed if each.is_solved]
     return max(solved) if solved else None
 
 
-def _told(solution: Any, found: list[Change]) -> list[dict[str, Any]]:
+def _told(solution: Any, compared: list[Change]) -> list[dict[str, Any]]:
     """As a row has them."""
     return [
         {
@@ -252,7 +254,7 @@ def _told(solution: Any, found: list[Change]) -> list[dict[str, Any]]:
             "actual": as_floats(each.errors) if each.is_solved else None,
             "displacement_um": in_um(moved(solution, each.displacement)) if each.is_solved else None,
         }
-        for each in found
+        for each in compared
     ]
 
 
@@ -303,14 +305,14 @@ def _solved(finer: Scene, coarser: Scene) -> tuple[dict[str, Any], Any, float | 
     """What a solve with it and one without differ by, of a displacement [m] too, and the time of the first over that of
     the other: medians of solves in turn, of the compiled kernel; None where it runs as plain Python."""
     scenes = finer, coarser
-    found = [solve(each, threads=1) for each in scenes]
-    times = [[each.seconds] for each in found]
-    with_it, without = found
+    solutions = [solve(each, threads=1) for each in scenes]
+    times = [[each.seconds] for each in solutions]
+    with_it, without = solutions
     if not is_compiled(solve_cases):
         return by_quantity(without, with_it), moved(without, with_it.displacement), None
     while len(times[0]) < FEWEST or (len(times[0]) < REPEATS and sum(map(sum, times)) < ENOUGH):
-        found = [solve(each, threads=1) for each in scenes]
-        for taken, each in zip(times, found, strict=True):
+        solutions = [solve(each, threads=1) for each in scenes]
+        for taken, each in zip(times, solutions, strict=True):
             taken.append(each.seconds)
     ratio = statistics.median(times[0]) / statistics.median(times[1])
     return by_quantity(without, with_it), moved(without, with_it.displacement), ratio

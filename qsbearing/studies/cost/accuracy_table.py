@@ -51,11 +51,11 @@ def levels(scene: Any) -> list[Level]:
     """
     full = completed(scene)
     entries = [entry for entry in EFFECTS if not entry.hypothesis and entry.coarser(full) is not full]
-    found: list[Level] = [("coarsest", BASE, without(full, reversed(entries)))]
+    steps: list[Level] = [("coarsest", BASE, without(full, reversed(entries)))]
     for count, entry in enumerate(entries, start=1):
-        found.append((entry.name, added(entry), without(full, reversed(entries[count:]))))
-    is_one_of_them = any(of == scene for _, _, of in found)
-    return found if is_one_of_them else [("as_given", "the scene as it is", scene), *found]
+        steps.append((entry.name, added(entry), without(full, reversed(entries[count:]))))
+    is_one_of_them = any(of == scene for _, _, of in steps)
+    return steps if is_one_of_them else [("as_given", "the scene as it is", scene), *steps]
 
 
 def measure(scene: Asked, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
@@ -95,16 +95,16 @@ def measure(scene: Asked, progress: Callable[[str], None] = lambda text: None) -
 
 def _timed(scenes: list[Asked], end: float, progress: Callable[[str], None]) -> dict[int, list[float]]:
     """Seconds of one call of each, by the number of cases: so many as fit before the end, and one case in any event."""
-    found: dict[int, list[float]] = {}
+    times: dict[int, list[float]] = {}
     for count in COUNTS:
         rounds = ROUNDS if count == 1 else 2
-        if found and measuring.now() + rounds * sum(found[last := max(found)]) * count / last > end:
+        if times and measuring.now() + rounds * sum(times[last := max(times)]) * count / last > end:
             break
         progress(f"{count:,} cases in one call")
         calls = [partial(solve_one, speeds.batch(each, count), threads=1) for each in scenes]
         turns = [[measuring.seconds_of(call) for call in calls] for _ in range(rounds)]
-        found[count] = [min(each) for each in zip(*turns, strict=True)]
-    return found
+        times[count] = [min(each) for each in zip(*turns, strict=True)]
+    return times
 
 
 def _cost(cases: int, times: dict[int, float]) -> dict[str, Any]:
@@ -143,22 +143,22 @@ GROUPS = {
 """Columns of errors: their quantities."""
 
 
-def blocks(found: dict[str, Any]) -> list[Block]:
+def blocks(record: dict[str, Any]) -> list[Block]:
     """The data as paragraphs and one table."""
     rows = []
-    for row in found["levels"]:
+    for row in record["levels"]:
         shown = [_percent([row["errors"][name] for name in names]) for names in GROUPS.values()]
         mark = " ←" if row["is_asked"] else ""
         rows.append((row["text"] + mark, *shown, *map(_duration, row["costs"])))
     said: list[Block] = [
-        Paragraph(f"{found['bearing']}  {found['scene']}", found["bearing"] or ""),
-        Paragraph(measuring.in_a_line(found["machine"])),
+        Paragraph(f"{record['bearing']}  {record['scene']}", record["bearing"] or ""),
+        Paragraph(measuring.in_a_line(record["machine"])),
     ]
     how = (
         "←: this scene. Errors against the last level, at this operating point. Processor time of one thread; *: not "
         "measured, at the time a case of the most cases that were."
     )
-    if fe := found["elements"]:
+    if fe := record["elements"]:
         time = _duration({"seconds": fe["seconds"], "measured": True})
         rows.append(("one contact by finite elements †", "", "", _percent([fe["error"]]), "", time, "", ""))
         how += (

@@ -69,8 +69,8 @@ def in_fresh_process(function: Callable[..., Any], *arguments: Any) -> Any:
 
 def spread(values: list[float]) -> dict[str, float]:
     """Median, and the quantiles `LOW` and `HIGH`, to four digits."""
-    found = np.quantile(values, [0.5, LOW, HIGH])
-    return {name: float(f"{value:.4g}") for name, value in zip(("median", "low", "high"), found, strict=True)}
+    quantiles = np.quantile(values, [0.5, LOW, HIGH])
+    return {name: float(f"{value:.4g}") for name, value in zip(("median", "low", "high"), quantiles, strict=True)}
 
 
 def ratio(times: Times, of: Any, to: Any) -> dict[str, float]:
@@ -96,7 +96,7 @@ def machine() -> dict[str, Any]:
     return {**hardware(), **versions(PACKAGES), "qsbearing": __version__}
 
 
-def in_a_line(found: dict[str, Any]) -> str:
+def in_a_line(facts: dict[str, Any]) -> str:
     """The machine for the foot of a figure."""
-    versions = ", ".join(f"{name} {found[name]}" for name in ("qsbearing", "python", *PACKAGES) if name in found)
-    return f"{found['processor']}, {found['cores']} cores, load average {found['load_average']}; {versions}"
+    versions = ", ".join(f"{name} {facts[name]}" for name in ("qsbearing", "python", *PACKAGES) if name in facts)
+    return f"{facts['processor']}, {facts['cores']} cores, load average {facts['load_average']}; {versions}"

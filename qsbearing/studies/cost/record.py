@@ -127,8 +127,8 @@ def solve_one(of: Any, threads: int | None = None) -> Solution | SetSolution:
 def series(scene: Asked, settings: Settings) -> list[list[Call]]:
     """All that is measured; the last of each series is what the others are compared with."""
     counts = (1, settings.batch)
-    found = [[Call("levels", level.name, level.of(scene), cases) for level in LEVELS] for cases in counts]
-    return [*found, [Call("cases", f"{count:,}", scene, count) for count in settings.sizes]]
+    by_level = [[Call("levels", level.name, level.of(scene), cases) for level in LEVELS] for cases in counts]
+    return [*by_level, [Call("cases", f"{count:,}", scene, count) for count in settings.sizes]]
 
 
 def steps(settings: Settings) -> int:
@@ -184,8 +184,8 @@ def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = 
 def times(scene: Asked, settings: Settings) -> measuring.Times:
     """Seconds a case of every call, by the positions of its series and in it; all taken in turn."""
     listed = {(k, j): call for k, calls in enumerate(series(scene, settings)) for j, call in enumerate(calls)}
-    found = measuring.interleaved({key: call.prepared() for key, call in listed.items()}, settings.rounds)
-    return {key: [value / listed[key].cases for value in values] for key, values in found.items()}
+    seconds = measuring.interleaved({key: call.prepared() for key, call in listed.items()}, settings.rounds)
+    return {key: [value / listed[key].cases for value in values] for key, values in seconds.items()}
 
 
 def errors(scene: Asked, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
@@ -195,10 +195,10 @@ def errors(scene: Asked, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, A
     full = solve_one(levels[-1].of(swept))
     rows = []
     for level in levels:
-        found = comparison.by_quantity(solve_one(level.of(swept)), full)
+        by_quantity = comparison.by_quantity(solve_one(level.of(swept)), full)
         rows += [
             {"dm_n_mm_rpm": float(f"{parameter[k]:.4g}"), "speed": name, "level": level.name}
-            | {quantity: short_number(values[k]) for quantity, values in found.items()}
+            | {quantity: short_number(values[k]) for quantity, values in by_quantity.items()}
             for k, name in enumerate(names)
         ]
     return rows

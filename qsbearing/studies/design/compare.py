@@ -50,7 +50,7 @@ SHOWN = (
 """Of one bearing; with them every number of its readings that is not of single balls."""
 
 
-class Input(NamedTuple):
+class InputKey(NamedTuple):
     """A number of a bearing, by its path in a file."""
 
     name: str
@@ -61,7 +61,7 @@ class Input(NamedTuple):
 class Compared:
     """One number of each bearing."""
 
-    of: Input | Place
+    of: InputKey | Place
     values: tuple[float, ...]
     """NaN where there is none."""
 
@@ -167,8 +167,8 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
             made.append(_with_bearing(job, document, file, label))
         except SceneFileError as error:
             for each in error.errors:
-                found = each if isinstance(each, FileErrorDetail) else FileErrorDetail("", str(each))
-                errors.append(FileErrorDetail(**{**vars(found), "key": f"{file}: {found.key}"}))
+                detail = each if isinstance(each, FileErrorDetail) else FileErrorDetail("", str(each))
+                errors.append(FileErrorDetail(**{**vars(detail), "key": f"{file}: {detail.key}"}))
     if errors:
         raise SceneFileError("compare", errors)
     where = "the first scene" if at is None else ("tables" if isinstance(at, dict) else str(at))
@@ -250,14 +250,14 @@ def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:
 def _inputs(bearings: list[BallBearing]) -> tuple[Compared, ...]:
     lines = [
         Compared(
-            Input(key.name, key.unit), tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings)
+            InputKey(key.name, key.unit), tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings)
         )
         for key in BEARING
     ]
     for side in MATERIALS:
         for key in required_of(Material):
             values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
-            lines.append(Compared(Input(f"{side}.{key.name}", key.unit), values))
+            lines.append(Compared(InputKey(f"{side}.{key.name}", key.unit), values))
     return tuple(line for line in lines if len(set(line.values)) > 1)
 
 
@@ -271,7 +271,7 @@ def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Compared, ...]:
         if any(value != values[0] for value in values) and path[0] not in OF_JOB:
             key = paths.key_at(path)
             numbers = tuple(np.nan if value is None else float(value) for value in values)
-            lines.append(Compared(Input(".".join(path), key.unit if key else ""), numbers))
+            lines.append(Compared(InputKey(".".join(path), key.unit if key else ""), numbers))
     return tuple(lines)
 
 
@@ -289,7 +289,7 @@ def _results(solutions: list[Solution | SetSolution]) -> tuple[Compared, ...]:
     for solution in solutions:
         kept = main_results(solution)
         every |= {name: each for name, each in kept.items() if name not in every}
-        found = read(solution, kept.values())
-        values.append({name: float(np.asarray(each)) for name, each in found.items()})
-    lines = (Compared(each, tuple(found.get(name, np.nan) for found in values)) for name, each in every.items())
+        own = read(solution, kept.values())
+        values.append({name: float(np.asarray(each)) for name, each in own.items()})
+    lines = (Compared(each, tuple(own.get(name, np.nan) for own in values)) for name, each in every.items())
     return tuple(line for line in lines if any(np.isfinite(each) and each != 0.0 for each in line.values))

@@ -177,8 +177,8 @@ def searched(
 
     def for_pictures(given: dict[str, NDArray]) -> dict[str, NDArray]:
         columns = np.broadcast_arrays(*(given[each.key] for each in asked.variables))
-        found = evaluate(np.stack([column.ravel() for column in columns], axis=1))
-        return {name: found[:, i].reshape(columns[0].shape) for i, name in enumerate(asked.names)}
+        at_points = evaluate(np.stack([column.ravel() for column in columns], axis=1))
+        return {name: at_points[:, i].reshape(columns[0].shape) for i, name in enumerate(asked.names)}
 
     return Found(
         asked, best.is_feasible, values, results, kept, units, _binding(asked, best), _failed(asked, best), ranges,
@@ -258,9 +258,9 @@ def _evaluated(plan: Plan, kept: tuple[Place, ...], names: tuple[str, ...], valu
     def part(start: int, threads: int) -> NDArray:
         some = values[start : start + CHUNK]
         chunk = solve_points(plan, {name: some[:, i] for i, name in enumerate(names)}, threads)
-        found = np.stack([chunk.results[each.name] for each in kept], axis=1)
-        found[chunk.status != 0] = np.nan
-        return found
+        results = np.stack([chunk.results[each.name] for each in kept], axis=1)
+        results[chunk.status != 0] = np.nan
+        return results
 
     starts = range(0, len(values), CHUNK)
     workers = min(thread_count(), len(starts))
@@ -275,17 +275,17 @@ BINDS = 1e-4
 
 
 def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
-    found = []
+    binding = []
     for each, off in zip(asked.conditions, best.violation, strict=True):
         if each.sense != "=" and abs(off) <= BINDS:
-            found.append(str(each))
+            binding.append(str(each))
     for variable, u in zip(asked.variables, best.unit, strict=True):
         values = variable.values or (variable.low, variable.high)
         at = float(variable.at(np.asarray(u)))
         if u <= BINDS or u >= 1.0 - BINDS or (variable.values and at in (values[0], values[-1])):
             end = "lower" if at - values[0] < values[-1] - at else "upper"
-            found.append(f"{variable.key} at its {end} end, {at:g}")
-    return tuple(found)
+            binding.append(f"{variable.key} at its {end} end, {at:g}")
+    return tuple(binding)
 
 
 def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
@@ -298,14 +298,14 @@ def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
 
 def _ranges(asked: Wanted, evaluate: Callable[[NDArray], NDArray], best: Best) -> dict[str, tuple[float, float]]:
     offsets = np.concatenate([-np.geomspace(1.0, 1e-5, 60), [0.0], np.geomspace(1e-5, 1.0, 60)])
-    found = {}
+    ranges = {}
     for i, variable in enumerate(asked.variables):
         places = np.unique(np.clip(best.unit[i] + offsets, 0.0, 1.0))
         values = np.asarray(variable.values) if variable.values else variable.at(places)
         points = np.repeat(best.values[None], values.size, axis=0)
         points[:, i] = values
-        found[variable.key] = _range(asked, evaluate(points), values, best, i)
-    return found
+        ranges[variable.key] = _range(asked, evaluate(points), values, best, i)
+    return ranges
 
 
 def _range(asked: Wanted, results: NDArray, values: NDArray, best: Best, i: int) -> tuple[float, float]:

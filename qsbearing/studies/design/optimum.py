@@ -71,11 +71,11 @@ class Best:
 
 def violations(wanted: Wanted, results: NDArray, scale: NDArray) -> NDArray:
     """Of each condition, as a part of its value: above zero where it is not met; shape (point, condition)."""
-    found = np.empty((len(results), len(wanted.conditions)))
+    excess = np.empty((len(results), len(wanted.conditions)))
     for i, each in enumerate(wanted.conditions):
         off = (results[:, i] - each.value) / scale[i]
-        found[:, i] = np.abs(off) if each.sense == "=" else -off if each.sense == ">=" else off
-    return found
+        excess[:, i] = np.abs(off) if each.sense == "=" else -off if each.sense == ">=" else off
+    return excess
 
 
 def cost(wanted: Wanted, results: NDArray, scale: NDArray) -> NDArray:
@@ -129,12 +129,12 @@ class _Search:
         goals = [each.sense == "=" for each in self.wanted.conditions]
         off = violations(self.wanted, results, self.scale) - np.where(goals, 0.01, 0.0)
         share = float((off <= 0.0).all(axis=1).sum()) / known.size
-        found = [
+        candidates = [
             (u[i], results[i]) for i in {int(np.argmin(np.where(worst <= MET, costs, np.inf))), int(np.argmin(worst))}
         ]
         for start in self._starts(u, worst, costs):
-            found.append(self._polished(start))
-        best = self._best(found)
+            candidates.append(self._polished(start))
+        best = self._best(candidates)
         best = self._followed(best, seed)
         violation = violations(self.wanted, best[1][None], self.scale)[0]
         values = self._values(best[0][None])[0]
@@ -172,10 +172,10 @@ class _Search:
 
     def at(self, u: NDArray) -> NDArray:
         """Results at places in the unit cube."""
-        found = self.evaluate(self._values(u))
+        results = self.evaluate(self._values(u))
         self.done += len(u)
         self.progress(self.done, max(self.done, self.points))
-        return found
+        return results
 
     def worst(self, results: NDArray) -> NDArray:
         """The largest violation of each point, at least 0."""
@@ -188,8 +188,8 @@ class _Search:
         costs = np.where(known, cost(self.wanted, results, self.scale), np.inf)
         return np.lexsort((costs, np.where(worst <= MET, 0.0, worst)))
 
-    def _best(self, found: list[tuple[NDArray, NDArray]]) -> tuple[NDArray, NDArray]:
-        return found[int(self.order(np.array([results for _, results in found]))[0])]
+    def _best(self, candidates: list[tuple[NDArray, NDArray]]) -> tuple[NDArray, NDArray]:
+        return candidates[int(self.order(np.array([results for _, results in candidates]))[0])]
 
     def _starts(self, u: NDArray, worst: NDArray, costs: NDArray) -> list[NDArray]:
         """Points of the sample to go on from: good by several weights of violation against cost, apart from each other;
@@ -245,15 +245,15 @@ class _Differences:
             for i, j in enumerate(self.free):
                 places[1 + i, j] = min(places[0, j] + STEP, 1.0)
                 places[1 + count + i, j] = max(places[0, j] - STEP, 0.0)
-            found = self.of.at(places)
-            up, down = found[1 : 1 + count], found[1 + count :]
+            results = self.of.at(places)
+            up, down = results[1 : 1 + count], results[1 + count :]
             # Beside a point without a solution: the difference to the side that has one.
-            right = np.where(np.isfinite(up), up, found[0])
-            left = np.where(np.isfinite(down), down, found[0])
+            right = np.where(np.isfinite(up), up, results[0])
+            left = np.where(np.isfinite(down), down, results[0])
             width = np.diagonal(places[1 : 1 + count, self.free] - places[1 + count :, self.free])[:, None]
             half = np.isfinite(up).astype(float) + np.isfinite(down)
             slope = (right - left) / (width * np.maximum(half, 1.0) / 2.0)
-            self._known[mark] = found[0], np.nan_to_num(slope).T
+            self._known[mark] = results[0], np.nan_to_num(slope).T
         return self._known[mark]
 
     def _rows(self, x: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -337,11 +337,11 @@ class _Differences:
         """Go where SLSQP goes; bounds of what stands behind the free variables are given."""
         from scipy.optimize import minimize
 
-        found = minimize(
+        minimum = minimize(
             cost, start, jac=slope, method="SLSQP", bounds=[*[(0.0, 1.0)] * self.free.size, *more],
             constraints=constraints, options={"ftol": 1e-10, "maxiter": 40},
         )  # fmt: skip
-        self._take(found.x[: self.free.size])
+        self._take(minimum.x[: self.free.size])
 
     def _take(self, x: NDArray) -> None:
         """Stand at this point, if it is better than where the steps began."""

@@ -81,7 +81,7 @@ def solve_table(
     for start in range(0, count, CHUNK):
         rows = slice(start, min(start + CHUNK, count))
         numbers = good[(good >= rows.start) & (good < rows.stop)]
-        found = {result.column: np.full(rows.stop - rows.start, np.nan) for result in plan.results}
+        columns = {result.column: np.full(rows.stop - rows.start, np.nan) for result in plan.results}
         status = ["impossible"] * (rows.stop - rows.start)
         if numbers.size:
             solves = None if looks is None else may_solve(count)
@@ -93,8 +93,8 @@ def solve_table(
                 status[row - start] = STATUSES[chunk.status[place]]
                 reasons[row] = chunk.reasons[chunk.reason[place]]
             for result in plan.results:
-                found[result.column][numbers - start] = chunk.results[result.name]
-        results = {name: column.tolist() for name, column in found.items() if name not in table}
+                columns[result.column][numbers - start] = chunk.results[result.name]
+        results = {name: column.tolist() for name, column in columns.items() if name not in table}
         part = {name: cells[rows] for name, cells in given.items()}
         part |= {"status": status, "reason": reasons[rows]} | results
         if keep is not None:
@@ -213,7 +213,7 @@ def _alike(cells: list[Any]) -> list[Any]:
 
 def _number(cell: Any) -> float | None:
     try:
-        found = float(cell)
+        value = float(cell)
     except (TypeError, ValueError, OverflowError):
         return None
-    return found if np.isfinite(found) else None
+    return value if np.isfinite(value) else None

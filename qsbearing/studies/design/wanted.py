@@ -41,8 +41,8 @@ class Variable:
         if self.values:
             place = np.minimum((u * len(self.values)).astype(int), len(self.values) - 1)
             return np.asarray(self.values)[place]
-        found = self.low * (self.high / self.low) ** u if self.is_log else self.low + (self.high - self.low) * u
-        return np.clip(found, self.low, self.high)
+        values = self.low * (self.high / self.low) ** u if self.is_log else self.low + (self.high - self.low) * u
+        return np.clip(values, self.low, self.high)
 
     def some(self, count: int) -> tuple[float, ...]:
         """At most so many different values, spread over the range, its ends among them."""
@@ -169,11 +169,11 @@ def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
 
 def _condition(kind: str, text: str, senses: tuple[str, ...], errors: list[FileErrorDetail]) -> Condition | None:
     form = f"NAME{senses[0]}VALUE"
-    found = _CONDITION.fullmatch(text)
+    match = _CONDITION.fullmatch(text)
     try:
-        if found is None:
+        if match is None:
             raise ValueError(f"is not of the form {form}")
-        name, sense, value = found.groups()
+        name, sense, value = match.groups()
         sense = {"<": "<=", ">": ">=", "==": "="}.get(sense, sense)
         if sense not in senses:
             other = "limit" if kind == "goal" else "goal"

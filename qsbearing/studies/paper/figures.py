@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from qsbearing.files.toml import read_toml
 from qsbearing.pictures.style import SLIP
 from qsbearing.studies.chunk import IMPOSSIBLE
-from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Judged, Statement, both, falls, judge, rises
+from qsbearing.studies.paper.statements import CONCLUSION, HERE, PAPER, Claim, Judged, both, falls, judge, rises
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -38,7 +38,7 @@ class PaperFigure:
     """What is drawn; none: what suits the study."""
     kind: str | None = None
     x: str | None = None
-    statements: tuple[Statement, ...] = ()
+    statements: tuple[Claim, ...] = ()
 
     @property
     def study(self) -> Study:
@@ -46,8 +46,8 @@ class PaperFigure:
         return Study.of(read_toml(files("qsbearing.studies.paper") / f"{self.name}.toml"))  # type: ignore[arg-type]
 
 
-NO_BALL_LEAVES = Statement("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0)
-NO_SLIP = Statement(
+NO_BALL_LEAVES = Claim("No ball leaves the inner raceway", HERE, lambda results: results["balls_off_inner"] == 0.0)
+NO_SLIP = Claim(
     f"The friction that Mg requires stays below {SLIP[0]:g}, where gyroscopic slip begins in lubricated contacts",
     HERE,
     lambda results: results["outer_required_friction"].max("ball") < SLIP[0],
@@ -58,19 +58,19 @@ FIGURES = (
         "figure_19_4",
         "Fig. 19.4: contact angles and loads against speed",
         statements=(
-            Statement("With speed the outer contact angle falls", PAPER, falls("outer_angle", SPEED)),
-            Statement("With speed the inner contact angle rises", PAPER, rises("inner_angle", SPEED)),
-            Statement(
+            Claim("With speed the outer contact angle falls", PAPER, falls("outer_angle", SPEED)),
+            Claim("With speed the inner contact angle rises", PAPER, rises("inner_angle", SPEED)),
+            Claim(
                 "The outer contact carries more than the inner one once the bearing turns",
                 PAPER,
                 lambda results: (results["outer_load"] > results["inner_load"]).isel(ball=0) | (results[SPEED] == 0.0),
             ),
-            Statement(
+            Claim(
                 "With speed the outer contact angle rises and the inner one falls",
                 CONCLUSION,
                 both(rises("outer_angle", SPEED), falls("inner_angle", SPEED)),
             ),
-            Statement("With speed the axial stiffness falls", HERE, falls("ring_effective_stiffness_axial", SPEED)),
+            Claim("With speed the axial stiffness falls", HERE, falls("ring_effective_stiffness_axial", SPEED)),
         ),
     ),
     PaperFigure(
@@ -78,8 +78,8 @@ FIGURES = (
         "Fig. 19.5: contact angles and loads by azimuth under radial loads",
         kind="azimuth",
         statements=(
-            Statement("The ball under the radial load carries more with it", HERE, rises("inner_load", RADIAL)),
-            Statement("Its inner contact angle falls with the radial load", HERE, falls("inner_angle", RADIAL)),
+            Claim("The ball under the radial load carries more with it", HERE, rises("inner_load", RADIAL)),
+            Claim("Its inner contact angle falls with the radial load", HERE, falls("inner_angle", RADIAL)),
             NO_BALL_LEAVES,
         ),
     ),
@@ -87,10 +87,10 @@ FIGURES = (
         "figure_19_6",
         "Fig. 19.6: contact angles and loads against the number of balls",
         statements=(
-            Statement("With more balls the inner contact angle rises", PAPER, rises("inner_angle", COUNT)),
-            Statement("With more balls the outer contact angle falls", PAPER, falls("outer_angle", COUNT)),
-            Statement("With more balls the inner contact load falls", PAPER, falls("inner_load", COUNT)),
-            Statement(
+            Claim("With more balls the inner contact angle rises", PAPER, rises("inner_angle", COUNT)),
+            Claim("With more balls the outer contact angle falls", PAPER, falls("outer_angle", COUNT)),
+            Claim("With more balls the inner contact load falls", PAPER, falls("inner_load", COUNT)),
+            Claim(
                 "That many balls fit on the pitch circle", HERE, lambda results: results["status"] != IMPOSSIBLE, True
             ),
         ),
@@ -100,14 +100,14 @@ FIGURES = (
         "Fig. 19.7: groove radius coefficients; pressure shows the difference",
         ("inner_angle", "outer_angle", "inner_load", "outer_load", "inner_max_pressure", "outer_max_pressure"),
         statements=(
-            Statement("With wider grooves the inner contact angle falls", PAPER, falls("inner_angle", COEFFICIENT)),
-            Statement("With wider grooves the inner contact load rises", PAPER, rises("inner_load", COEFFICIENT)),
-            Statement(
+            Claim("With wider grooves the inner contact angle falls", PAPER, falls("inner_angle", COEFFICIENT)),
+            Claim("With wider grooves the inner contact load rises", PAPER, rises("inner_load", COEFFICIENT)),
+            Claim(
                 f"The inner contact load hardly moves, by less than {LITTLE:.0%}",
                 HERE,
                 lambda results: abs(results["inner_load"] / results["inner_load"].median() - 1.0).isel(ball=0) < LITTLE,
             ),
-            Statement("With wider grooves the pressure rises", HERE, rises("inner_max_pressure", COEFFICIENT)),
+            Claim("With wider grooves the pressure rises", HERE, rises("inner_max_pressure", COEFFICIENT)),
         ),
     ),
     PaperFigure(
@@ -115,8 +115,8 @@ FIGURES = (
         "Beyond the paper: rating life of the bearing and of each raceway against the groove radius coefficient",
         LIVES,
         statements=(
-            Statement("With wider grooves the life falls", HERE, falls(LIVES[0], COEFFICIENT)),
-            Statement(
+            Claim("With wider grooves the life falls", HERE, falls(LIVES[0], COEFFICIENT)),
+            Claim(
                 "The inner raceway lives longer than the outer one",
                 HERE,
                 lambda results: results[LIVES[1]] > results[LIVES[2]],
@@ -128,9 +128,9 @@ FIGURES = (
         "Beyond the paper: rating life of the bearing and of each raceway against the number of balls",
         LIVES,
         statements=(
-            Statement("With more balls the life rises", HERE, rises(LIVES[0], COUNT)),
-            Statement("With more balls the inner raceway's life rises", HERE, rises(LIVES[1], COUNT)),
-            Statement("With more balls the outer raceway's life rises", HERE, rises(LIVES[2], COUNT)),
+            Claim("With more balls the life rises", HERE, rises(LIVES[0], COUNT)),
+            Claim("With more balls the inner raceway's life rises", HERE, rises(LIVES[1], COUNT)),
+            Claim("With more balls the outer raceway's life rises", HERE, rises(LIVES[2], COUNT)),
         ),
     ),
     PaperFigure(
@@ -153,7 +153,7 @@ FIGURES = (
         x=SPEED,
         statements=(
             NO_BALL_LEAVES,
-            Statement(
+            Claim(
                 "The ball opposite the radial load carries least",
                 HERE,
                 lambda results: abs(results["least_loaded_azimuth"] - 180.0) < 1e-6,

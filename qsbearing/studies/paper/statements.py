@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 
-class Verdict(StrEnum):
+class ClaimVerdict(StrEnum):
     """On a statement."""
 
     HOLDS = "holds"
@@ -28,7 +28,7 @@ HERE = "here"
 
 
 @dataclass(frozen=True)
-class Statement:
+class Claim:
     """A sentence, who states it, and the test of it."""
 
     sentence: str
@@ -43,8 +43,8 @@ class Statement:
 class Judged:
     """A statement and what came out."""
 
-    statement: Statement
-    verdict: Verdict
+    statement: Claim
+    verdict: ClaimVerdict
     where: str
     """The ranges in which it holds, where that is not everywhere or nowhere."""
 
@@ -63,24 +63,24 @@ def both(*tests: Callable[[Dataset], DataArray]) -> Callable[[Dataset], DataArra
     """Each of several statements."""
 
     def test(results: Dataset) -> DataArray:
-        found = tests[0](results)
+        holds = tests[0](results)
         for each in tests[1:]:
-            found = found & each(results)
-        return found
+            holds = holds & each(results)
+        return holds
 
     return test
 
 
-def judge(statement: Statement, results: Dataset) -> Judged:
+def judge(statement: Claim, results: Dataset) -> Judged:
     """Whether a statement holds, over all points that are solved."""
-    found = statement.test(results)
-    solved = found | True if statement.is_about_all else _solved(results, found)
-    holds = found & solved
+    tested = statement.test(results)
+    solved = tested | True if statement.is_about_all else _solved(results, tested)
+    holds = tested & solved
     if bool((holds == solved).all()):
-        return Judged(statement, Verdict.HOLDS, "")
+        return Judged(statement, ClaimVerdict.HOLDS, "")
     if not bool(holds.any()):
-        return Judged(statement, Verdict.DOES_NOT_HOLD, "")
-    return Judged(statement, Verdict.HOLDS_IN_A_RANGE, "; ".join(_ranges(holds, results)))
+        return Judged(statement, ClaimVerdict.DOES_NOT_HOLD, "")
+    return Judged(statement, ClaimVerdict.HOLDS_IN_A_RANGE, "; ".join(_ranges(holds, results)))
 
 
 def _at_ball_0(results: Dataset, name: str) -> DataArray:
@@ -92,11 +92,11 @@ def _steps(results: Dataset, name: str, along: str) -> DataArray:
     return _at_ball_0(results, name).diff(along, label="lower")
 
 
-def _solved(results: Dataset, found: DataArray) -> DataArray:
+def _solved(results: Dataset, tested: DataArray) -> DataArray:
     """Where a statement can be judged: points that are solved, and of trends those whose next one is, too."""
     solved = results["status"] == 0
-    for dim in found.dims:
-        if dim in solved.dims and found.sizes[dim] == solved.sizes[dim] - 1:
+    for dim in tested.dims:
+        if dim in solved.dims and tested.sizes[dim] == solved.sizes[dim] - 1:
             after = solved.isel({dim: slice(1, None)}).assign_coords({dim: solved[dim][:-1]})
             solved = solved.isel({dim: slice(None, -1)}) & after
     return solved
@@ -108,13 +108,13 @@ def _ranges(holds: DataArray, results: Dataset) -> list[str]:
     along, others = dims[0], dims[1:]
     x = results[along].values
     last = 0 if holds.sizes[along] < x.size else -1  # a trend reaches to the next point
-    found = []
+    lines = []
     for place in np.ndindex(*(holds.sizes[dim] for dim in others)):
         one = holds.isel(dict(zip(others, place, strict=True))).values
         head = ", ".join(f"{dim} {float(holds[dim][i]):g}" for dim, i in zip(others, place, strict=True))
         parts = [f"{x[start]:g} to {x[stop + last]:g}" for start, stop in _runs(one)]
-        found.append(f"{head}: {along} {', '.join(parts) or 'nowhere'}" if head else f"{along} {', '.join(parts)}")
-    return found
+        lines.append(f"{head}: {along} {', '.join(parts) or 'nowhere'}" if head else f"{along} {', '.join(parts)}")
+    return lines
 
 
 def _runs(marked: NDArray) -> Any:

@@ -22,7 +22,7 @@ from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS
 from qsbearing.remarks.hypotheses import WORTH_A_SOLVE, hypotheses
 from qsbearing.reports.document import document
 from qsbearing.results.remarks import every_remark
-from qsbearing.studies.chooser.explain import Row, explain
+from qsbearing.studies.chooser.explain import Assessment, explain
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.qsbearing.scenes import turning
@@ -43,7 +43,7 @@ def under(of: Any, control: RacewayControl, shares: MomentShares | None) -> Any:
     return replace(of, raceway_control=control, ball_effects=(qs.CentrifugalForce(), moment))
 
 
-def row_of(of: Any, name: str, tolerance: float = 0.01) -> Row:
+def row_of(of: Any, name: str, tolerance: float = 0.01) -> Assessment:
     rows = (explain_set if isinstance(of, BearingSet) else explain)(of, tolerance)[1]
     (found,) = (row for row in rows if row.effect == name)
     return found
