@@ -32,8 +32,8 @@ class Array(Generic[T]):
         self._name = name
 
     def __get__(self, holder: Any, owner: type) -> T:
-        found: Any = self if holder is None else holder._array(self._name)
-        return found
+        value: Any = self if holder is None else holder._array(self._name)
+        return value
 
 
 class RacewayContacts:

@@ -70,14 +70,14 @@ class Range:
         return f"{self.what} {low} ({self.least_under or HERE}) to {high} ({self.most_under or HERE})"
 
 
-def ranges(solution: Any, found: Sequence[Change], case: int = 0) -> dict[str, Range]:
+def ranges(solution: Any, changes: Sequence[Change], case: int = 0) -> dict[str, Range]:
     """Of displacement and locked stiffness, in a case counted along the flattened axes; nothing of what some solution
     has not, nor where nothing else is solved.
 
     Of each in the channel that moves most; of the stiffness rather in that of the displacement, unless another moves
     twice as much.
     """
-    solved = [each for each in found if each.displacement is not None and np.ravel(each.is_solved)[case]]
+    solved = [each for each in changes if each.displacement is not None and np.ravel(each.is_solved)[case]]
     own = {
         "displacement": solution.displacement,
         "stiffness": np.diagonal(solution.stiffness, axis1=-2, axis2=-1),
