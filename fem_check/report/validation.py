@@ -18,7 +18,7 @@ from fem_check.report.sections import (
     robustness,
     traceability,
 )
-from qsbearing.documents.model import Document, Remark
+from qsbearing.documents.model import Document, Notice
 
 
 def document(evidence: Evidence, before: Evidence | None = None) -> Document:
@@ -56,6 +56,6 @@ def for_paper(whole: Document) -> Document:
     return replace(whole, sections=whole.sections[:-1])
 
 
-def verdict(evidence: Evidence) -> Remark:
+def verdict(evidence: Evidence) -> Notice:
     """Of page 1."""
     return page_one.verdict(evidence, questions.all_of(evidence))

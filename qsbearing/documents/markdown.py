@@ -16,9 +16,9 @@ from qsbearing.documents.model import (
     Code,
     Formula,
     Md,
+    Notice,
     Paragraph,
     Picture,
-    Remark,
     Section,
     Table,
     anchor_of,
@@ -100,7 +100,7 @@ class _Page:
             return [self.table()]
         if token.type == "blockquote_open":
             inside = self.until("blockquote_close")
-            return [Remark(self.line(each)) for each in inside if each.type == "inline"]
+            return [Notice(self.line(each)) for each in inside if each.type == "inline"]
         self.at += 1  # comments, rules
         return []
 

@@ -19,7 +19,7 @@ from qsbearing.remarks.wording import Span
 from qsbearing.reports.conditions import (
     NOTHING,
     Difference,
-    Facts,
+    SceneFacts,
     beyond,
     faster,
     groove,
@@ -44,7 +44,7 @@ Of = TypeVar("Of")
 
 
 @dataclass(frozen=True)
-class Statement(Generic[Of]):
+class Claim(Generic[Of]):
     """What was checked, and how a scene, by its facts, or a set compares with it."""
 
     says: str
@@ -57,7 +57,7 @@ class Statement(Generic[Of]):
     """Whether it has what is checked at all."""
 
 
-def _asks(*names: str) -> Callable[[Facts], bool]:
+def _asks(*names: str) -> Callable[[SceneFacts], bool]:
     return lambda facts: bool(set(names) & set(facts.scene.readings))
 
 
@@ -69,19 +69,19 @@ def _within(span: list[float]) -> str:
     return f"{max(map(abs, span)):.2g}"
 
 
-def _equations(facts: Facts) -> list[Difference]:
+def _equations(facts: SceneFacts) -> list[Difference]:
     known = (*OF_BALLS, *(("unequal_balls",) if NUMBERS["reference"]["has_unequal_balls"] else ()))
     return other_formulas(facts) + other_effects(facts, known)
 
 
-def _ellipticity(facts: Facts) -> list[Difference]:
+def _ellipticity(facts: SceneFacts) -> list[Difference]:
     low, high = NUMBERS["hertz_formula"]["ellipticity"]
     return beyond("a/b", facts.ellipticity, (low, high)) + [
         each for each in other_formulas(facts) if each.reason.startswith("Hertz")
     ]
 
 
-def _contacts(facts: Facts) -> list[Difference]:
+def _contacts(facts: SceneFacts) -> list[Difference]:
     low, high = NUMBERS["solution_contacts"]["load_N"]
     differences = other_bearing(facts, "B218", balls=(SILICON_NITRIDE,))
     differences += faster(facts, NUMBERS["bearing_sector"]["speed_rpm"])
@@ -90,7 +90,7 @@ def _contacts(facts: Facts) -> list[Difference]:
     return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
-def _gap(facts: Facts) -> list[Difference]:
+def _gap(facts: SceneFacts) -> list[Difference]:
     """B218's inner groove, whatever its radius."""
     high = NUMBERS["conformity"]["load_N"][1] / B218_DIAMETER**2
     differences = other_bearing(facts, "B218", ("ball_diameter", "pitch_diameter"))
@@ -103,7 +103,7 @@ def _gap(facts: Facts) -> list[Difference]:
     return differences + beyond("inner Q/D²", (0.0, per_area(facts, "inner")[1]), (0.0, high), " N/mm²")
 
 
-def _true_bodies(facts: Facts) -> list[Difference]:
+def _true_bodies(facts: SceneFacts) -> list[Difference]:
     numbers = NUMBERS["true_geometry"]
     differences = other_bearing(facts, "B218")
     for side in ("inner", "outer"):
@@ -112,7 +112,7 @@ def _true_bodies(facts: Facts) -> list[Difference]:
     return differences
 
 
-def _elastic(facts: Facts) -> list[Difference]:
+def _elastic(facts: SceneFacts) -> list[Difference]:
     if facts.pressure > STATIC_PRESSURE:
         return [Difference(f"above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents", True)]
     if facts.pressure > FIRST_YIELD:
@@ -120,14 +120,14 @@ def _elastic(facts: Facts) -> list[Difference]:
     return []
 
 
-def _sector(facts: Facts) -> list[Difference]:
+def _sector(facts: SceneFacts) -> list[Difference]:
     numbers = NUMBERS["bearing_sector"]
     differences = other_bearing(facts, "B218") + faster(facts, numbers["speed_rpm"])
     differences += not_thrust(facts, tuple(numbers["load_N"]))
     return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
-def _sector_result(facts: Sequence[Facts]) -> str:
+def _sector_result(facts: Sequence[SceneFacts]) -> str:
     rigid, free = NUMBERS["bearing_sector"]["rigid"], NUMBERS["bearing_sector"]["free"]
     return (
         f"Outside diameter rigid: contact loads within {_within(rigid['load_percent'])} %, angles within "
@@ -138,11 +138,11 @@ def _sector_result(facts: Sequence[Facts]) -> str:
     )
 
 
-def _other_program(facts: Facts) -> list[Difference]:
+def _other_program(facts: SceneFacts) -> list[Difference]:
     return other_bearing(facts, "ISO16281_7ball") + other_effects(facts, ()) + _unmodified(facts)
 
 
-def _endurance(facts: Facts) -> list[Difference]:
+def _endurance(facts: SceneFacts) -> list[Difference]:
     differences = (
         [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
     )
@@ -151,13 +151,13 @@ def _endurance(facts: Facts) -> list[Difference]:
     return differences + other_effects(facts, ()) + _unmodified(facts)
 
 
-def _unmodified(facts: Facts) -> list[Difference]:
+def _unmodified(facts: SceneFacts) -> list[Difference]:
     life = facts.scene.readings.get("life", {})
     is_modified = bool({"viscosity_ratio", "contamination_factor", "cleanliness"} & set(life))
     return [Difference("no modified life in the check", True)] if is_modified else []
 
 
-def _motors(facts: Facts) -> list[Difference]:
+def _motors(facts: SceneFacts) -> list[Difference]:
     differences = (
         [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
     )
@@ -166,11 +166,11 @@ def _motors(facts: Facts) -> list[Difference]:
     return differences + faster(facts, 1800.0)
 
 
-def _spindles(facts: Facts) -> list[Difference]:
+def _spindles(facts: SceneFacts) -> list[Difference]:
     return not_thrust(facts, (0.0, np.inf)) + other_effects(facts, ())
 
 
-def _has_spindle_angle(facts: Facts) -> bool:
+def _has_spindle_angle(facts: SceneFacts) -> bool:
     angle = float(np.asarray(facts.scene.bearing.free_contact_angle)) / deg
     return facts.scene.bearing.kind is BearingKind.ANGULAR_CONTACT and 14.5 <= angle <= 25.5
 
@@ -179,20 +179,20 @@ _reference, _hertz, _points = NUMBERS["reference"], NUMBERS["hertz_formula"], NU
 _gaps, _bodies, _rigs = NUMBERS["conformity"], NUMBERS["true_geometry"]["percent"], NUMBERS["motor_bearings"]
 _pairs, _lives, _tests = NUMBERS["gmn_rigidities"], NUMBERS["iso_16281_seven_balls"], NUMBERS["endurance_1956"]
 
-STATEMENTS: tuple[Statement[Facts], ...] = (
-    Statement(
+STATEMENTS: tuple[Claim[SceneFacts], ...] = (
+    Claim(
         f"The solution of the equations: {_reference['scenes']} scenes solved to fifty digits.",
         lambda facts: f"Loads, angles, displacements and stiffness within {_reference['largest']:.0e}",
         "python -m tests.verification.reference.table",
         _equations,
     ),
-    Statement(
+    Claim(
         "Hertz's formulas against closed forms derived a second time.",
         lambda facts: f"Within {_hertz['largest_percent']:.0e} %",
         "pytest tests/fem_check/test_references.py",
         _ellipticity,
     ),
-    Statement(
+    Claim(
         f"Every contact reported for B218, steel and ceramic balls, at {_points['operating_points']} operating points "
         "up to 10000 rpm, thrust and radial load, against closed forms and finite elements of half-spaces. With "
         "`--scene` the same is done for any scene.",
@@ -203,7 +203,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         "fem-check run solution_contacts --scene SCENE",
         _contacts,
     ),
-    Statement(
+    Claim(
         "Hertz's parabola against the exact gap between ball and inner groove of B218 at its free contact angle, "
         "the groove radius varied.",
         lambda facts: (
@@ -213,7 +213,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         "fem-check run conformity",
         _gap,
     ),
-    Statement(
+    Claim(
         "Hertz against finite elements of B218's true ball and rings, both raceways, at rest, up to 5000 N per ball.",
         lambda facts: (
             f"Finite elements minus Hertz: a {_spread(_bodies['semi_major_axis'])} %, b "
@@ -223,28 +223,28 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         "fem-check run true_geometry",
         _true_bodies,
     ),
-    Statement(
+    Claim(
         f"Elastic contact. Bearing steel begins to yield below the surface near {FIRST_YIELD / MPa:.0f} MPa; "
         f"{STATIC_PRESSURE / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
         lambda facts: f"Maximum pressure here: {Span(each.pressure / MPa for each in facts):.0f} MPa",
         "qsbearing run SCENE",
         _elastic,
     ),
-    Statement(
+    Claim(
         "The whole model against one ball of B218 between elastic rings, in three dimensions: thrust, at rest and "
         "at 10000 rpm.",
         _sector_result,
         "fem-check run bearing_sector",
         _sector,
     ),
-    Statement(
+    Claim(
         "Expansion of the rings against closed forms of thick rings, limits and powers.",
         lambda facts: "Closed forms to rounding. No measurement",
         "pytest tests/model/effects/test_ring_expansion.py",
         lambda facts: [],
         lambda facts: facts.scene.ring_expansion is not None,
     ),
-    Statement(
+    Claim(
         "Unequal balls: all balls with one deviation against a bearing of such balls, one large ball against its "
         "spring.",
         lambda facts: "To ten digits. No measurement",
@@ -252,7 +252,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         lambda facts: [],
         lambda facts: facts.scene.ball_diameter_deviations is not None,
     ),
-    Statement(
+    Claim(
         "Axial stiffness of preloaded pairs of spindle bearings, 15 to 25 degrees, as a maker's catalogue prints it.",
         lambda facts: (
             f"{_pairs['values']} values of {_pairs['bearings']} bearings: {plain(100 * _pairs['rms'], '.2g')} % rms, "
@@ -263,7 +263,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         _spindles,
         _has_spindle_angle,
     ),
-    Statement(
+    Claim(
         "Lives and displacements by ISO/TS 16281 of a deep-groove bearing of seven balls, at rest, against another "
         "program.",
         lambda facts: (
@@ -274,7 +274,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         _other_program,
         _asks("life"),
     ),
-    Statement(
+    Claim(
         f"Rating life against {_tests['bearings']} tested deep-groove bearings.",
         lambda facts: (
             f"Measured over computed {_tests['measured_over_computed']:.2f} on average; single groups scatter by a "
@@ -284,7 +284,7 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         _endurance,
         _asks("life"),
     ),
-    Statement(
+    Claim(
         "Ball-pass frequencies measured at two deep-groove motor bearings with a spring, inputs known as ranges; and "
         "at a rig under radial load alone.",
         lambda facts: (
@@ -297,14 +297,14 @@ STATEMENTS: tuple[Statement[Facts], ...] = (
         _motors,
         _asks("frequencies"),
     ),
-    Statement(
+    Claim(
         "The film formulas against a textbook's example of a 209 bearing and the standards' examples of oils.",
         lambda facts: f"Within {plain(NUMBERS['hamrock_209_film']['textbook_percent'], '.1g')} %. No measurement",
         "fem-check book hamrock_209_film",
         lambda facts: [],
         _asks("film"),
     ),
-    Statement(
+    Claim(
         "The friction formulas against closed forms and direct numerical integration.",
         lambda facts: "The integrals agree. No measurement",
         "pytest tests/readings/test_friction.py",

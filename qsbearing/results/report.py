@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.documents.model import Block, Paragraph, Remark, Table
+from qsbearing.documents.model import Block, Notice, Paragraph, Table
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
@@ -100,7 +100,7 @@ def _of_balls(solution: Solution, record: dict[str, Any]) -> list[Table]:
 
 
 @dataclass(frozen=True)
-class Row:
+class AlikeBalls:
     """Balls that are alike, by their numbers, and what is true of each of them."""
 
     members: list[int]
@@ -117,15 +117,15 @@ class Row:
         return ", ".join(map(str, self.members)), ", ".join(places)
 
 
-def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
+def distinct(balls: Sequence[dict[str, Any]]) -> list[AlikeBalls]:
     """The balls with equal ones gathered, in the order of their first."""
     largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
-    rows: dict[Any, Row] = {}
+    rows: dict[Any, AlikeBalls] = {}
     for i, ball in enumerate(balls):
         loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
         angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
         alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
-        row = rows.setdefault(alike, Row([], ball, []))
+        row = rows.setdefault(alike, AlikeBalls([], ball, []))
         row.members.append(i)
         row.azimuths.append(ball["azimuth_deg"])
     return list(rows.values())
@@ -195,11 +195,11 @@ def ending(record: dict[str, Any]) -> list[Block]:
     if record["status"] != "converged":
         message = record["message"]
         if message.startswith(status):
-            return [Remark(message, "fail", status, "red")]
-        return [Remark(status, "fail", status, "red"), Paragraph(message)]
+            return [Notice(message, "fail", status, "red")]
+        return [Notice(status, "fail", status, "red"), Paragraph(message)]
     took = f"{status} in {record['iterations']} iterations, {duration(record['seconds'])}"
     told = f"{took}; largest imbalance {record['residual']:.1e} of the largest force"
-    return [Remark(told, "pass", status, "green")]
+    return [Notice(told, "pass", status, "green")]
 
 
 def asked_for(record: dict[str, Any]) -> str:
@@ -337,7 +337,7 @@ ELLIPSES = ("semi_major_axis", "semi_minor_axis", "approach")
 FIRST = (ANGLE, CONTACT_LOAD)
 
 
-def contacts_table(rows: list[Row], count: int) -> Table:
+def contacts_table(rows: list[AlikeBalls], count: int) -> Table:
     """Angles, loads and pressures of the balls' contacts, and whatever else is known of them."""
     others = [each for each in CONTACT if each not in (*FIRST, FRICTION) and each.name not in ELLIPSES]
     pairs = [(side, each) for each in (*FIRST, *others) for side in SIDES]
@@ -350,7 +350,7 @@ def contacts_table(rows: list[Row], count: int) -> Table:
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
-def _ellipses(rows: list[Row], count: int) -> Table:
+def _ellipses(rows: list[AlikeBalls], count: int) -> Table:
     *axes, approach = (each for name in ELLIPSES for each in CONTACT if each.name == name)
     pairs = [(side, each) for side in SIDES for each in axes] + [(side, approach) for side in SIDES]
     title = "Contact ellipses: a across, b along rolling; δ: approach"
@@ -358,7 +358,7 @@ def _ellipses(rows: list[Row], count: int) -> Table:
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
-def _motion(rows: list[Row], count: int, record: dict[str, Any]) -> Table:
+def _motion(rows: list[AlikeBalls], count: int, record: dict[str, Any]) -> Table:
     gyroscopic = "gyroscopic_moment" in record["effects"]
     title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
     shown = [each for each in OF_BALL if each not in ELSEWHERE and any(row.ball[each.key] is not None for row in rows)]
@@ -375,7 +375,7 @@ def _motion(rows: list[Row], count: int, record: dict[str, Any]) -> Table:
     return _per_ball(title, list(columns), rows, count, list(columns.values()))
 
 
-def _contact_column(rows: list[Row], side: str, of: Result, significant: int = 6) -> list[str]:
+def _contact_column(rows: list[AlikeBalls], side: str, of: Result, significant: int = 6) -> list[str]:
     """A contact's numbers; none where the two do not touch: no ellipse, no contact line, only a gap."""
     contacts = [row.ball[side] for row in rows]
     always = of is CONTACT_LOAD or of.name == "approach"
@@ -398,7 +398,7 @@ def _rounded(value: float, decimals: int) -> str:
 
 
 def _per_ball(
-    title: str, heading: Sequence[str], rows: list[Row], count: int, columns: Sequence[Sequence[str]]
+    title: str, heading: Sequence[str], rows: list[AlikeBalls], count: int, columns: Sequence[Sequence[str]]
 ) -> Table:
     cells = [(*row.names(count), *own) for row, own in zip(rows, zip(*columns, strict=True), strict=True)]
     unloaded = [number for number, row in enumerate(rows) if row.ball["inner"]["load_N"] == 0.0]

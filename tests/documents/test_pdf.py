@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Badge, Block, Document, Facts, Group, Paragraph, Remark, Section, Table, Trace
+from qsbearing.documents.model import Badge, Block, Document, Facts, Notice, Paragraph, RowGroup, Section, Table, Trace
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -53,7 +53,7 @@ def test_no_row_of_a_table_is_alone_on_a_page() -> None:
     tables = []
     for n in range(70):
         rows = [[f"row{n}.{k}.", long] for k in range(8)]
-        tables.append(Table(("", "text"), [*rows[:4], Group("across"), *rows[4:]]))
+        tables.append(Table(("", "text"), [*rows[:4], RowGroup("across"), *rows[4:]]))
     fillers = [Paragraph("filler " * (n % 37)) for n, _ in enumerate(tables)]
     blocks = [each for pair in zip(fillers, tables, strict=True) for each in pair]
     reader = pypdf.PdfReader(BytesIO(pdf(document(*blocks), strict=True)))
@@ -162,7 +162,7 @@ def test_a_letter_that_no_font_has_is_said() -> None:
 
 def test_many_remarks_leave_no_page_empty_and_a_picture_keeps_its_introduction() -> None:
     """Remarks at the head begin on the first page; a paragraph before a picture is on the page of the picture."""
-    head: list[Block] = [Remark(f"remark{n}. " + "word " * 30, "warning") for n in range(10)]
+    head: list[Block] = [Notice(f"remark{n}. " + "word " * 30, "warning") for n in range(10)]
     facts = Facts([(f"fact{n}", "value") for n in range(6)])
     contents = [Section(f"chapter{n}", [Paragraph("filler")]) for n in range(12)]
     tall = dataclasses.replace(curve(), caption="drawn", width=1.0)

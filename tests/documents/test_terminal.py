@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Badge, Block, Bullets, Group, Paragraph, Remark, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Notice, Paragraph, RowGroup, Table
 from qsbearing.documents.terminal import text_of
 from tests.documents.names import broken
 
 BLOCKS: list[Block] = [
     Paragraph("B218 [old]  16 balls", lead="B218 [old]"),
-    Remark("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
+    Notice("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
     Table(
         ("name", "load\nN", ""),
         [("7210C [red]", "1234.5", Badge("pass")), ("a name that is long enough to be folded", "-0.25", Badge("fail"))],
@@ -56,7 +56,7 @@ def test_no_number_is_cut_and_no_word(width: int) -> None:
 @pytest.mark.parametrize("width", range(40, 100, 6))
 def test_a_group_s_long_text_cuts_no_number(width: int) -> None:
     text = "outer, Q = 800 N at 20.18°: exact gap over parabola, true bodies of both rings"
-    rows = [Group(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
+    rows = [RowGroup(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
     lines = text_of([Table(("", "found", "deviation", ""), rows, "lrrl")], width).splitlines()
     assert max(map(len, lines)) <= width
     assert lines[-1].split() == ["approach", "1.00482", "-0.004", "±", "0.030", "pass"]

@@ -22,7 +22,7 @@ CODES = {
 T = TypeVar("T")
 
 
-class Array(Generic[T]):
+class LazyArray(Generic[T]):
     """A property of contacts or balls: an array that the kernel reads off when it is first asked for."""
 
     def __init__(self, doc: str) -> None:
@@ -55,15 +55,17 @@ class RacewayContacts:
             hint = question(alike(name, names)) or f"There are {', '.join(names)}"
             raise AttributeError(f"contacts have no {name!r}. {hint}", name=name, obj=self)
 
-    angle = Array[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
-    sine = Array[NDArray]("Of the angle [-].")
-    cosine = Array[NDArray]("Of the angle [-].")
-    load = Array[NDArray]("Normal load Q, zero where the ball has lost the raceway [N].")
-    approach = Array[NDArray]("Elastic approach of ball and ring; negative: the gap of a lost contact [m].")
-    semi_major_axis = Array[NDArray]("Of the ellipse, a [m]; zero without load.")
-    semi_minor_axis = Array[NDArray]("Of the ellipse, b [m]; zero without load.")
-    max_pressure = Array[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
-    required_friction = Array[NDArray | None](
+    angle = LazyArray[NDArray](
+        "From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in."
+    )
+    sine = LazyArray[NDArray]("Of the angle [-].")
+    cosine = LazyArray[NDArray]("Of the angle [-].")
+    load = LazyArray[NDArray]("Normal load Q, zero where the ball has lost the raceway [N].")
+    approach = LazyArray[NDArray]("Elastic approach of ball and ring; negative: the gap of a lost contact [m].")
+    semi_major_axis = LazyArray[NDArray]("Of the ellipse, a [m]; zero without load.")
+    semi_minor_axis = LazyArray[NDArray]("Of the ellipse, b [m]; zero without load.")
+    max_pressure = LazyArray[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
+    required_friction = LazyArray[NDArray | None](
         """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
