@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fem_check.rows import row_text
 from fem_check.rows.record import CheckRecord, RowRecord
-from qsbearing.documents.model import Badge, Block, Notice, Paragraph, Table
+from qsbearing.documents.model import Badge, Block, Callout, Paragraph, Table
 from qsbearing.documents.terminal import STYLES
 
 
@@ -14,7 +14,7 @@ def agreement_table(entry: CheckRecord) -> list[Block]:
     lead = f"{entry['check']} ({entry['level']}): {verdict}"
     took = f"{entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
     size = f", {entry['mesh']['dofs']} unknowns, {entry['solver']}" if entry["mesh"].get("dofs") else ""
-    parts: list[Block] = [Notice(f"{lead}   {took}{size}", verdict, lead, STYLES[verdict])]
+    parts: list[Block] = [Callout(f"{lead}   {took}{size}", verdict, lead, STYLES[verdict])]
     for case in dict.fromkeys(row["case"] for row in entry["rows"]):
         rows = [row for row in entry["rows"] if row["case"] == case]
         cells = []

@@ -8,7 +8,7 @@ from typing import Any
 from fem_check.contacts.record import ContactRecord, ContactsRecord, MaterialRecord
 from fem_check.rows import row_text
 from fem_check.rows.record import RowRecord, computed_value
-from qsbearing.documents.model import Badge, Block, Notice, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Block, Callout, Paragraph, RowGroup, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.documents.terminal import STYLES
 
@@ -37,11 +37,11 @@ def agreement_rows(entry: ContactsRecord) -> dict[str, list[RowRecord]]:
     return by_case
 
 
-def heading(entry: ContactsRecord) -> Notice:
+def heading(entry: ContactsRecord) -> Callout:
     """The verdict on all contacts, and what it took."""
     lead = f"{entry['check']} ({entry['level']}): {entry['verdict']}"
     took = f"{entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
-    return Notice(f"{lead}   {took}", entry["verdict"], lead, STYLES[entry["verdict"]])
+    return Callout(f"{lead}   {took}", entry["verdict"], lead, STYLES[entry["verdict"]])
 
 
 def facts(entry: ContactsRecord) -> list[tuple[str, str]]:

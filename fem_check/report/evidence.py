@@ -12,7 +12,7 @@ from typing import Any
 from fem_check.cost import record as cost_record
 from fem_check.running import records_store
 from fem_check.running.kept_files import OF_REPOSITORY
-from qsbearing.documents.model import Md, Notice, Trace
+from qsbearing.documents.model import Callout, Md, Trace
 
 REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
@@ -234,8 +234,8 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
     return by_name
 
 
-def missing(what: str, command: str) -> Notice:
+def missing(what: str, command: str) -> Callout:
     """A sentence that stands in the place of a record; instead of the command the name of one of `ELSEWHERE`."""
     command = ELSEWHERE[command][1] if command in ELSEWHERE else command
     where = ", in a checkout of the repository" if needs_checkout(command) else ""
-    return Notice(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")
+    return Callout(Md(f"{what} is not on record here. `{command}` makes it{where}."), "missing")

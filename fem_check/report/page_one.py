@@ -12,7 +12,7 @@ from fem_check.report.rows import as_read
 from fem_check.report.sections import previous, traceability
 from fem_check.running.known import NOT_CONVERGED
 from qsbearing import __version__
-from qsbearing.documents.model import Block, Cell, Facts, Md, Notice, Paragraph, Table
+from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Table
 from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
@@ -66,7 +66,7 @@ def level(evidence: Evidence) -> str:
     return f"{levels} settings, a mixed set of records: not a release" if traceability.is_mixed(evidence) else levels
 
 
-def verdict(evidence: Evidence, questions: Sequence[Question]) -> Notice:
+def verdict(evidence: Evidence, questions: Sequence[Question]) -> Callout:
     """Whether the version may be used, for what, and what is against it."""
     groups, is_release = (*evidence.checks.items(), *evidence.book.items()), False
     failed = [name for name, kept in groups if kept.data["verdict"] == "fail"]
@@ -80,7 +80,7 @@ def verdict(evidence: Evidence, questions: Sequence[Question]) -> Notice:
     if absent:
         said.append(f"Not on record: {', '.join(absent)}.")
     if failed:
-        return Notice(Md(f"**Fail: {', '.join(failed)}.** {' '.join(said)}"), "fail")
+        return Callout(Md(f"**Fail: {', '.join(failed)}.** {' '.join(said)}"), "fail")
     if missed:
         head = f"Not releasable as it stands: {len(missed)} of {len(questions)} questions missed"
     elif absent:
@@ -94,7 +94,7 @@ def verdict(evidence: Evidence, questions: Sequence[Question]) -> Notice:
     if traceability.is_mixed(evidence):
         head += f"; {traceability.origins(evidence)}"
     status = "fail" if missed else "pass" if is_release else "warning"
-    return Notice(Md(f"**{head}.** {' '.join(said)}"), status)
+    return Callout(Md(f"**{head}.** {' '.join(said)}"), status)
 
 
 def _scope(evidence: Evidence) -> str:

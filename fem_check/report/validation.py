@@ -18,7 +18,7 @@ from fem_check.report.sections import (
     robustness,
     traceability,
 )
-from qsbearing.documents.model import Document, Notice
+from qsbearing.documents.model import Callout, Document
 
 
 def document(evidence: Evidence, before: Evidence | None = None) -> Document:
@@ -56,6 +56,6 @@ def for_paper(whole: Document) -> Document:
     return replace(whole, sections=whole.sections[:-1])
 
 
-def verdict(evidence: Evidence) -> Notice:
+def verdict(evidence: Evidence) -> Callout:
     """Of page 1."""
     return page_one.verdict(evidence, questions.all_of(evidence))

@@ -16,7 +16,7 @@ from qsbearing.app import drawn
 from qsbearing.app.inputs import ON_PAGE, addable, fields
 from qsbearing.app.inputs import label as words_of
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Notice
+from qsbearing.documents.model import Callout
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
@@ -98,7 +98,7 @@ def solved(document: Tables, label: str) -> Answer:
             {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, readings[k]))}
             for k, row in enumerate(solution.set.rows)
         ]
-    said = [] if is_solved else [Notice(message(solution), "fail")]
+    said = [] if is_solved else [Callout(message(solution), "fail")]
     return {
         "is_solved": is_solved,
         "key": _plain(key),

@@ -81,7 +81,7 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
         case model.Formula():
             latex, number = split(block.latex)
             return {"is": "formula", "number": number, **forms(latex, True)}
-        case model.Notice():
+        case model.Callout():
             return {"is": "remark", "text": runs(block.text), "status": block.status}
         case model.Facts():
             return {"is": "facts", "pairs": [[runs(name), _cell(value)] for name, value in block.pairs]}

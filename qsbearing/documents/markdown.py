@@ -12,11 +12,11 @@ from qsbearing.documents.inline import parser, runs_of
 from qsbearing.documents.model import (
     Block,
     Bullets,
+    Callout,
     Cell,
     Code,
     Formula,
     Md,
-    Notice,
     Paragraph,
     Picture,
     Section,
@@ -100,7 +100,7 @@ class _Page:
             return [self.table()]
         if token.type == "blockquote_open":
             inside = self.until("blockquote_close")
-            return [Notice(self.line(each)) for each in inside if each.type == "inline"]
+            return [Callout(self.line(each)) for each in inside if each.type == "inline"]
         self.at += 1  # comments, rules
         return []
 

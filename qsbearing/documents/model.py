@@ -77,7 +77,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Notice:
+class Callout:
     """A sentence that stands out: a warning, a note, or a verdict with its status."""
 
     text: str
@@ -173,7 +173,7 @@ class Section:
         return self.anchor or anchor_of(self.title)
 
 
-Block: TypeAlias = "Paragraph | Bullets | Code | Formula | Notice | Facts | Trace | Table | Picture | Section"
+Block: TypeAlias = "Paragraph | Bullets | Code | Formula | Callout | Facts | Trace | Table | Picture | Section"
 
 
 @dataclass(frozen=True)

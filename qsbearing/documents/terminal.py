@@ -12,7 +12,7 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Badge, Block, Cell, Notice, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Block, Callout, Cell, Paragraph, RowGroup, Table
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
@@ -51,7 +51,7 @@ def laid_out(blocks: Sequence[Block], width: int = WIDEST) -> Group:
                 below += [Padding(_notes(block), (1, 0, 0, 0))] if block.notes else []
             case Paragraph():
                 part = _text(block.text, block.lead, "bold")
-            case Notice():
+            case Callout():
                 part = _text(block.text, block.lead, f"bold {block.colour}")
             case _:
                 raise TypeError(f"a terminal shows no {type(block).__name__}")

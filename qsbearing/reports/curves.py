@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Notice, Paragraph, Section
+from qsbearing.documents.model import Block, Callout, Paragraph, Section
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.preload import FORCES, Preload
 from qsbearing.model.scene.scene import Scene
@@ -47,7 +47,7 @@ def _speed(solution: Solution) -> list[Block]:
     operation = scene.operation
     own = float(np.asarray(operation.speed))
     if own == 0.0 or not (scene.ball_effects or scene.ring_effects):
-        return [Notice("No curve over the speed: the inner ring stands still, or nothing in the scene depends on it.")]
+        return [Callout("No curve over the speed: the inner ring stands still, or nothing in the scene depends on it.")]
     parts = np.linspace(*SPEED_RANGE, POINTS)
     swept = solve(replace(scene, operation=replace(operation, speed=own * parts)))
     figure = _figure(swept, own * parts / rpm, own / rpm, "inner ring, rpm")
@@ -59,7 +59,7 @@ def _load(solution: Solution) -> list[Block]:
     parts = np.linspace(*LOAD_RANGE, POINTS)
     varied = _loaded(scene, parts)
     if varied is None:
-        return [Notice("No curve over the load: the scene prescribes displacements only.")]
+        return [Callout("No curve over the load: the scene prescribes displacements only.")]
     swept = solve(varied)
     figure = _figure(swept, parts, 1.0, "load factor (1 = this case)")
     return shown(swept, figure, "all loads in proportion", CURVES)
@@ -92,7 +92,7 @@ def shown(
         picture(figure, alt, f"Results over {along}; the dotted line is the operating point"),
         *map(Paragraph, said),
     ]
-    return [*blocks, Notice(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
+    return [*blocks, Callout(f"{lost} of {POINTS} points have no solution.", "warning")] if lost else blocks
 
 
 def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:

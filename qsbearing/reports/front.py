@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Cell, Facts, Md, Notice, Paragraph, Section
+from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Section
 from qsbearing.files.file_keys import OTHER_TABLES, REPORT
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
@@ -41,7 +41,7 @@ def head(
         "; ".join(f"{each.what} {each.text}" for each in limits),
         "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in limits),
     )
-    shown = blocks(said) or [Notice("No warnings.")]
+    shown = blocks(said) or [Callout("No warnings.")]
     people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
     return [*([Facts(people)] if people else []), answer(limits, said), drawn, *results, *shown, *rest]
 

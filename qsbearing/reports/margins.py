@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from qsbearing.documents.model import Notice
+from qsbearing.documents.model import Callout
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.solution.preload_state import EXCESSIVE, PreloadLoads
 from qsbearing.model.solution.solution import Solution
@@ -236,7 +236,7 @@ def _end(state: ThermalState, is_least_friction: bool) -> Estimate:
     return Estimate(factor * float(state.speed) / rpm, f"{source}{by}", needs)
 
 
-def answer(every: Sequence[Margin], said: Iterable[Remark]) -> Notice:
+def answer(every: Sequence[Margin], said: Iterable[Remark]) -> Callout:
     """Whether all limits hold, which is the closest, and what to read before the numbers are used."""
     worst = min((each.kind.severity for each in said), default=Severity.GOOD_TO_KNOW)
     beyond = [each for each in every if each.used > 1.0]
@@ -260,7 +260,7 @@ def answer(every: Sequence[Margin], said: Iterable[Remark]) -> Notice:
     is_good = not beyond and not doubts and worst is Severity.GOOD_TO_KNOW
     is_bad = any(not each.unless for each in beyond) or worst is Severity.WRONG_MODEL
     text = " ".join(filter(None, (first, *doubts, then)))
-    return Notice(text, "pass" if is_good else "fail" if is_bad else "warning")
+    return Callout(text, "pass" if is_good else "fail" if is_bad else "warning")
 
 
 def _by_unless(beyond: Iterable[Margin]) -> dict[str, list[Margin]]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Block, Notice, Paragraph, Section
+from qsbearing.documents.model import Block, Callout, Paragraph, Section
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
@@ -61,7 +61,7 @@ def section(of: BearingSet, limits: Limits) -> Section:
 def _speed(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
     own = float(np.asarray(of.operation.speed))
     if own == 0.0 or not depends_on_speed(of):
-        return [Notice("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
+        return [Callout("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
     speeds = own * np.linspace(*SPEED_RANGE, POINTS)
     swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
     marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
@@ -71,7 +71,7 @@ def _speed(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
 
 def _load(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
     if not loads_of(of):
-        return [Notice("No curve over the loads: no load or moment acts on the shaft.")]
+        return [Callout("No curve over the loads: no load or moment acts on the shaft.")]
     marks = [(each.value, _what(each)) for each in changes]
     top = max([LOAD_RANGE[1], *(min(BEYOND * factor, MOST) for factor, _ in marks[:1])])
     factors = np.linspace(0.0, top, POINTS)

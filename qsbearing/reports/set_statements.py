@@ -6,7 +6,7 @@ import numpy as np
 
 from qsbearing.model.units import deg
 from qsbearing.reports.conditions import Difference
-from qsbearing.reports.statements import Claim
+from qsbearing.reports.statements import Statement
 from qsbearing.systems.sets.bearing_set import BearingSet
 
 ROWS = 4
@@ -39,22 +39,22 @@ def _not_printed(of: BearingSet) -> list[Difference]:
     return differences
 
 
-OF_SETS: tuple[Claim[BearingSet], ...] = (
-    Claim(
+OF_SETS: tuple[Statement[BearingSet], ...] = (
+    Statement(
         "Statics of sets at rest: the balls of two to four rows as springs between points in three dimensions, under "
         "every load at once.",
         lambda of: "Loads and displacements agree to 1e-8",
         "pytest tests/systems/sets/test_equilibrium.py",
         lambda of: _too_many(of) + _with_effects(of),
     ),
-    Claim(
+    Statement(
         "Relations of sets at rest and at speed: rows add up to the load, mirror images, stiffness against "
         "differences.",
         lambda of: "Hold to rounding, stiffness to the differences' own error",
         "pytest tests/systems/sets/test_equilibrium.py",
         _too_many,
     ),
-    Claim(
+    Statement(
         "Axial rigidities of rigidly preloaded pairs at rest, as a maker prints them (GMN S 6210, 15 and 25 degrees).",
         lambda of: "Met to the printed digit",
         "pytest tests/systems/sets/test_preload.py",

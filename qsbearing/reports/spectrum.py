@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.documents.model import Block, Document, Notice, Paragraph, Table
+from qsbearing.documents.model import Block, Callout, Document, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
@@ -57,11 +57,11 @@ def document(
     )
     part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(readings) > 1 else "")
     which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
-    lives = [Notice(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
-    points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Notice))
-    first, second, *_ = (number for number, each in enumerate(whole.head) if isinstance(each, Notice))
+    lives = [Callout(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
+    points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Callout))
+    first, second, *_ = (number for number, each in enumerate(whole.head) if isinstance(each, Callout))
     # Warnings of all points in the place of those of one.
-    rest: list[Block] = [each for each in whole.head[second:] if not isinstance(each, Notice)]
+    rest: list[Block] = [each for each in whole.head[second:] if not isinstance(each, Callout)]
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "

@@ -44,7 +44,7 @@ Of = TypeVar("Of")
 
 
 @dataclass(frozen=True)
-class Claim(Generic[Of]):
+class Statement(Generic[Of]):
     """What was checked, and how a scene, by its facts, or a set compares with it."""
 
     says: str
@@ -179,20 +179,20 @@ _reference, _hertz, _points = NUMBERS["reference"], NUMBERS["hertz_formula"], NU
 _gaps, _bodies, _rigs = NUMBERS["conformity"], NUMBERS["true_geometry"]["percent"], NUMBERS["motor_bearings"]
 _pairs, _lives, _tests = NUMBERS["gmn_rigidities"], NUMBERS["iso_16281_seven_balls"], NUMBERS["endurance_1956"]
 
-STATEMENTS: tuple[Claim[SceneFacts], ...] = (
-    Claim(
+STATEMENTS: tuple[Statement[SceneFacts], ...] = (
+    Statement(
         f"The solution of the equations: {_reference['scenes']} scenes solved to fifty digits.",
         lambda facts: f"Loads, angles, displacements and stiffness within {_reference['largest']:.0e}",
         "python -m tests.verification.reference.table",
         _equations,
     ),
-    Claim(
+    Statement(
         "Hertz's formulas against closed forms derived a second time.",
         lambda facts: f"Within {_hertz['largest_percent']:.0e} %",
         "pytest tests/fem_check/test_references.py",
         _ellipticity,
     ),
-    Claim(
+    Statement(
         f"Every contact reported for B218, steel and ceramic balls, at {_points['operating_points']} operating points "
         "up to 10000 rpm, thrust and radial load, against closed forms and finite elements of half-spaces. With "
         "`--scene` the same is done for any scene.",
@@ -203,7 +203,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         "fem-check run solution_contacts --scene SCENE",
         _contacts,
     ),
-    Claim(
+    Statement(
         "Hertz's parabola against the exact gap between ball and inner groove of B218 at its free contact angle, "
         "the groove radius varied.",
         lambda facts: (
@@ -213,7 +213,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         "fem-check run conformity",
         _gap,
     ),
-    Claim(
+    Statement(
         "Hertz against finite elements of B218's true ball and rings, both raceways, at rest, up to 5000 N per ball.",
         lambda facts: (
             f"Finite elements minus Hertz: a {_spread(_bodies['semi_major_axis'])} %, b "
@@ -223,28 +223,28 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         "fem-check run true_geometry",
         _true_bodies,
     ),
-    Claim(
+    Statement(
         f"Elastic contact. Bearing steel begins to yield below the surface near {FIRST_YIELD / MPa:.0f} MPa; "
         f"{STATIC_PRESSURE / MPa:.0f} MPa is ISO 76's limit, a permanent dent of 1e-4 D.",
         lambda facts: f"Maximum pressure here: {Span(each.pressure / MPa for each in facts):.0f} MPa",
         "qsbearing run SCENE",
         _elastic,
     ),
-    Claim(
+    Statement(
         "The whole model against one ball of B218 between elastic rings, in three dimensions: thrust, at rest and "
         "at 10000 rpm.",
         _sector_result,
         "fem-check run bearing_sector",
         _sector,
     ),
-    Claim(
+    Statement(
         "Expansion of the rings against closed forms of thick rings, limits and powers.",
         lambda facts: "Closed forms to rounding. No measurement",
         "pytest tests/model/effects/test_ring_expansion.py",
         lambda facts: [],
         lambda facts: facts.scene.ring_expansion is not None,
     ),
-    Claim(
+    Statement(
         "Unequal balls: all balls with one deviation against a bearing of such balls, one large ball against its "
         "spring.",
         lambda facts: "To ten digits. No measurement",
@@ -252,7 +252,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         lambda facts: [],
         lambda facts: facts.scene.ball_diameter_deviations is not None,
     ),
-    Claim(
+    Statement(
         "Axial stiffness of preloaded pairs of spindle bearings, 15 to 25 degrees, as a maker's catalogue prints it.",
         lambda facts: (
             f"{_pairs['values']} values of {_pairs['bearings']} bearings: {plain(100 * _pairs['rms'], '.2g')} % rms, "
@@ -263,7 +263,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         _spindles,
         _has_spindle_angle,
     ),
-    Claim(
+    Statement(
         "Lives and displacements by ISO/TS 16281 of a deep-groove bearing of seven balls, at rest, against another "
         "program.",
         lambda facts: (
@@ -274,7 +274,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         _other_program,
         _asks("life"),
     ),
-    Claim(
+    Statement(
         f"Rating life against {_tests['bearings']} tested deep-groove bearings.",
         lambda facts: (
             f"Measured over computed {_tests['measured_over_computed']:.2f} on average; single groups scatter by a "
@@ -284,7 +284,7 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         _endurance,
         _asks("life"),
     ),
-    Claim(
+    Statement(
         "Ball-pass frequencies measured at two deep-groove motor bearings with a spring, inputs known as ranges; and "
         "at a rig under radial load alone.",
         lambda facts: (
@@ -297,14 +297,14 @@ STATEMENTS: tuple[Claim[SceneFacts], ...] = (
         _motors,
         _asks("frequencies"),
     ),
-    Claim(
+    Statement(
         "The film formulas against a textbook's example of a 209 bearing and the standards' examples of oils.",
         lambda facts: f"Within {plain(NUMBERS['hamrock_209_film']['textbook_percent'], '.1g')} %. No measurement",
         "fem-check book hamrock_209_film",
         lambda facts: [],
         _asks("film"),
     ),
-    Claim(
+    Statement(
         "The friction formulas against closed forms and direct numerical integration.",
         lambda facts: "The integrals agree. No measurement",
         "pytest tests/readings/test_friction.py",

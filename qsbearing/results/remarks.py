@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.documents.model import Notice
+from qsbearing.documents.model import Callout
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.solution import Solution
@@ -51,12 +51,14 @@ def remarks_record(said: Sequence[Remark]) -> dict[str, Any]:
     return {"warnings": warnings, "remarks": [each.record(IN_FILE) for each in said]}
 
 
-def blocks(said: Iterable[Remark], is_apart: bool = False, words: Words = IN_FILE) -> list[Notice]:
+def blocks(said: Iterable[Remark], is_apart: bool = False, words: Words = IN_FILE) -> list[Callout]:
     """For people: what is the same of several rows, raceways or points once; apart: an empty line before them in a
     terminal."""
     lines = [each.said(words) for each in together(said)]
     return [
-        Notice(each.line, each.rank.status, f"{each.rank.words}:", COLOURS.get(each.rank, ""), is_apart and number == 0)
+        Callout(
+            each.line, each.rank.status, f"{each.rank.words}:", COLOURS.get(each.rank, ""), is_apart and number == 0
+        )
         for number, each in enumerate(lines)
     ]
 

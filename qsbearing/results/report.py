@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.documents.model import Block, Notice, Paragraph, Table
+from qsbearing.documents.model import Block, Callout, Paragraph, Table
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import CHANNELS
@@ -195,11 +195,11 @@ def ending(record: dict[str, Any]) -> list[Block]:
     if record["status"] != "converged":
         message = record["message"]
         if message.startswith(status):
-            return [Notice(message, "fail", status, "red")]
-        return [Notice(status, "fail", status, "red"), Paragraph(message)]
+            return [Callout(message, "fail", status, "red")]
+        return [Callout(status, "fail", status, "red"), Paragraph(message)]
     took = f"{status} in {record['iterations']} iterations, {duration(record['seconds'])}"
     told = f"{took}; largest imbalance {record['residual']:.1e} of the largest force"
-    return [Notice(told, "pass", status, "green")]
+    return [Callout(told, "pass", status, "green")]
 
 
 def asked_for(record: dict[str, Any]) -> str:

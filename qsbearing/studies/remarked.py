@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Notice, Paragraph
+from qsbearing.documents.model import Callout, Paragraph
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.kinds import KINDS, Severity
@@ -154,19 +154,19 @@ def attributes(seen: Look, points: int) -> dict[str, Any]:
     return dict(zip(KEPT, (json.dumps(records(seen, points)), seen["looked_at"], points), strict=True))
 
 
-def blocks(found: Sequence[Mapping[str, Any]], looked: int, points: int) -> list[Notice | Paragraph]:
+def blocks(found: Sequence[Mapping[str, Any]], looked: int, points: int) -> list[Callout | Paragraph]:
     """For people: a line for each, and how many points were looked at.
 
     Args:
         found: as `records` gives them, or a file that kept them.
         points: all that the study has.
     """
-    said: list[Notice | Paragraph] = []
+    said: list[Callout | Paragraph] = []
     for number, each in enumerate(found):
         kind, severity = KINDS.get(each["code"]), Severity[each["severity"].upper()]
         see = f" (see qsbearing guide {kind.see})" if kind else ""  # of another version: none
         text = f"{severity.words}: {each['text'].removesuffix('.')}{see}."
-        said.append(Notice(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0))
+        said.append(Callout(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0))
     if not may_solve(points):
         some = f"{looked:,} of {points:,} points are looked at, spread over all of them" if looked < points else ""
         told = "nothing is solved again for them: `qsbearing run` tells of one point what takes that"
@@ -174,12 +174,12 @@ def blocks(found: Sequence[Mapping[str, Any]], looked: int, points: int) -> list
     return said
 
 
-def of_look(seen: Look, points: int) -> list[Notice | Paragraph]:
+def of_look(seen: Look, points: int) -> list[Callout | Paragraph]:
     """Likewise of what was seen just now."""
     return blocks(records(seen, points), seen["looked_at"], points)
 
 
-def of_results(kept: Mapping[str, Any]) -> list[Notice | Paragraph]:
+def of_results(kept: Mapping[str, Any]) -> list[Callout | Paragraph]:
     """Likewise of the attributes of a study's results; nothing of results made before they kept any."""
     found, looked, points = records_of(kept).values()
     return blocks(found, looked, points)

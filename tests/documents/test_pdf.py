@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Badge, Block, Document, Facts, Notice, Paragraph, RowGroup, Section, Table, Trace
+from qsbearing.documents.model import Badge, Block, Callout, Document, Facts, Paragraph, RowGroup, Section, Table, Trace
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -162,7 +162,7 @@ def test_a_letter_that_no_font_has_is_said() -> None:
 
 def test_many_remarks_leave_no_page_empty_and_a_picture_keeps_its_introduction() -> None:
     """Remarks at the head begin on the first page; a paragraph before a picture is on the page of the picture."""
-    head: list[Block] = [Notice(f"remark{n}. " + "word " * 30, "warning") for n in range(10)]
+    head: list[Block] = [Callout(f"remark{n}. " + "word " * 30, "warning") for n in range(10)]
     facts = Facts([(f"fact{n}", "value") for n in range(6)])
     contents = [Section(f"chapter{n}", [Paragraph("filler")]) for n in range(12)]
     tall = dataclasses.replace(curve(), caption="drawn", width=1.0)

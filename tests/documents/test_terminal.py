@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Badge, Block, Bullets, Notice, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Callout, Paragraph, RowGroup, Table
 from qsbearing.documents.terminal import text_of
 from tests.documents.names import broken
 
 BLOCKS: list[Block] = [
     Paragraph("B218 [old]  16 balls", lead="B218 [old]"),
-    Notice("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
+    Callout("Check your data: `preload` is large", "warning", "Check your data:", "yellow"),
     Table(
         ("name", "load\nN", ""),
         [("7210C [red]", "1234.5", Badge("pass")), ("a name that is long enough to be folded", "-0.25", Badge("fail"))],

@@ -16,7 +16,7 @@ from fem_check.report.sections import traceability
 from fem_check.running import kept_files
 from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Document, Notice, Section, Table
+from qsbearing.documents.model import Callout, Document, Section, Table
 from qsbearing.model.version import __version__
 from qsbearing.results import provenance
 from tests.documents.page import Page
@@ -37,7 +37,7 @@ def text_of(records: Evidence) -> str:
     return re.sub(r"\s+", " ", Page.of(html(document)).text)
 
 
-def verdict(records: Evidence) -> Notice:
+def verdict(records: Evidence) -> Callout:
     return page_one.verdict(records, questions.all_of(records))
 
 

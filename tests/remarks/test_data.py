@@ -23,7 +23,7 @@ from qsbearing.app import answers
 from qsbearing.app.inputs import ON_PAGE
 from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
-from qsbearing.documents.model import Notice, Section
+from qsbearing.documents.model import Callout, Section
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
@@ -434,7 +434,7 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
         assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == of_page
     else:
         whole = set_document.document(solution, "", "")
-    assert [each.text for each in whole.head if isinstance(each, Notice)][1:] == lines
+    assert [each.text for each in whole.head if isinstance(each, Callout)][1:] == lines
 
 
 def html_text(paragraph: str) -> str:

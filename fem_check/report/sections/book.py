@@ -13,7 +13,7 @@ from fem_check.report.figures.style import INCHES
 from fem_check.report.questions import is_counter_example
 from fem_check.report.rows import badge, reasons, table, used, worst
 from qsbearing.documents.drawing import width_of
-from qsbearing.documents.model import Block, Bullets, Cell, Facts, Md, Notice, Paragraph, Picture, Section, Table
+from qsbearing.documents.model import Block, Bullets, Callout, Cell, Facts, Md, Paragraph, Picture, Section, Table
 
 COMPUTED = (
     "Results that others have computed and published: standards with their worked examples, catalogues, programs. "
@@ -71,7 +71,7 @@ def _overview(records: Sequence[Kept]) -> list[Block]:
     )
     headings = ("case", "result", "nearest to its limit", "verdict")
     shown = Table(headings, lines, "llll", "Calculations of others", stack=True)
-    return [Notice(words, "pass" if good == len(expected) else "fail"), shown]
+    return [Callout(words, "pass" if good == len(expected) else "fail"), shown]
 
 
 def _card(kept: Kept) -> Section:
@@ -84,12 +84,12 @@ def _anchor(entry: BookRecord) -> str:
     return f"book-{entry['case'].replace('_', '-')}"
 
 
-def _answer(entry: BookRecord) -> Notice:
+def _answer(entry: BookRecord) -> Callout:
     """The result; of a counter-example that it is one: to meet it would be no success."""
     summary = entry["summary"]
     if is_counter_example(entry):
-        return Notice(Md(f"**Counter-example: agreement is not expected.** {summary}"), "finding")
-    return Notice(Md(f"**{summary}**"), entry["verdict"])
+        return Callout(Md(f"**Counter-example: agreement is not expected.** {summary}"), "finding")
+    return Callout(Md(f"**{summary}**"), entry["verdict"])
 
 
 def _page(kept: Kept) -> Section:

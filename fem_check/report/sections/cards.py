@@ -12,7 +12,7 @@ from fem_check.report.questions import WITH_RINGS, sector
 from fem_check.report.rows import as_read, difference, largest, quantity, table, used, worst
 from fem_check.rows import row_text
 from fem_check.rows.record import RowRecord, deviation_percent
-from qsbearing.documents.model import Block, Md, Notice, Paragraph, Section, Trace
+from qsbearing.documents.model import Block, Callout, Md, Paragraph, Section, Trace
 from qsbearing.documents.numbers import duration, plain
 
 VERIFICATION = (
@@ -68,7 +68,7 @@ def card(name: str, kept: Kept) -> Section:
     status = "fail" if entry["verdict"] == "fail" else "finding" if name in _OF else "pass"
     made = f"{kept.made_with}; {_size_of(entry)}{len(rows)} rows"
     blocks: list[Block] = [
-        Notice(Md(answer(name, kept)), status),
+        Callout(Md(answer(name, kept)), status),
         *drawn.one(entry),
         table(worst(rows)),
         Trace(kept.name, kept.command, made),

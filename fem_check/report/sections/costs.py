@@ -10,7 +10,7 @@ from fem_check.cost.record import CostRecord
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.rows import row_text
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Md, Notice, Paragraph, Section
+from qsbearing.documents.model import Block, Callout, Md, Paragraph, Section
 
 
 def section(evidence: Evidence) -> Section:
@@ -35,7 +35,7 @@ def _levels(kept: Kept | None, auto: Kept | None) -> list[Block]:
             f"**Effects chosen by a tolerance of {record['tolerance']:g}: {points} stayed within it.** In "
             f"{record['something_left_out']} an effect was left out; the worst is off by {off}."
         )
-        blocks += [Notice(Md(words), "finding"), auto.trace]
+        blocks += [Callout(Md(words), "finding"), auto.trace]
     if kept is None:
         return [*blocks, missing("The cost of the model's levels", "model_cost")]
     from qsbearing.studies.cost import tables

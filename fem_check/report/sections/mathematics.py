@@ -5,7 +5,7 @@ from __future__ import annotations
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.questions import MEASURES
 from fem_check.rows.row_text import number, scientific
-from qsbearing.documents.model import Badge, Block, Cell, Md, Notice, Paragraph, Section, Table
+from qsbearing.documents.model import Badge, Block, Callout, Cell, Md, Paragraph, Section, Table
 
 MOST = 5
 
@@ -35,7 +35,7 @@ def _reference(kept: Kept | None) -> list[Block]:
     )
     caption = f"Relative errors: the worst {len(rows)} of {len(cases)} scenes"
     return [
-        Notice(Md(said), "pass" if good == len(cases) else "fail"),
+        Callout(Md(said), "pass" if good == len(cases) else "fail"),
         Table(("scene", "difficulty", *MEASURES, "verdict"), rows, "llrrrrl", caption, stack=True),
         kept.trace,
     ]
@@ -54,4 +54,4 @@ def _relations(kept: Kept | None) -> list[Block]:
     said = (
         f"**{passed} of {passed + failed} tests of relations pass**: symmetries, limits, energy, derivatives, motion."
     )
-    return [Notice(Md(f"{said} Failing: {bad}." if bad else said), "fail" if failed else "pass"), kept.trace]
+    return [Callout(Md(f"{said} Failing: {bad}." if bad else said), "fail" if failed else "pass"), kept.trace]

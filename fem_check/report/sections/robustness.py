@@ -9,7 +9,7 @@ from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.questions import EXPECTED, scenes, total, waived
 from fem_check.report.rows import as_read
 from fem_check.rows.row_text import scientific
-from qsbearing.documents.model import Badge, Block, Cell, Md, Notice, Paragraph, Section, Table
+from qsbearing.documents.model import Badge, Block, Callout, Cell, Md, Paragraph, Section, Table
 
 MOST = 5
 
@@ -46,7 +46,7 @@ def _campaigns(limited: Sequence[Kept], others: Sequence[Kept]) -> list[Block]:
     are_met = all(badge.kind != "fail" for *_, badge in rows if isinstance(badge, Badge))
     headings = ("scenes of", "count", "wrong", "not converged", "allowed", "refusals, with a proof", "limit")
     return [
-        Notice(Md(said), "pass" if are_met else "fail"),
+        Callout(Md(said), "pass" if are_met else "fail"),
         Table(headings, rows, "lrrrrll", "Campaigns of random scenes", stack=True),
         Paragraph(f"Records: {', '.join(kept.name for kept in (*limited, *others))}."),
     ]
@@ -102,7 +102,7 @@ def _hard_cases(kept: Kept | None) -> list[Block]:
     headings = ("case", "difficulty", "outcome", "iterations", "largest error", "verdict")
     caption = f"The {len(rows)} cases with the most iterations; errors are relative"
     return [
-        Notice(Md(f"**{head} the expected result**: {tally}."), "pass" if good == len(cases) else "fail"),
+        Callout(Md(f"**{head} the expected result**: {tally}."), "pass" if good == len(cases) else "fail"),
         Table(headings, rows, "lllrrl", caption, stack=True),
         kept.trace,
     ]

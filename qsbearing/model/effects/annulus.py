@@ -22,31 +22,31 @@ class Elastic(NamedTuple):
     density: Any
 
 
-class AnnulusStress(NamedTuple):
+class PlaneStress(NamedTuple):
     """Radial and hoop stress [Pa], tension positive."""
 
     radial: Any
     hoop: Any
 
 
-def stress_by_pressure(radius: Any, a: Any, b: Any, inner_pressure: Any, outer_pressure: Any) -> AnnulusStress:
+def stress_by_pressure(radius: Any, a: Any, b: Any, inner_pressure: Any, outer_pressure: Any) -> PlaneStress:
     """Lame: A -+ B/r^2 with A = (a^2 pi - b^2 po)/(b^2 - a^2) and B = a^2 b^2 (pi - po)/(b^2 - a^2)."""
     area = b * b - a * a
     mean = (a * a * inner_pressure - b * b * outer_pressure) / area
     varying = a * a * b * b * (inner_pressure - outer_pressure) / (area * radius * radius)
-    return AnnulusStress(mean - varying, mean + varying)
+    return PlaneStress(mean - varying, mean + varying)
 
 
-def stress_by_rotation(radius: Any, a: Any, b: Any, speed: Any, material: Elastic) -> AnnulusStress:
+def stress_by_rotation(radius: Any, a: Any, b: Any, speed: Any, material: Elastic) -> PlaneStress:
     """Rotating annulus: (3 + nu)/8 rho w^2 (a^2 + b^2 -+ a^2 b^2/r^2 - r^2 {1 | (1 + 3 nu)/(3 + nu)})."""
     _, nu, rho = material
     size = (3.0 + nu) / 8.0 * rho * speed * speed
     even, varying, square = a * a + b * b, a * a * b * b / (radius * radius), radius * radius
-    return AnnulusStress(
+    return PlaneStress(
         size * (even - varying - square), size * (even + varying - (1.0 + 3.0 * nu) / (3.0 + nu) * square)
     )
 
 
-def displacement(radius: Any, stress: AnnulusStress, material: Elastic) -> Any:
+def displacement(radius: Any, stress: PlaneStress, material: Elastic) -> Any:
     """u = r (sigma_theta - nu sigma_r)/E, outward [m]."""
     return radius * (stress.hoop - material.poisson_ratio * stress.radial) / material.modulus

@@ -33,7 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import A_MATERIAL, given_in
-from qsbearing.model.effects.annulus import AnnulusStress, Elastic, displacement, stress_by_pressure, stress_by_rotation
+from qsbearing.model.effects.annulus import Elastic, PlaneStress, displacement, stress_by_pressure, stress_by_rotation
 from qsbearing.model.effects.body_temperature import GIVEN, REFERENCE, BodyTemperature
 from qsbearing.model.effects.changed_geometry import GeometryChange, change_by, geometry_errors
 from qsbearing.model.effects.entry import Assumed, Entry, Errors, bearings_of, effect, error_in, given, with_ring_effect
@@ -56,12 +56,12 @@ class Body(NamedTuple):
     strain: Any
     """By heat, alpha dT."""
 
-    def stress(self, radius: Any, bore_pressure: Any = 0.0, outside_pressure: Any = 0.0) -> AnnulusStress:
+    def stress(self, radius: Any, bore_pressure: Any = 0.0, outside_pressure: Any = 0.0) -> PlaneStress:
         """By rotation and pressures. Lengths are cold ones: a warm body keeps its mass, and its rho r^2 falls."""
         pressed = stress_by_pressure(radius, self.a, self.b, bore_pressure, outside_pressure)
         warm = self.elastic._replace(density=self.elastic.density / (1.0 + self.strain))
         turning = stress_by_rotation(radius, self.a, self.b, self.speed, warm)
-        return AnnulusStress(pressed.radial + turning.radial, pressed.hoop + turning.hoop)
+        return PlaneStress(pressed.radial + turning.radial, pressed.hoop + turning.hoop)
 
     def free_growth(self, radius: Any) -> Any:
         """By rotation and heat [m]."""

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qsbearing.model.effects.annulus import AnnulusStress, Elastic, displacement, stress_by_pressure, stress_by_rotation
+from qsbearing.model.effects.annulus import Elastic, PlaneStress, displacement, stress_by_pressure, stress_by_rotation
 
 STEEL = Elastic(208e9, 0.3, 7800.0)
 SIZES = st.tuples(st.floats(0.0, 0.9), st.floats(0.02, 0.98), st.floats(-3e8, 3e8), st.floats(-3e8, 3e8))
@@ -31,10 +31,10 @@ def test_equilibrium_compatibility_and_boundaries(
     a = ratio * b
     material = Elastic(208e9, poisson, 7800.0)
 
-    def stress(radius: Any) -> AnnulusStress:
+    def stress(radius: Any) -> PlaneStress:
         one = stress_by_pressure(radius, a, b, inner if ratio > 0.0 else 0.0, outer)
         other = stress_by_rotation(radius, a, b, speed, material)
-        return AnnulusStress(one.radial + other.radial, one.hoop + other.hoop)
+        return PlaneStress(one.radial + other.radial, one.hoop + other.hoop)
 
     r = a + place * (b - a)
     radial, hoop = stress(r)
