@@ -8,7 +8,7 @@ from typing import Any
 from fem_check.contacts.record import ContactRecord, ContactsRecord, MaterialRecord
 from fem_check.rows import row_text
 from fem_check.rows.record import RowRecord, computed_value
-from qsbearing.documents.model import Badge, Block, Callout, Group, Paragraph, Table
+from qsbearing.documents.model import Badge, Block, Callout, Paragraph, RowGroup, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.documents.terminal import STYLES
 
@@ -114,7 +114,7 @@ def agreement_table(entry: ContactsRecord) -> Table:
     lines: list[Any] = []
     by_case = agreement_rows(entry)
     for contact in entry["contacts"]:
-        lines.append(Group(contact["label"]))
+        lines.append(RowGroup(contact["label"]))
         for row in by_case[contact["case"]]:
             name, unit, size = SHOWN[row["quantity"]]
             told = row_text.of_row(row)
@@ -163,7 +163,7 @@ def rests_on(entry: ContactsRecord) -> list[Block]:
             by_case.setdefault(row["case"], []).append(row)
     lines: list[Any] = []
     for case, rows in by_case.items():
-        lines.append(Group(case))
+        lines.append(RowGroup(case))
         for row in rows:
             told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
             name = row_text.in_words(row["quantity"]) + (f", {unit}" if unit else "")

@@ -94,7 +94,7 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
                 "notes": [[mark, runs(text)] for mark, text in block.notes],
                 "tools": block.tools, "stack": block.stack,
                 "rows": [
-                    {"across": runs(row.text)} if isinstance(row, model.Group) else {"cells": list(map(_cell, row))}
+                    {"across": runs(row.text)} if isinstance(row, model.RowGroup) else {"cells": list(map(_cell, row))}
                     for row in block.rows
                 ],
             }  # fmt: skip

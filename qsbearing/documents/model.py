@@ -36,7 +36,7 @@ Cell: TypeAlias = "str | Badge"
 
 
 @dataclass(frozen=True)
-class Group:
+class RowGroup:
     """A row across a whole table, above those that belong to it."""
 
     text: str
@@ -113,7 +113,7 @@ class Table:
     """
 
     headings: Sequence[str]
-    rows: Sequence[Sequence[Cell] | Group]
+    rows: Sequence[Sequence[Cell] | RowGroup]
     align: str = ""
     caption: str = ""
     tools: bool = False
@@ -129,10 +129,10 @@ class Table:
         width = len(self.headings)
         if self.align and len(self.align) != width:
             raise ValueError(f"{len(self.align)} letters of alignment for {width} columns: {self.caption}")
-        wrong = [row for row in self.rows if not isinstance(row, Group) and len(row) != width]
+        wrong = [row for row in self.rows if not isinstance(row, RowGroup) and len(row) != width]
         if wrong:
             raise ValueError(f"{len(wrong[0])} cells in a row of {width} columns: {wrong[0]}")
-        if self.tools and any(isinstance(row, Group) for row in self.rows):
+        if self.tools and any(isinstance(row, RowGroup) for row in self.rows):
             raise ValueError("a table that readers may sort has no rows across")
 
     @property

@@ -12,8 +12,7 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Badge, Block, Callout, Cell, Paragraph, Table
-from qsbearing.documents.model import Group as Across
+from qsbearing.documents.model import Badge, Block, Callout, Cell, Paragraph, RowGroup, Table
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
@@ -87,7 +86,7 @@ def _without(table: Table, left_out: list[int]) -> Table:
         return table
     kept = [number for number in range(len(table.headings)) if number not in left_out]
     of = lambda cells: [cells[number] for number in kept]  # noqa: E731
-    rows = [row if isinstance(row, Across) else of(row) for row in table.rows]
+    rows = [row if isinstance(row, RowGroup) else of(row) for row in table.rows]
     return replace(table, headings=of(table.headings), rows=rows, align="".join(of(table.alignment)), spare=())
 
 
@@ -117,13 +116,13 @@ def _tables(table: Table, width: int) -> list[RichTable]:
 def _stacked(table: Table, part: list[int]) -> Table:
     """Columns of a table below each other, as one."""
     below = lambda cells: "\n  ".join(str(_cell(cells[each])).replace("\n", " ") for each in part)  # noqa: E731
-    rows = [row if isinstance(row, Across) else (below(row),) for row in table.rows]
+    rows = [row if isinstance(row, RowGroup) else (below(row),) for row in table.rows]
     return replace(table, headings=(below(table.headings),), rows=rows, align="l", spare=())
 
 
 def _lines(table: Table, number: int) -> list[str]:
     """Of a column, its heading's among them."""
-    cells = [str(_cell(row[number])) for row in table.rows if not isinstance(row, Across)]
+    cells = [str(_cell(row[number])) for row in table.rows if not isinstance(row, RowGroup)]
     return [line for text in (table.headings[number], *cells) for line in (text.split("\n") or [""])] or [""]
 
 
@@ -139,7 +138,7 @@ def _widths(table: Table, part: list[int], width: int) -> dict[int, int]:
     """Of columns that must give way, the widest first."""
     most = {number: max(map(len, _lines(table, number))) for number in part}
     # A group's text stands in the first column, which it widens as far as the others leave room.
-    most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, Across))])
+    most[0] = max([most[0], *(len(row.text) for row in table.rows if isinstance(row, RowGroup))])
     least, widths = {number: _least(table, number) for number in part}, dict(most)
     while _width(list(widths.values())) > width:
         able = [number for number in part if widths[number] > least[number]]
@@ -158,7 +157,7 @@ def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
         rich_table.add_column(Text(table.headings[number]), justify=justify, overflow="fold", width=widths.get(number))  # type: ignore[arg-type]
         rich_table.columns[-1].no_wrap = number not in widths
     for number, row in enumerate(table.rows):
-        cells = [row.text] if isinstance(row, Across) else [_cell(row[each]) for each in part]
+        cells = [row.text] if isinstance(row, RowGroup) else [_cell(row[each]) for each in part]
         rich_table.add_row(*cells, style="dim" if number in table.faint else None)
     return rich_table
 

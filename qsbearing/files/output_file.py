@@ -68,7 +68,7 @@ def kept_rows(target: str) -> Iterator[tuple[BinaryIO, Path]]:
     Raises:
         OSError: it cannot be written, or another run is writing it.
     """
-    place = place_of(target)
+    place = path_of_output(target)
     part = place.with_name(f"{place.name}.part")
     try:
         handle = os.open(part, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
@@ -107,7 +107,7 @@ def is_locked(file: BinaryIO) -> bool | None:
     return True
 
 
-def place_of(target: str) -> Path:
+def path_of_output(target: str) -> Path:
     """Where a file goes: through links, so that a link stays one and what it points at is replaced.
 
     Raises:
@@ -135,7 +135,7 @@ def put_in_place(temporary: Path, place: Path) -> None:
 @contextmanager
 def _claimed(target: str) -> Iterator[tuple[Path, Path]]:
     """Where to write meanwhile, and the place itself; the same where that is none to be replaced, as a pipe is."""
-    place = place_of(target)
+    place = path_of_output(target)
     if place.exists() and not place.is_file():  # a terminal, a pipe, /dev/null: written to, never replaced
         yield place, place
         return

@@ -39,7 +39,7 @@ class Difference(NamedTuple):
     """An effect or choice that the check did not have, not just another number."""
 
 
-class Facts(NamedTuple):
+class SceneFacts(NamedTuple):
     """What the conditions ask."""
 
     scene: Scene
@@ -57,7 +57,7 @@ class Facts(NamedTuple):
     """Tilts of the ring [rad]."""
 
 
-def facts_of(solution: Solution) -> Facts:
+def facts_of(solution: Solution) -> SceneFacts:
     """Those of a single case."""
 
     def loaded(side: str, name: str) -> NDArray:
@@ -70,7 +70,7 @@ def facts_of(solution: Solution) -> Facts:
     ratios = [span(loaded(side, "semi_major_axis") / loaded(side, "semi_minor_axis")) for side in SIDES]
     ring = np.array(solution.load, float)
     ring[3:] /= 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
-    return Facts(
+    return SceneFacts(
         solution.scene,
         (min(each[0] for each in ratios), max(each[1] for each in ratios)),
         {side: span(loaded(side, "load")) for side in SIDES},
@@ -93,7 +93,7 @@ def _span(span: Span) -> str:
     return high if low == high else f"up to {high}" if span[0] == 0.0 else f"{low} to {high}"
 
 
-def other_effects(facts: Facts, checked: Collection[str]) -> list[Difference]:
+def other_effects(facts: SceneFacts, checked: Collection[str]) -> list[Difference]:
     """Effects of the scene that the check did not have."""
     named = [effect.name for effect in (*facts.scene.ring_effects, *facts.scene.ball_effects)]
     *others, last = [name.replace("_", " ") for name in named if name not in checked] or [""]
@@ -101,7 +101,7 @@ def other_effects(facts: Facts, checked: Collection[str]) -> list[Difference]:
     return [Difference(f"no {words} in the check", True)] if last else []
 
 
-def other_choices(facts: Facts, control: Collection[str] = ()) -> list[Difference]:
+def other_choices(facts: SceneFacts, control: Collection[str] = ()) -> list[Difference]:
     """Choices of the scene that are not the usual ones, and raceway control beside those that were checked."""
     scene, reasons = facts.scene, []
     if scene.raceway_control is not None and control and scene.raceway_control not in control:
@@ -115,7 +115,7 @@ def other_choices(facts: Facts, control: Collection[str] = ()) -> list[Differenc
     return [Difference(each, True) for each in reasons] + other_formulas(facts)
 
 
-def other_formulas(facts: Facts) -> list[Difference]:
+def other_formulas(facts: SceneFacts) -> list[Difference]:
     """Approximations in place of the exact forms."""
     differences = []
     if facts.scene.hertz_form is not HertzForm.EXACT:
@@ -126,7 +126,7 @@ def other_formulas(facts: Facts) -> list[Difference]:
 
 
 def other_bearing(
-    facts: Facts, name: str, lengths: Collection[str] = LENGTHS, balls: Collection[Material] = ()
+    facts: SceneFacts, name: str, lengths: Collection[str] = LENGTHS, balls: Collection[Material] = ()
 ) -> list[Difference]:
     """Another bearing than one of the catalogue, which was checked.
 
@@ -149,7 +149,7 @@ def _is_alike(one: Material, other: Material) -> bool:
     return _close(one.elastic_modulus, other.elastic_modulus) and _close(one.poisson_ratio, other.poisson_ratio)
 
 
-def faster(facts: Facts, limit: float) -> list[Difference]:
+def faster(facts: SceneFacts, limit: float) -> list[Difference]:
     """A speed beyond what was checked, of the inner ring; or an outer ring that turns.
 
     Args:
@@ -164,7 +164,7 @@ def faster(facts: Facts, limit: float) -> list[Difference]:
     return differences
 
 
-def not_thrust(facts: Facts, checked: Span) -> list[Difference]:
+def not_thrust(facts: SceneFacts, checked: Span) -> list[Difference]:
     """Loads beside an axial one, tilts, or an axial load beyond what was checked [N]."""
     axial = abs(float(facts.ring[0]))
     differences = beyond("axial load", (axial, axial), checked, " N")
@@ -176,13 +176,13 @@ def not_thrust(facts: Facts, checked: Span) -> list[Difference]:
     return differences
 
 
-def groove(facts: Facts, side: str) -> float:
+def groove(facts: SceneFacts, side: str) -> float:
     """Groove radius over the ball's diameter, as the ring effects leave it."""
     bearing: Any = facts.scene.operating_bearing
     return float(np.asarray(getattr(bearing, f"{side}_groove_radius")) / np.asarray(bearing.ball_diameter))
 
 
-def per_area(facts: Facts, side: str) -> Span:
+def per_area(facts: SceneFacts, side: str) -> Span:
     """Contact loads over the square of the ball's diameter [N/mm2]: of equal ratios, contacts are similar."""
     area = float((np.asarray(facts.scene.bearing.ball_diameter) / mm) ** 2)
     low, high = facts.loads[side]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Block, Code, Group, Paragraph, Section, Table
+from qsbearing.documents.model import Block, Code, Paragraph, RowGroup, Section, Table
 from qsbearing.files.bearing_table import entry_of
 from qsbearing.files.file_keys import reading_keys, reading_tables
 from qsbearing.files.keys import (
@@ -81,11 +81,11 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
     return Section("Input", blocks + as_read(source))
 
 
-def grouped(*parts: tuple[str, Sequence[Line]]) -> list[Line | Group]:
+def grouped(*parts: tuple[str, Sequence[Line]]) -> list[Line | RowGroup]:
     """The lines of each part below its title; of a part without lines nothing."""
-    rows: list[Line | Group] = []
+    rows: list[Line | RowGroup] = []
     for title, lines in parts:
-        rows += [Group(title), *lines] if lines else []
+        rows += [RowGroup(title), *lines] if lines else []
     return rows
 
 

@@ -24,7 +24,7 @@ from qsbearing.systems.sets.preload_limits import (
     loads_of,
     speed_sentences,
 )
-from qsbearing.systems.sets.preload_search import Change
+from qsbearing.systems.sets.preload_search import StateChange
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
 
@@ -58,7 +58,7 @@ def section(of: BearingSet, limits: Limits) -> Section:
     return Section("Around the operating point", blocks, "curves")
 
 
-def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
+def _speed(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
     own = float(np.asarray(of.operation.speed))
     if own == 0.0 or not depends_on_speed(of):
         return [Callout("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
@@ -69,7 +69,7 @@ def _speed(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
     return shown(swept, figure, "the speed of the shaft", CURVES, speed_sentences(of, changes))
 
 
-def _load(of: BearingSet, changes: Sequence[Change]) -> list[Block]:
+def _load(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
     if not loads_of(of):
         return [Callout("No curve over the loads: no load or moment acts on the shaft.")]
     marks = [(each.value, _what(each)) for each in changes]
@@ -97,7 +97,7 @@ def _preload(of: BearingSet) -> list[Block]:
     return shown(swept, figure, "the preload, the loads as they are", CURVES)
 
 
-def _what(change: Change) -> str:
+def _what(change: StateChange) -> str:
     name = f"row {change.row + 1}" if change.row >= 0 else "set"
     ends = {
         "maintained": "preload back",

@@ -19,7 +19,7 @@ from qsbearing.remarks.wording import Span
 from qsbearing.reports.conditions import (
     NOTHING,
     Difference,
-    Facts,
+    SceneFacts,
     beyond,
     faster,
     groove,
@@ -57,7 +57,7 @@ class Statement(Generic[Of]):
     """Whether it has what is checked at all."""
 
 
-def _asks(*names: str) -> Callable[[Facts], bool]:
+def _asks(*names: str) -> Callable[[SceneFacts], bool]:
     return lambda facts: bool(set(names) & set(facts.scene.readings))
 
 
@@ -69,19 +69,19 @@ def _within(span: list[float]) -> str:
     return f"{max(map(abs, span)):.2g}"
 
 
-def _equations(facts: Facts) -> list[Difference]:
+def _equations(facts: SceneFacts) -> list[Difference]:
     known = (*OF_BALLS, *(("unequal_balls",) if NUMBERS["reference"]["has_unequal_balls"] else ()))
     return other_formulas(facts) + other_effects(facts, known)
 
 
-def _ellipticity(facts: Facts) -> list[Difference]:
+def _ellipticity(facts: SceneFacts) -> list[Difference]:
     low, high = NUMBERS["hertz_formula"]["ellipticity"]
     return beyond("a/b", facts.ellipticity, (low, high)) + [
         each for each in other_formulas(facts) if each.reason.startswith("Hertz")
     ]
 
 
-def _contacts(facts: Facts) -> list[Difference]:
+def _contacts(facts: SceneFacts) -> list[Difference]:
     low, high = NUMBERS["solution_contacts"]["load_N"]
     differences = other_bearing(facts, "B218", balls=(SILICON_NITRIDE,))
     differences += faster(facts, NUMBERS["bearing_sector"]["speed_rpm"])
@@ -90,7 +90,7 @@ def _contacts(facts: Facts) -> list[Difference]:
     return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
-def _gap(facts: Facts) -> list[Difference]:
+def _gap(facts: SceneFacts) -> list[Difference]:
     """B218's inner groove, whatever its radius."""
     high = NUMBERS["conformity"]["load_N"][1] / B218_DIAMETER**2
     differences = other_bearing(facts, "B218", ("ball_diameter", "pitch_diameter"))
@@ -103,7 +103,7 @@ def _gap(facts: Facts) -> list[Difference]:
     return differences + beyond("inner Q/D²", (0.0, per_area(facts, "inner")[1]), (0.0, high), " N/mm²")
 
 
-def _true_bodies(facts: Facts) -> list[Difference]:
+def _true_bodies(facts: SceneFacts) -> list[Difference]:
     numbers = NUMBERS["true_geometry"]
     differences = other_bearing(facts, "B218")
     for side in ("inner", "outer"):
@@ -112,7 +112,7 @@ def _true_bodies(facts: Facts) -> list[Difference]:
     return differences
 
 
-def _elastic(facts: Facts) -> list[Difference]:
+def _elastic(facts: SceneFacts) -> list[Difference]:
     if facts.pressure > STATIC_PRESSURE:
         return [Difference(f"above {STATIC_PRESSURE / MPa:.0f} MPa: permanent dents", True)]
     if facts.pressure > FIRST_YIELD:
@@ -120,14 +120,14 @@ def _elastic(facts: Facts) -> list[Difference]:
     return []
 
 
-def _sector(facts: Facts) -> list[Difference]:
+def _sector(facts: SceneFacts) -> list[Difference]:
     numbers = NUMBERS["bearing_sector"]
     differences = other_bearing(facts, "B218") + faster(facts, numbers["speed_rpm"])
     differences += not_thrust(facts, tuple(numbers["load_N"]))
     return differences + other_effects(facts, OF_BALLS) + other_choices(facts, OUTER)
 
 
-def _sector_result(facts: Sequence[Facts]) -> str:
+def _sector_result(facts: Sequence[SceneFacts]) -> str:
     rigid, free = NUMBERS["bearing_sector"]["rigid"], NUMBERS["bearing_sector"]["free"]
     return (
         f"Outside diameter rigid: contact loads within {_within(rigid['load_percent'])} %, angles within "
@@ -138,11 +138,11 @@ def _sector_result(facts: Sequence[Facts]) -> str:
     )
 
 
-def _other_program(facts: Facts) -> list[Difference]:
+def _other_program(facts: SceneFacts) -> list[Difference]:
     return other_bearing(facts, "ISO16281_7ball") + other_effects(facts, ()) + _unmodified(facts)
 
 
-def _endurance(facts: Facts) -> list[Difference]:
+def _endurance(facts: SceneFacts) -> list[Difference]:
     differences = (
         [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
     )
@@ -151,13 +151,13 @@ def _endurance(facts: Facts) -> list[Difference]:
     return differences + other_effects(facts, ()) + _unmodified(facts)
 
 
-def _unmodified(facts: Facts) -> list[Difference]:
+def _unmodified(facts: SceneFacts) -> list[Difference]:
     life = facts.scene.readings.get("life", {})
     is_modified = bool({"viscosity_ratio", "contamination_factor", "cleanliness"} & set(life))
     return [Difference("no modified life in the check", True)] if is_modified else []
 
 
-def _motors(facts: Facts) -> list[Difference]:
+def _motors(facts: SceneFacts) -> list[Difference]:
     differences = (
         [] if facts.scene.bearing.kind is BearingKind.DEEP_GROOVE else [Difference("not a deep-groove bearing")]
     )
@@ -166,11 +166,11 @@ def _motors(facts: Facts) -> list[Difference]:
     return differences + faster(facts, 1800.0)
 
 
-def _spindles(facts: Facts) -> list[Difference]:
+def _spindles(facts: SceneFacts) -> list[Difference]:
     return not_thrust(facts, (0.0, np.inf)) + other_effects(facts, ())
 
 
-def _has_spindle_angle(facts: Facts) -> bool:
+def _has_spindle_angle(facts: SceneFacts) -> bool:
     angle = float(np.asarray(facts.scene.bearing.free_contact_angle)) / deg
     return facts.scene.bearing.kind is BearingKind.ANGULAR_CONTACT and 14.5 <= angle <= 25.5
 
@@ -179,7 +179,7 @@ _reference, _hertz, _points = NUMBERS["reference"], NUMBERS["hertz_formula"], NU
 _gaps, _bodies, _rigs = NUMBERS["conformity"], NUMBERS["true_geometry"]["percent"], NUMBERS["motor_bearings"]
 _pairs, _lives, _tests = NUMBERS["gmn_rigidities"], NUMBERS["iso_16281_seven_balls"], NUMBERS["endurance_1956"]
 
-STATEMENTS: tuple[Statement[Facts], ...] = (
+STATEMENTS: tuple[Statement[SceneFacts], ...] = (
     Statement(
         f"The solution of the equations: {_reference['scenes']} scenes solved to fifty digits.",
         lambda facts: f"Loads, angles, displacements and stiffness within {_reference['largest']:.0e}",

@@ -53,18 +53,18 @@ def _seat(row: int | None, seat: str, fit: Fit, effect: RingExpansion) -> dict[s
 
 def fits_blocks(solution: Solution | SetSolution) -> list[Block]:
     """The same in a few lines; nothing where no fit has a name."""
-    found = fits_record(solution).get("fits")
-    if found is None:
+    fits = fits_record(solution).get("fits")
+    if fits is None:
         return []
     parts = []
-    for each in found["seats"]:
+    for each in fits["seats"]:
         row = "" if each["row"] is None else f"row {each['row']}, "
         limits = " ... ".join(f"{each[key]:+.3g}" for key in LIMITS)
         bearing = f"bearing of class {each['tolerance_class']}"
         seat = f"{each['seat']} {each['diameter_mm']:.6g} {each['fit']}"
         parts.append(f"{row}{seat}, {bearing}: interference {limits} µm")
     said = f"Fits, least ... mean ... largest: {'; '.join(parts)}. The results are at the mean."
-    at = found["at_limits"]
+    at = fits["at_limits"]
     if at is not None:
         names = {"preload_in_operation_N": "preload in operation", "axial_N_per_um": "axial stiffness (locked)"}
         names["radial_y_N_per_um"] = "radial stiffness y (locked)"
@@ -88,11 +88,11 @@ def _unit(key: str) -> str:
 
 def _effects(of: Scene | BearingSet) -> dict[int | None, RingExpansion]:
     """The ring expansion of a bearing, or of each row with its number; once where rows share it."""
-    found: dict[int | None, Any] = {None: of.ring_effects}
+    by_row: dict[int | None, Any] = {None: of.ring_effects}
     if isinstance(of, BearingSet) and any(row.ring_effects is not None for row in of.rows):
         own = [of.ring_effects if row.ring_effects is None else row.ring_effects for row in of.rows]
-        found = dict(enumerate(own, 1))
-    return {n: each for n, effects in found.items() for each in effects if isinstance(each, RingExpansion)}
+        by_row = dict(enumerate(own, 1))
+    return {n: each for n, effects in by_row.items() for each in effects if isinstance(each, RingExpansion)}
 
 
 def _limited(effects: Any) -> Any:

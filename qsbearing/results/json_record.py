@@ -239,11 +239,11 @@ def temperatures(
     if not known:
         return None
     balance = thermal_of if solution.thermal is None else solution.thermal.thermal
-    found = () if balance is None else balance.found_nodes
+    nodes = () if balance is None else balance.found_nodes
     return {
         body: {
             "temperature_C": number(np.broadcast_to(each.value, solution.shape)[index] - zero_celsius),
-            "from": "heat balance" if body in found and not each.is_assumed else each.taken_from,
+            "from": "heat balance" if body in nodes and not each.is_assumed else each.taken_from,
             "assumed": each.is_assumed,
         }
         for body, each in known.items()

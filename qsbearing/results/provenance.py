@@ -112,10 +112,10 @@ def memory_GB() -> float | None:
 
 def versions(packages: Iterable[str]) -> dict[str, str]:
     """Of the packages that are installed."""
-    found = {}
+    installed = {}
     for name in packages:
         try:
-            found[name] = metadata.version(name)
+            installed[name] = metadata.version(name)
         except metadata.PackageNotFoundError:
             continue
-    return found
+    return installed

@@ -34,12 +34,12 @@ def all_taken(solution: Solution | SetSolution) -> Any:
 
 def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
     """All of a solution and its readings as the columns of a table: one row per ball of every case."""
-    found = columns(solution)
+    table = columns(solution)
     if readings:
         from qsbearing.readings.asked import reading_columns
 
-        found |= reading_columns(solution, readings)
-    return found
+        table |= reading_columns(solution, readings)
+    return table
 
 
 def readings_record(solution: Solution, readings: Readings, index: CasePlace = ()) -> dict[str, Any] | None:

@@ -65,13 +65,13 @@ def blocks(said: Iterable[Remark], is_apart: bool = False, words: Words = IN_FIL
 
 def together(said: Iterable[Remark]) -> list[Remark]:
     """Equal remarks once, with all that they are about and the range of their numbers; what matters most first."""
-    found = in_order(said)
+    remarks = in_order(said)
     for axis in AXES:
         alike: dict[Any, list[Remark]] = {}
-        for each in found:
+        for each in remarks:
             alike.setdefault((each.code, each.of.about(axis, ()), _names(each.values)), []).append(each)
-        found = [each for several in alike.values() for each in _in_one(several, axis)]
-    return in_order(found)
+        remarks = [each for several in alike.values() for each in _in_one(several, axis)]
+    return in_order(remarks)
 
 
 def _in_one(several: list[Remark], axis: str) -> list[Remark]:

@@ -49,10 +49,10 @@ _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> list[Block]:
     """The report on a single case: heading, ring, balls, what was read off, warnings."""
     said = every_remark(solution, readings)
-    found = record(solution, {}, said=said)
-    parts = _heading(solution, found)
-    if found["status"] == "converged":
-        parts += [*_tables(solution, found), *heat_tables(found)]
+    of_case = record(solution, {}, said=said)
+    parts = _heading(solution, of_case)
+    if of_case["status"] == "converged":
+        parts += [*_tables(solution, of_case), *heat_tables(of_case)]
         if readings:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
 
@@ -60,13 +60,13 @@ def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> li
     return [*parts, *blocks(said, is_apart=True, words=words)]
 
 
-def heat_tables(found: dict[str, Any]) -> list[Block]:
+def heat_tables(record: dict[str, Any]) -> list[Block]:
     """Of a record's steady state; none where it has none."""
-    if found["thermal"] is None:
+    if record["thermal"] is None:
         return []
     from qsbearing.results.thermal_report import thermal_tables  # loaded only where there is heat
 
-    return thermal_tables(found["thermal"])
+    return thermal_tables(record["thermal"])
 
 
 def tables(solution: Solution) -> list[Table]:
@@ -80,27 +80,27 @@ def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> li
     Args:
         thermal_of: of a row, the set's heat balance, which has found its temperatures.
     """
-    found = record(solution, {}, (), thermal_of, ())
-    return [*_expansion(solution, found), *_of_balls(solution, found)]
+    of_case = record(solution, {}, (), thermal_of, ())
+    return [*_expansion(solution, of_case), *_of_balls(solution, of_case)]
 
 
-def _tables(solution: Solution, found: dict[str, Any]) -> list[Table]:
+def _tables(solution: Solution, record: dict[str, Any]) -> list[Table]:
     tables = [
-        channels_table("Inner ring", solution, found),
-        *_expansion(solution, found),
-        stiffness_table(solution, found),
+        channels_table("Inner ring", solution, record),
+        *_expansion(solution, record),
+        stiffness_table(solution, record),
     ]
-    return [*tables, stiffness_matrix_table(found), *_of_balls(solution, found)]
+    return [*tables, stiffness_matrix_table(record), *_of_balls(solution, record)]
 
 
-def _of_balls(solution: Solution, found: dict[str, Any]) -> list[Table]:
-    rows, count = distinct(found["balls"]), len(found["balls"])
+def _of_balls(solution: Solution, record: dict[str, Any]) -> list[Table]:
+    rows, count = distinct(record["balls"]), len(record["balls"])
     tables = [contacts_table(rows, count), _ellipses(rows, count)]
-    return [*tables, _motion(rows, count, found)] if solution.scene.ball_effects else tables
+    return [*tables, _motion(rows, count, record)] if solution.scene.ball_effects else tables
 
 
 @dataclass(frozen=True)
-class Row:
+class AlikeBalls:
     """Balls that are alike, by their numbers, and what is true of each of them."""
 
     members: list[int]
@@ -117,30 +117,30 @@ class Row:
         return ", ".join(map(str, self.members)), ", ".join(places)
 
 
-def distinct(balls: Sequence[dict[str, Any]]) -> list[Row]:
+def distinct(balls: Sequence[dict[str, Any]]) -> list[AlikeBalls]:
     """The balls with equal ones gathered, in the order of their first."""
     largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
-    rows: dict[Any, Row] = {}
+    rows: dict[Any, AlikeBalls] = {}
     for i, ball in enumerate(balls):
         loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
         angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
         alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
-        row = rows.setdefault(alike, Row([], ball, []))
+        row = rows.setdefault(alike, AlikeBalls([], ball, []))
         row.members.append(i)
         row.azimuths.append(ball["azimuth_deg"])
     return list(rows.values())
 
 
-def _heading(solution: Solution, found: dict[str, Any]) -> list[Block]:
+def _heading(solution: Solution, record: dict[str, Any]) -> list[Block]:
     name = solution.scene.bearing.name or "Bearing"
     parts: list[Block] = [
         Paragraph(f"{name}  {geometry_text(solution)}", name),
-        Paragraph(f"{speeds_text(solution)}. {asked_for(found)}"),
+        Paragraph(f"{speeds_text(solution)}. {asked_for(record)}"),
     ]
-    preload = found["preload"]
-    if preload is not None and found["status"] == "converged":
+    preload = record["preload"]
+    if preload is not None and record["status"] == "converged":
         parts.append(Paragraph(f"Preload ({preload['kind'].replace('_', ' ')}): {preload_text(preload)}"))
-    return [*parts, *ending(found)]
+    return [*parts, *ending(record)]
 
 
 def geometry_text(solution: Solution) -> str:
@@ -189,23 +189,23 @@ def preload_text(preload: dict[str, Any]) -> str:
     return f"{text}: {preload['state']}; without external loads {share} of the given preload"
 
 
-def ending(found: dict[str, Any]) -> list[Block]:
+def ending(record: dict[str, Any]) -> list[Block]:
     """How the case of a record ended."""
-    status = found["status"].replace("_", " ").capitalize()
-    if found["status"] != "converged":
-        message = found["message"]
+    status = record["status"].replace("_", " ").capitalize()
+    if record["status"] != "converged":
+        message = record["message"]
         if message.startswith(status):
             return [Callout(message, "fail", status, "red")]
         return [Callout(status, "fail", status, "red"), Paragraph(message)]
-    took = f"{status} in {found['iterations']} iterations, {duration(found['seconds'])}"
-    told = f"{took}; largest imbalance {found['residual']:.1e} of the largest force"
+    took = f"{status} in {record['iterations']} iterations, {duration(record['seconds'])}"
+    told = f"{took}; largest imbalance {record['residual']:.1e} of the largest force"
     return [Callout(told, "pass", status, "green")]
 
 
-def asked_for(found: dict[str, Any]) -> str:
+def asked_for(record: dict[str, Any]) -> str:
     """The effects of a record, and the choices that are not the usual ones."""
-    choices = found["choices"]
-    *others, last = found["effects"] or ["No ball effects (static)"]
+    choices = record["choices"]
+    *others, last = record["effects"] or ["No ball effects (static)"]
     named = f"{', '.join(others)} and {last}".capitalize() if others else last[0].upper() + last[1:]
     if choices["raceway_control"]:
         named += f"; raceway control: {choices['raceway_control']}"
@@ -222,16 +222,16 @@ def asked_for(found: dict[str, Any]) -> str:
 FROM_MIDDLE = "axial from middle"
 
 
-def channels_table(title: str, solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+def channels_table(title: str, solution: Solution | SetSolution, record: dict[str, Any]) -> Table:
     """Displacement and load of ring or shaft."""
     rows = []
-    values = zip(CHANNELS, found["displacement"].values(), found["load"].values(), strict=True)
+    values = zip(CHANNELS, record["displacement"].values(), record["load"].values(), strict=True)
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
         shown = digits(load, 0.0)
         imposed = "load" if i in solution.free_channels else "displacement"
         rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
-    middle, notes = found.get("axial_from_middle_um"), []
+    middle, notes = record.get("axial_from_middle_um"), []
     if middle is not None:
         rows.insert(1, (FROM_MIDDLE, digits(middle, 1e-9), "µm", "", "", ""))
         notes = [("axial:", "from where the balls just touch one side, at the free contact angle"),
@@ -246,9 +246,9 @@ def heading_of(result: Result) -> str:
     return "\n".join(filter(None, (" ".join(words[:2]), " ".join(below))))
 
 
-def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
+def _expansion(solution: Solution, record: dict[str, Any]) -> list[Table]:
     """Lengths before and after the ring effects, and the state of the rings."""
-    operating, rings = found["operating_geometry"], found["rings"]
+    operating, rings = record["operating_geometry"], record["rings"]
     tables = []
     if operating is not None:
         rows = []
@@ -260,12 +260,12 @@ def _expansion(solution: Solution, found: dict[str, Any]) -> list[Table]:
     if rings is not None:
         states = [(side, *(digits(state[each.key], 1e-9) for each in RING_STATE)) for side, state in rings.items()]
         tables.append(Table(("", *map(heading_of, RING_STATE)), states, caption="Rings"))
-    return tables + _shapes(found) + temperature_tables(found)
+    return tables + _shapes(record) + temperature_tables(record)
 
 
-def _shapes(found: dict[str, Any]) -> list[Table]:
+def _shapes(record: dict[str, Any]) -> list[Table]:
     """How elastic rings have deflected."""
-    elastic = found["elastic_rings"]
+    elastic = record["elastic_rings"]
     if elastic is None:
         return []
     heading = ("", *map(heading_of, RING_SHAPE))
@@ -279,13 +279,13 @@ def _shapes(found: dict[str, Any]) -> list[Table]:
     return [Table(heading, rows, caption=f"Rings deflected by the ball loads{part}")]
 
 
-def temperature_tables(found: dict[str, Any]) -> list[Table]:
+def temperature_tables(record: dict[str, Any]) -> list[Table]:
     """The temperatures that a record was solved with, those that its file leaves out among them."""
-    if found["temperatures"] is None:
+    if record["temperatures"] is None:
         return []
     rows = [
         (body.replace("_", " "), f"{each['temperature_C']:.6g}", "assumed: " * each["assumed"] + each["from"])
-        for body, each in found["temperatures"].items()
+        for body, each in record["temperatures"].items()
     ]
     return [Table(("", "°C", "from"), rows, "lrl", "Temperatures")]
 
@@ -293,26 +293,26 @@ def temperature_tables(found: dict[str, Any]) -> list[Table]:
 def freedom(free: Collection[int]) -> str:
     """Which channels are free to move, and which are not, by the numbers of the free ones."""
     groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
-    found = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
-    return "; ".join(f"{words}: {names}" for words, names in found.items() if names)
+    labels = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in labels.items() if names)
 
 
-def stiffness_table(solution: Solution | SetSolution, found: dict[str, Any]) -> Table:
+def stiffness_table(solution: Solution | SetSolution, record: dict[str, Any]) -> Table:
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked (other\ndisplacements held)", "effective\n(other loads held)", "")
     rows = []
     for channel, each in zip(CHANNELS, STIFFNESS, strict=True):
-        values = (digits(found[kind][each.key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
+        values = (digits(record[kind][each.key], 1e-9) for kind in ("locked_stiffness", "effective_stiffness"))
         rows.append((channel.label, *values, _UNITS[channel.is_rotation][2]))
     return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution.free_channels)})")
 
 
-def stiffness_matrix_table(found: dict[str, Any]) -> Table:
+def stiffness_matrix_table(record: dict[str, Any]) -> Table:
     """The whole tangent of a record."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
     heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
-    matrix, rows = found["stiffness_SI"], []
+    matrix, rows = record["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
         cells = [digits(matrix[i][j] * sizes[j], 0.0) for j in range(5)]
         rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
@@ -337,7 +337,7 @@ ELLIPSES = ("semi_major_axis", "semi_minor_axis", "approach")
 FIRST = (ANGLE, CONTACT_LOAD)
 
 
-def contacts_table(rows: list[Row], count: int) -> Table:
+def contacts_table(rows: list[AlikeBalls], count: int) -> Table:
     """Angles, loads and pressures of the balls' contacts, and whatever else is known of them."""
     others = [each for each in CONTACT if each not in (*FIRST, FRICTION) and each.name not in ELLIPSES]
     pairs = [(side, each) for each in (*FIRST, *others) for side in SIDES]
@@ -350,7 +350,7 @@ def contacts_table(rows: list[Row], count: int) -> Table:
     return _per_ball("Contacts", heading, rows, count, columns)
 
 
-def _ellipses(rows: list[Row], count: int) -> Table:
+def _ellipses(rows: list[AlikeBalls], count: int) -> Table:
     *axes, approach = (each for name in ELLIPSES for each in CONTACT if each.name == name)
     pairs = [(side, each) for side in SIDES for each in axes] + [(side, approach) for side in SIDES]
     title = "Contact ellipses: a across, b along rolling; δ: approach"
@@ -358,8 +358,8 @@ def _ellipses(rows: list[Row], count: int) -> Table:
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
-def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
-    gyroscopic = "gyroscopic_moment" in found["effects"]
+def _motion(rows: list[AlikeBalls], count: int, record: dict[str, Any]) -> Table:
+    gyroscopic = "gyroscopic_moment" in record["effects"]
     title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
     shown = [each for each in OF_BALL if each not in ELSEWHERE and any(row.ball[each.key] is not None for row in rows)]
     columns = {_head_of(each): _column([row.ball[each.key] for row in rows]) for each in shown if each not in SPEEDS}
@@ -368,14 +368,14 @@ def _motion(rows: list[Row], count: int, found: dict[str, Any]) -> Table:
             columns[_head_of(FRICTION, side)] = _column([row.ball[side][FRICTION.key] for row in rows], 4)
     for each in SPEEDS:
         columns[_head_of(each)] = _column([row.ball[each.key] for row in rows], 5)
-    if found["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
+    if record["choices"]["raceway_control"] == "per_ball":  # else it is one for all, and stands in the heading
         columns["control"] = [row.ball["raceway_control"] for row in rows]
     if any(row.ball["slips"] is not None for row in rows):
         columns["slips"] = ["yes" if row.ball["slips"] else "no" for row in rows]
     return _per_ball(title, list(columns), rows, count, list(columns.values()))
 
 
-def _contact_column(rows: list[Row], side: str, of: Result, significant: int = 6) -> list[str]:
+def _contact_column(rows: list[AlikeBalls], side: str, of: Result, significant: int = 6) -> list[str]:
     """A contact's numbers; none where the two do not touch: no ellipse, no contact line, only a gap."""
     contacts = [row.ball[side] for row in rows]
     always = of is CONTACT_LOAD or of.name == "approach"
@@ -398,7 +398,7 @@ def _rounded(value: float, decimals: int) -> str:
 
 
 def _per_ball(
-    title: str, heading: Sequence[str], rows: list[Row], count: int, columns: Sequence[Sequence[str]]
+    title: str, heading: Sequence[str], rows: list[AlikeBalls], count: int, columns: Sequence[Sequence[str]]
 ) -> Table:
     cells = [(*row.names(count), *own) for row, own in zip(rows, zip(*columns, strict=True), strict=True)]
     unloaded = [number for number, row in enumerate(rows) if row.ball["inner"]["load_N"] == 0.0]

@@ -47,7 +47,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
     of, solved = solution.set, bool(solution.converged)
     scene = solution.rows[0].scene
     of_rows = [every_remark(row, own) for row, own in zip(solution.rows, readings, strict=True)]
-    rows = [_row(solution, i, found, of_rows[i]) for i, found in enumerate(readings)]
+    rows = [_row(solution, i, own, of_rows[i]) for i, own in enumerate(readings)]
     return {
         **how_it_ended(solution),
         "set": of.name,
@@ -103,7 +103,7 @@ def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str
     """
     places = [Place(group, each) for group in OF_SHAFT[:-1] for each in group.results]
     shaft = {each.column: each.of(solution) for each in places}
-    parts = [_row_columns(solution, i, found, shaft) for i, found in enumerate(readings)]
+    parts = [_row_columns(solution, i, own, shaft) for i, own in enumerate(readings)]
     names = dict.fromkeys(name for part in parts for name in part)
     empty = [np.full(part["row"].size, np.nan) for part in parts]
     return {

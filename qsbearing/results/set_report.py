@@ -38,11 +38,11 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 def set_result(solution: SetSolution, readings: Sequence[Readings], words: Words = IN_FILE) -> list[Block]:
     """The report on a single case of a set; with what each row was asked to be read off."""
-    found = set_record(solution, readings)
-    parts = heading(solution, found)
-    if found["status"] == "converged":
-        parts += [*_tables(solution, found), *_temperatures(found)]
-        for number, row in enumerate(found["rows"]):
+    record = set_record(solution, readings)
+    parts = heading(solution, record)
+    if record["status"] == "converged":
+        parts += [*_tables(solution, record), *_temperatures(record)]
+        for number, row in enumerate(record["rows"]):
             title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
             parts.append(replace(contacts_table(distinct(row["balls"]), len(row["balls"])), caption=title))
             if readings[number]:
@@ -51,30 +51,30 @@ def set_result(solution: SetSolution, readings: Sequence[Readings], words: Words
                 )
 
                 parts += readings_tables(readings[number], solution.rows[number].scene)
-        parts += [*heat_tables(found), *_system_life(found)]
+        parts += [*heat_tables(record), *_system_life(record)]
     return [*parts, *blocks(every_remark(solution, readings), is_apart=True, words=words)]
 
 
 def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     """What there is to say of a single solved case as a whole: shaft, rows, stiffness, and life where each row has one
     in hours."""
-    found = set_record(solution, readings)
-    return [*_tables(solution, found), *_system_life(found)]
+    record = set_record(solution, readings)
+    return [*_tables(solution, record), *_system_life(record)]
 
 
-def _tables(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
+def _tables(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     tables: list[Block] = [
-        channels_table("Shaft", solution, found),
-        *rows_tables(found),
-        *shaft_tables(found["shaft"]),
-        stiffness_table(solution, found),
+        channels_table("Shaft", solution, record),
+        *rows_tables(record),
+        *shaft_tables(record["shaft"]),
+        stiffness_table(solution, record),
     ]
-    return tables if found["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(found)]
+    return tables if record["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(record)]
 
 
-def _temperatures(found: dict[str, Any]) -> list[Table]:
+def _temperatures(record: dict[str, Any]) -> list[Table]:
     """Of each row; once where all are alike."""
-    rows = found["rows"]
+    rows = record["rows"]
     if all(row["temperatures"] == rows[0]["temperatures"] for row in rows):
         return temperature_tables(rows[0])
     return [
@@ -84,8 +84,8 @@ def _temperatures(found: dict[str, Any]) -> list[Table]:
     ]
 
 
-def _system_life(found: dict[str, Any]) -> list[Block]:
-    basic, modified = found["system_basic_life_h"], found["system_life_h"]
+def _system_life(record: dict[str, Any]) -> list[Block]:
+    basic, modified = record["system_basic_life_h"], record["system_life_h"]
     if modified is None:
         return []
     together = f"{digits_of(basic)} h"
@@ -94,38 +94,38 @@ def _system_life(found: dict[str, Any]) -> list[Block]:
     return [Paragraph(f"Life of all rows together: {together}", is_apart=True)]
 
 
-def heading(solution: SetSolution, found: dict[str, Any]) -> list[Block]:
+def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     """What a set is, and how its case ended."""
     of = solution.set
     name = of.name or "Set"
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"
-    number = found["axial_datum_row"]
+    number = record["axial_datum_row"]
     datum = "" if number is None else f"; row {number} is the axial datum of spacers, which move the other rows"
     turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{outer_turning(of.operation.outer_speed)}"
     what = (
         f"{name}  {count}, {of.arrangement}; shaft {turning}, its channels at "
-        f"x = {found['reference_position_mm']:.6g} mm{datum}. {asked_for(found)}"
+        f"x = {record['reference_position_mm']:.6g} mm{datum}. {asked_for(record)}"
     )
     preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
-    return [Paragraph(what, name), *preload, *ending(found)]
+    return [Paragraph(what, name), *preload, *ending(record)]
 
 
-def rows_tables(found: dict[str, Any]) -> list[Table]:
+def rows_tables(record: dict[str, Any]) -> list[Table]:
     """What each row of a record carries; and where rows press each other, what has become of the preload."""
     heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
     cells = []
-    noise = NOISE * max(abs(load) for row in found["rows"] for load in list(row["share"].values())[:3])
-    for number, row in enumerate(found["rows"], 1):
+    noise = NOISE * max(abs(load) for row in record["rows"] for load in list(row["share"].values())[:3])
+    for number, row in enumerate(record["rows"], 1):
         loads = [row["axial_load_N"], row["share"]["radial_y_N"], row["share"]["radial_z_N"]]
         loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
         place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
         cells.append((*place, *(digits(load, noise) for load in loads)))
     tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
-    if all(row["preload_unmounted_N"] is None for row in found["rows"]):
+    if all(row["preload_unmounted_N"] is None for row in record["rows"]):
         return tables
     heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "of what\nis given", "with the\nloads N")
     cells = []
-    for number, row in enumerate(found["rows"], 1):
+    for number, row in enumerate(record["rows"], 1):
         loads = [row[f"preload_{which}_N"] for which in ("unmounted", "mounted", "in_operation")]
         share = "-" if row["preload_share"] is None else percent(row["preload_share"], digits=3)
         given, carried = [digits(load, noise) for load in loads], digits(row["axial_load_N"], noise)

@@ -32,7 +32,7 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
         None stands for a number that there is not: lives where a point is not solved.
     """
     of, solved = solution.set, solution.converged
-    lives = [found["spectrum"] for found in readings]
+    lives = [own["spectrum"] for own in readings]
     shares = np.asarray(of.readings["spectrum"]["time_share"])
     return {
         "version": __version__,
@@ -63,10 +63,10 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
                 "rows": [
                     {
                         "axial_load_N": number(solution.axial_loads[k, i]),
-                        "duration_h": number(found["life"].duration[k] / HOUR),
-                        "damage_share": number(found["spectrum"].damage_share[k]),
+                        "duration_h": number(own["life"].duration[k] / HOUR),
+                        "damage_share": number(own["spectrum"].damage_share[k]),
                     }
-                    for i, found in enumerate(readings)
+                    for i, own in enumerate(readings)
                 ],
             }
             for k, share in enumerate(shares)
@@ -76,14 +76,14 @@ def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> 
 
 def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     """For each row and operating point what it carries and its part of the damage; the lives of rows and set."""
-    found = set_spectrum_record(solution, readings)
-    name = found["set"] or "Set"
-    head = f"{name}  {found['arrangement']}; {len(found['points'])} operating points. {found['message']}"
+    record = set_spectrum_record(solution, readings)
+    name = record["set"] or "Set"
+    head = f"{name}  {record['arrangement']}; {len(record['points'])} operating points. {record['message']}"
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
     heading = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads))
     heading += ("row", "its axial\nload N", "life\nh", "damage\n%")
     rows = []
-    for k, point in enumerate(found["points"]):
+    for k, point in enumerate(record["points"]):
         own: tuple[str, ...] = (f"{k + 1}", f"{point['share']:.6g}", f"{readings[0]['life'].speed[k] / rpm:.6g}")
         own += tuple(digits_of(LOAD[i].of(solution.load[k])) for i in loads)
         for row_number, row in enumerate(point["rows"], 1):
@@ -92,9 +92,9 @@ def set_spectrum_result(solution: SetSolution, readings: Sequence[Readings]) -> 
             rows.append((*(own if row_number == 1 else [""] * len(own)), str(row_number), *cells))
     lives = [
         (str(row_number), row["bearing"], _digits(row["duration_h"]), _digits(row["life_Mrev"]))
-        for row_number, row in enumerate(found["rows"], 1)
+        for row_number, row in enumerate(record["rows"], 1)
     ]
-    lives.append(("all", "", _digits(found["system_life_h"]), ""))
+    lives.append(("all", "", _digits(record["system_life_h"]), ""))
     return [
         Paragraph(head, name),
         Table(heading, rows, caption="Load spectrum"),

@@ -39,21 +39,21 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     return {"points": points, "line": line, "supports": [*own.get("supports", {}).values()]}
 
 
-def shaft_tables(found: dict[str, Any] | None) -> list[Table]:
+def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
     """Of a record: deflection and inner forces along the shaft; stiffness of its points, and what gives way there."""
-    if found is None:
+    if shaft is None:
         return []
     straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")
     heading = ["", *straight, "shear y\nN", "shear z\nN", "moment z\nN m"]
-    grows = any(each["axial_growth_um"] is not None for each in found["line"])
+    grows = any(each["axial_growth_um"] is not None for each in shaft["line"])
     heading += ["growth by\nheat µm"] if grows else []
-    rows = [_values(each) for each in found["line"]]
+    rows = [_values(each) for each in shaft["line"]]
     noise = NOISE * np.abs(np.array(rows, float)).max(axis=0)
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
-    cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(found["line"], rows, strict=True)]
+    cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(shaft["line"], rows, strict=True)]
     title = "Shaft: deflection and internal forces (of the part after x on the part before)"
     tables = [Table(heading, cells, caption=title)]
-    for name, point in found["points"].items():
+    for name, point in shaft["points"].items():
         heading = ["", *(each.plain_name for each in SHARES)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():

@@ -52,13 +52,13 @@ def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
 
 def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     """A row for each operating point, and the life of all together."""
-    found, life = spectrum_record(solution, readings), readings["life"]
-    name, inner, outer = found["bearing"] or "Bearing", solution.inner.load, solution.outer.load
-    head = f"{name}  {len(found['points'])} operating points. {asked_for(found['points'][0])}"
+    spectrum, life = spectrum_record(solution, readings), readings["life"]
+    name, inner, outer = spectrum["bearing"] or "Bearing", solution.inner.load, solution.outer.load
+    head = f"{name}  {len(spectrum['points'])} operating points. {asked_for(spectrum['points'][0])}"
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
     results = ("largest\nball load\nN", "life\nMrev", "life\nh", "damage\n%")
     heading, rows = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads), *results), []
-    for k, point in enumerate(found["points"]):
+    for k, point in enumerate(spectrum["points"]):
         largest = np.fmax(inner[k], outer[k])
         own = life.duration[k] / HOUR
         turns = own * HOUR * abs(life.speed[k]) / (2.0 * np.pi) / MILLION if life.speed[k] else np.nan
@@ -72,11 +72,11 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
             digits_of(own),
             digits_of(100.0 * (np.nan if point["damage_share"] is None else point["damage_share"])),
         ))  # fmt: skip
-    parts: list[Block] = [Paragraph(head, name), Paragraph(found["message"])]
+    parts: list[Block] = [Paragraph(head, name), Paragraph(spectrum["message"])]
     parts.append(Table(heading, rows, caption="Load spectrum"))
-    if found["duration_h"] is not None:
+    if spectrum["duration_h"] is not None:
         whole = (
-            f"Life under the whole spectrum: {digits_of(found['duration_h'])} h, {digits_of(found['life_Mrev'])} "
+            f"Life under the whole spectrum: {digits_of(spectrum['duration_h'])} h, {digits_of(spectrum['life_Mrev'])} "
             "million revolutions"
         )
         parts.append(Paragraph(whole, is_apart=True))

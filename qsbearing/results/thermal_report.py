@@ -76,14 +76,14 @@ def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
     if whole.state is None:
         reasons = " ".join(f"{translate(each)}." for each in whole.errors)
         return {"message": f"{WHOLE}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
-    found, assumed = speeds_record(whole.state), whole.assumed
+    record, assumed = speeds_record(whole.state), whole.assumed
     basis = f"{WHOLE} (assumed: {', '.join(assumed)})" if assumed else WHOLE
-    return {**found, "message": f"{basis}: {found['message'][0].lower()}{found['message'][1:]}", "assumed": assumed}
+    return {**record, "message": f"{basis}: {record['message'][0].lower()}{record['message'][1:]}", "assumed": assumed}
 
 
-def whole_bearing_table(found: dict[str, Any]) -> Table:
+def whole_bearing_table(record: dict[str, Any]) -> Table:
     """Of this record."""
-    return replace(speeds_table(found), caption="Likewise, with Palmgren's friction of the whole bearing")
+    return replace(speeds_table(record), caption="Likewise, with Palmgren's friction of the whole bearing")
 
 
 def _at_speed(state: ThermalState, each: State) -> dict[str, Any]:
@@ -99,9 +99,9 @@ SHOWN = 12
 """Rows of a table of a course, about."""
 
 
-def speeds_table(found: dict[str, Any]) -> Table:
+def speeds_table(record: dict[str, Any]) -> Table:
     """Of the record of steady states over speed."""
-    states, fold = along_curve({**found, "states": _thinned(found["states"])})
+    states, fold = along_curve({**record, "states": _thinned(record["states"])})
     rows = [
         (f"{each['speed_rpm']:.5g}", each, "the curve turns back" if number == fold else "")
         for number, each in enumerate(states)
@@ -109,10 +109,10 @@ def speeds_table(found: dict[str, Any]) -> Table:
     return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
 
 
-def course_table(found: dict[str, Any]) -> Table:
+def course_table(record: dict[str, Any]) -> Table:
     """Of the record of heating up."""
-    times = found["time_s"]
-    rows = [(f"{times[number]:.4g}", instant(found, number), "") for number in _thinned(range(len(times)))]
+    times = record["time_s"]
+    rows = [(f"{times[number]:.4g}", instant(record, number), "") for number in _thinned(range(len(times)))]
     return _course_table("Heating up", "s", rows)
 
 
@@ -135,12 +135,12 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
     return Table((along, *heads, *([""] if is_noted else [])), cells, sides + "l" * is_noted, title)
 
 
-def thermal_tables(found: dict[str, Any]) -> list[Block]:
+def thermal_tables(record: dict[str, Any]) -> list[Block]:
     """What a record says of a steady state: nodes, paths, and the verdict."""
-    nodes = [(name.in_words, digits_of(value)) for name, value in found["temperatures_C"].items()]
-    by = "" if found["friction"] == "contacts" else f" ({found['friction']})"
-    heat = [(f"{name.in_words}{by}", "", digits_of(value)) for name, value in found["powers_W"].items()]
-    for path in found["flows_W"]:
+    nodes = [(name.in_words, digits_of(value)) for name, value in record["temperatures_C"].items()]
+    by = "" if record["friction"] == "contacts" else f" ({record['friction']})"
+    heat = [(f"{name.in_words}{by}", "", digits_of(value)) for name, value in record["powers_W"].items()]
+    for path in record["flows_W"]:
         ends, flow = (path["from"].in_words, path["to"].in_words), path["heat_W"]
         heat.append(
             (*(ends if flow is None or flow >= 0.0 else ends[::-1]), digits_of(np.nan if flow is None else abs(flow)))
@@ -148,5 +148,5 @@ def thermal_tables(found: dict[str, Any]) -> list[Block]:
     return [
         Table(("node", "temperature °C"), nodes, caption="Steady state"),
         Table(("made by, or flowing from", "to", "W"), heat, "llr", "Heat"),
-        Paragraph(found["message"], is_apart=True),
+        Paragraph(record["message"], is_apart=True),
     ]

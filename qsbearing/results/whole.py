@@ -21,8 +21,8 @@ def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, A
     Args:
         readings: as `readings_record.all_taken` gives them.
     """
-    found = _record_of(solution)(solution, readings)
-    return found | (of_fits("fits_record", solution) or {})
+    record = _record_of(solution)(solution, readings)
+    return record | (of_fits("fits_record", solution) or {})
 
 
 def _record_of(solution: Solution | SetSolution) -> Callable[..., dict[str, Any]]:
@@ -43,9 +43,9 @@ def _record_of(solution: Solution | SetSolution) -> Callable[..., dict[str, Any]
     return record
 
 
-def with_input(of: Scene | BearingSet, found: dict[str, Any]) -> dict[str, Any]:
+def with_input(of: Scene | BearingSet, record: dict[str, Any]) -> dict[str, Any]:
     """A record with the input that it is reproduced from."""
-    return {"version": found["version"], "input": input_tables(of), **found}
+    return {"version": record["version"], "input": input_tables(of), **record}
 
 
 def of_fits(what: str, solution: Solution | SetSolution) -> Any:

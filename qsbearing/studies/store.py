@@ -17,7 +17,7 @@ from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.json_text import parsed
 from qsbearing.files.limits import LARGEST_RESULT
 from qsbearing.files.netcdf import damage_told, json_of
-from qsbearing.files.output_file import is_locked, place_of, put_in_place
+from qsbearing.files.output_file import is_locked, path_of_output, put_in_place
 from qsbearing.files.raw import check_regular, read_bytes
 from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk, solve_chunk
@@ -138,7 +138,7 @@ class Store:
         self.plan = plan
         self.points = points
         try:
-            self.place = place_of(os.fspath(out))
+            self.place = path_of_output(os.fspath(out))
             if self.place.exists() and not self.place.is_file():
                 raise refused(self.out, "is not a file, and cannot be replaced")
             self.folder = folder_of(out)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from qsbearing.documents import terminal
-from qsbearing.documents.model import Badge, Group, Table
+from qsbearing.documents.model import Badge, RowGroup, Table
 
 WIDTHS = (60, 80, 100)
 shown = terminal.text_of
@@ -13,7 +13,7 @@ shown = terminal.text_of
 def words_of(table: Table) -> set[str]:
     """Those of headings and of columns of words, but for columns that a narrow terminal may leave out."""
     kept = [number for number in range(len(table.headings)) if number not in table.spare]
-    rows = [row for row in table.rows if not isinstance(row, Group)]
+    rows = [row for row in table.rows if not isinstance(row, RowGroup)]
     cells = [row[number] for row in rows for number in kept if table.alignment[number] == "l"]
     texts = [*(table.headings[number] for number in kept), *cells]
     return {word for text in texts for word in str(text.word if isinstance(text, Badge) else text).split()}

@@ -7,7 +7,7 @@ import pytest
 
 from qsbearing.documents.data import BrokenLinkError
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Badge, Code, Document, Group, Md, Paragraph, Picture, Section, Table, Trace
+from qsbearing.documents.model import Badge, Code, Document, Md, Paragraph, Picture, RowGroup, Section, Table, Trace
 from tests.documents.example import NASTY, curve, document
 from tests.documents.page import Page
 
@@ -159,7 +159,7 @@ def test_mistakes_of_whoever_writes_a_document_are_refused() -> None:
     with pytest.raises(ValueError, match="1 cells in a row of 2"):
         Table(("a", "b"), [["1"]])
     with pytest.raises(ValueError, match="no rows across"):
-        Table(("a",), [Group("x")], tools=True)
+        Table(("a",), [RowGroup("x")], tools=True)
     with pytest.raises(ValueError, match="without words"):
         Picture(curve().data, " ")
     assert Badge("expected", "pass").kind == "pass"

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from qsbearing.documents.model import Badge, Block, Callout, Document, Facts, Group, Paragraph, Section, Table, Trace
+from qsbearing.documents.model import Badge, Block, Callout, Document, Facts, Paragraph, RowGroup, Section, Table, Trace
 from qsbearing.documents.pdf import pdf
 from tests.documents.example import NASTY, curve, document
 
@@ -53,7 +53,7 @@ def test_no_row_of_a_table_is_alone_on_a_page() -> None:
     tables = []
     for n in range(70):
         rows = [[f"row{n}.{k}.", long] for k in range(8)]
-        tables.append(Table(("", "text"), [*rows[:4], Group("across"), *rows[4:]]))
+        tables.append(Table(("", "text"), [*rows[:4], RowGroup("across"), *rows[4:]]))
     fillers = [Paragraph("filler " * (n % 37)) for n, _ in enumerate(tables)]
     blocks = [each for pair in zip(fillers, tables, strict=True) for each in pair]
     reader = pypdf.PdfReader(BytesIO(pdf(document(*blocks), strict=True)))

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Badge, Block, Bullets, Callout, Group, Paragraph, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Callout, Paragraph, RowGroup, Table
 from qsbearing.documents.terminal import text_of
 from tests.documents.names import broken
 
@@ -56,7 +56,7 @@ def test_no_number_is_cut_and_no_word(width: int) -> None:
 @pytest.mark.parametrize("width", range(40, 100, 6))
 def test_a_group_s_long_text_cuts_no_number(width: int) -> None:
     text = "outer, Q = 800 N at 20.18°: exact gap over parabola, true bodies of both rings"
-    rows = [Group(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
+    rows = [RowGroup(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
     lines = text_of([Table(("", "found", "deviation", ""), rows, "lrrl")], width).splitlines()
     assert max(map(len, lines)) <= width
     assert lines[-1].split() == ["approach", "1.00482", "-0.004", "±", "0.030", "pass"]

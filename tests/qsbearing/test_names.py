@@ -18,13 +18,6 @@ ROOT = Path(__file__).parents[2]
 PACKAGES = ("qsbearing", "fem_check")
 NAME = "found"
 
-NOT_YET = {"qsbearing/model", "qsbearing/results"}
-"""Folders that still have the variable. It only shrinks: one that has it no more is to be taken out."""
-NOT_YET_ONCE = {
-    "Array", "Change", "Entry", "Facts", "Found", "Kind", "Range", "Row", "Solution", "Table",
-}  # fmt: skip
-"""Classes of `qsbearing` whose names stand more than once. It only shrinks too."""
-
 
 @cache
 def trees(folder: str) -> list[tuple[str, ast.Module]]:
@@ -68,15 +61,11 @@ def several() -> dict[str, list[str]]:
 
 def test_no_variable_is_named_found() -> None:
     places = places_of(*PACKAGES, "tests/fem_check")
-    new = {folder: lines for folder, lines in places.items() if folder not in NOT_YET}
-    assert new == {}, "name it by what it is: a record, errors, a table, a step, rows"
-    assert NOT_YET - set(places) == set(), "these folders have it no more: take them out of NOT_YET"
+    assert places == {}, "name it by what it is: a record, errors, a table, a step, rows"
 
 
 def test_a_class_name_stands_once() -> None:
-    repeated = several()
-    assert {name: files for name, files in repeated.items() if name not in NOT_YET_ONCE} == {}
-    assert NOT_YET_ONCE - set(repeated) == set(), "these stand once: take them out of NOT_YET_ONCE"
+    assert several() == {}
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from qsbearing.files.scene_file import scene_of
-from qsbearing.model.compiler.compiled import Entry
+from qsbearing.model.compiler.compiled import CompiledEntry
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solver import solve
 from qsbearing.readings.asked import take_asked
@@ -43,14 +43,14 @@ def with_many(scene: Scene) -> list[Scene]:
 def test_a_pass_is_compiled_for_one_kind_of_arrays(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whether numbers come one for all cases or one for each."""
     kinds: dict[str, set[Any]] = defaultdict(set)
-    called = Entry.__call__
+    called = CompiledEntry.__call__
 
-    def noted(entry: Entry, *args: Any) -> Any:
+    def noted(entry: CompiledEntry, *args: Any) -> Any:
         kinds[entry.name].add(tuple(map(kind_of, args)))
         return called(entry, *args)
 
     scene = scene_of(with_readings(), "")
-    monkeypatch.setattr(Entry, "__call__", noted)
+    monkeypatch.setattr(CompiledEntry, "__call__", noted)
     for each in with_many(scene):
         take_asked(solve(each))
     passes = {name: found for name, found in kinds.items() if name.startswith("qsbearing.readings.")}

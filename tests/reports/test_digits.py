@@ -9,7 +9,7 @@ from qsbearing.model.operation import STRAIGHT
 from qsbearing.reports.inputs import bearing_lines
 from qsbearing.results import report
 from qsbearing.results.thermal_report import _course_table
-from qsbearing.systems.heat.state import Part
+from qsbearing.systems.heat.state import NetworkPart
 from tests.systems.heat.spindle import scene
 
 GIVEN = {
@@ -52,7 +52,7 @@ def test_what_follows_from_the_given_one_is_not_from_the_scene() -> None:
 
 
 def test_a_column_of_remarks_is_there_only_with_remarks() -> None:
-    state = {"temperatures_C": {Part("balls"): 60.0}, "power_W": 3.0, "axial_load_N": [500.0]}
+    state = {"temperatures_C": {NetworkPart("balls"): 60.0}, "power_W": 3.0, "axial_load_N": [500.0]}
     assert _course_table("", "rpm", [("1", state, ""), ("2", state, "")]).headings[-1] == "axial load\nN"
     noted = _course_table("", "rpm", [("1", state, ""), ("2", state, "turns")])
     assert [row[-1] for row in noted.rows] == ["", "turns"] and len(noted.headings) == len(noted.align) == 5

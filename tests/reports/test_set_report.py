@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.documents.model import Group, Table
+from qsbearing.documents.model import RowGroup, Table
 from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
 from qsbearing.reports import set_curves, set_inputs, statements
@@ -314,7 +314,7 @@ def test_the_input_has_points_the_matrix_of_a_housing_and_the_numbers_of_the_hea
         friction="skf",
     )
     (table,) = (each for each in set_inputs.section(of, "", heat).blocks if isinstance(each, Table) and each.stack)
-    lines = {str(row[0]): tuple(row[1:3]) for row in table.rows if not isinstance(row, Group)}
+    lines = {str(row[0]): tuple(row[1:3]) for row in table.rows if not isinstance(row, RowGroup)}
     assert lines["tool_mm"] == ("-80", "mm")
     assert lines["matrix_SI, row 4"] == ("0, 0, 0, 400000, 0", "SI")
     assert lines["friction"] == ("skf", "")

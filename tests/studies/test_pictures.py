@@ -12,7 +12,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files.scene_file import document_of, scene_of
-from qsbearing.pictures.study import Kind, PictureError, picture, select
+from qsbearing.pictures.study import PictureError, PictureKind, picture, select
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, label_curves, title_panel
 from qsbearing.pictures.study.maps import extended_below_zero
@@ -188,7 +188,7 @@ def test_axes_are_chosen() -> None:
     study = Study.of("b218", {"speed_rpm": "0:1:3", "axial_load_N": [1, 2, 3, 4], "ball_count": [9, 10]})
     chosen = select(sweep(study, None), at={"axial_load_N": 2})
     assert (chosen.x, chosen.other, chosen.fixed) == ("speed_rpm", "ball_count", {"axial_load_N": 2.0})
-    chosen = select(sweep(study, None), x="ball_count", kind=Kind.MAP)
+    chosen = select(sweep(study, None), x="ball_count", kind=PictureKind.MAP)
     assert (chosen.x, chosen.other, chosen.fixed) == ("ball_count", "axial_load_N", {"speed_rpm": 0.0})
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import as_read, reasons
 from fem_check.report.sections import tolerances
-from qsbearing.documents.model import Bullets, Cell, Group, Md, Paragraph, Section, Table
+from qsbearing.documents.model import Bullets, Cell, Md, Paragraph, RowGroup, Section, Table
 
 WORDS = Md(
     "The reason of each limit, as it is kept with each row. Reasons and references of single rows, and those of "
@@ -16,10 +16,10 @@ WORDS = Md(
 
 def section(evidence: Evidence) -> Section:
     """Reasons and widths."""
-    lines: list[list[Cell] | Group] = []
+    lines: list[list[Cell] | RowGroup] = []
     for name, kept in evidence.checks.items():
         entry = kept.data
-        lines.append(Group(f"{name}: {as_read(entry['reference'])}. Limits: {as_read(entry['tolerance'])}"))
+        lines.append(RowGroup(f"{name}: {as_read(entry['reference'])}. Limits: {as_read(entry['tolerance'])}"))
         lines += reasons([row for row in entry["rows"] if row["verdict"] != "finding"])
     limits = Table(("quantity", "limit", "reason"), lines, "lll", "Limits of the checks", stack=True)
     return Section("Annex: limits and their reasons", [Paragraph(WORDS), limits, tolerances.section(evidence)], "annex")

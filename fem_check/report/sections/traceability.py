@@ -14,7 +14,7 @@ from fem_check.report.questions import Question
 from fem_check.report.rows import counts
 from fem_check.running import kept_files
 from qsbearing import __version__
-from qsbearing.documents.model import Badge, Block, Bullets, Cell, Code, Facts, Group, Md, Paragraph, Section, Table
+from qsbearing.documents.model import Badge, Block, Bullets, Cell, Code, Facts, Md, Paragraph, RowGroup, Section, Table
 from qsbearing.results import provenance
 
 NOT_RECORDED = "not recorded"
@@ -26,9 +26,9 @@ def section(evidence: Evidence, questions: Sequence[Question]) -> Section:
     used = [kept for each in questions for kept in each.records]
     rest = [kept for kept in evidence.all() if kept not in used]
     groups = [*((f"{n}. {each.text}", each.records) for n, each in enumerate(questions, 1)), ("Further records", rest)]
-    lines: list[list[Cell] | Group] = []
+    lines: list[list[Cell] | RowGroup] = []
     for name, records in groups:
-        lines += [Group(name), *map(_line, records)] if records else []
+        lines += [RowGroup(name), *map(_line, records)] if records else []
     unknown = [kept.name for kept in evidence.all() if not kept.provenance.get("commit")]
     headings = ("check", "record", "made at", "rows", "sha256")
     blocks: list[Block] = [Table(headings, lines, "lllll", "Requirement, check, record, sum", stack=True)]

@@ -53,7 +53,7 @@ class _Process:
 _process = _Process()
 functions: dict[Any, str] = {}
 """Those of the kernel, and what they are for."""
-entries: list[Entry] = []
+entries: list[CompiledEntry] = []
 
 
 def kernel(function: F) -> F:
@@ -86,12 +86,12 @@ def entry(*kinds: Any) -> Callable[[F], F]:
     """
 
     def made(function: F) -> F:
-        return cast(F, functools.wraps(function)(Entry(function, kinds)))
+        return cast(F, functools.wraps(function)(CompiledEntry(function, kinds)))
 
     return made
 
 
-class Entry:
+class CompiledEntry:
     """A function through which Python solves or reads."""
 
     def __init__(self, function: Any, kinds: tuple[Any, ...]) -> None:

@@ -50,10 +50,10 @@ def file_of(name: str) -> str:
 
 def digest(files: Iterable[str]) -> str:
     """Of these files of the packages, whatever their line ends."""
-    found = hashlib.sha256()
+    sha256 = hashlib.sha256()
     for name in files:
-        found.update(f"{name}\n".encode() + (ROOT / name).read_bytes().replace(b"\r\n", b"\n"))
-    return found.hexdigest()
+        sha256.update(f"{name}\n".encode() + (ROOT / name).read_bytes().replace(b"\r\n", b"\n"))
+    return sha256.hexdigest()
 
 
 def found() -> Library | None:

@@ -63,8 +63,8 @@ def called(name: str, run: Any, kinds: tuple[Any, ...], returns: str) -> Callabl
             raise RuntimeError(f"{name} ended with status {status}")
         if room is None:
             return None
-        found = returned.unpack(room)
-        return found if len(found) > 1 else found[0]
+        values = returned.unpack(room)
+        return values if len(values) > 1 else values[0]
 
     return call
 

@@ -30,9 +30,9 @@ class Record:
 
     def __getattr__(self, name: str) -> Any:
         """What holds several numbers, when the kernel first looks at it."""
-        found = self._views[name][self._index].data
-        setattr(self, name, found)
-        return found
+        view = self._views[name][self._index].data
+        setattr(self, name, view)
+        return view
 
 
 class Records(dict[Any, Any]):
@@ -48,22 +48,22 @@ class Records(dict[Any, Any]):
     def __missing__(self, place: Any) -> Any:
         """Made at the first look."""
         index = place if isinstance(place, tuple) else (place,)
-        found: Any
+        element: Any
         if len(index) < self.array.ndim:
-            found = Records(self.array[index])
+            element = Records(self.array[index])
         else:
             numbers = dict(zip(self._names, self._single.item(*index), strict=True))
-            found = Record(numbers, self._views, index)
-        self[place] = found
-        return found
+            element = Record(numbers, self._views, index)
+        self[place] = element
+        return element
 
     def write_back(self) -> None:
         """Into the array."""
-        for place, found in self.items():
-            if isinstance(found, Records):
-                found.write_back()
+        for place, element in self.items():
+            if isinstance(element, Records):
+                element.write_back()
             else:
-                self._single[place] = self._numbers(found)
+                self._single[place] = self._numbers(element)
 
 
 @cache
@@ -83,14 +83,14 @@ def call(function: Callable[..., Any], args: tuple[Any, ...]) -> Any:
     before = [array.tobytes() for array in given.values()]
     records = {key: Records(array) for key, array in given.items() if array.dtype.names}
     try:
-        found = function(*(_plain(each, records) for each in args))
+        returned = function(*(_plain(each, records) for each in args))
     except (ArithmeticError, ValueError, TypeError):
         for array, as_it_was in zip(given.values(), before, strict=True):
             array[...] = np.frombuffer(as_it_was, array.dtype).reshape(array.shape)
         return function(*args)
     for each in records.values():
         each.write_back()
-    return found
+    return returned
 
 
 def _plain(arg: Any, records: dict[int, Records]) -> Any:

@@ -105,15 +105,15 @@ def contacts_outside_groove(case: recarray, work: recarray, balls: ndarray) -> i
     At an angle below zero a contact lies on the open side of an angular-contact bearing; beyond a right angle it lies
     over the shoulder of any groove.
     """
-    found = 0
+    bits = 0
     for n in range(work.ball_count):
         ball = balls[n]
         if ball.inner_approach > 0.0:
             if case.one_sided and ball.inner_sine < -ANGLE_ROUNDING:
-                found |= OPEN_SIDE
+                bits |= OPEN_SIDE
             if ball.inner_cosine < -ANGLE_ROUNDING:
-                found |= OVER_SHOULDER
-    return found
+                bits |= OVER_SHOULDER
+    return bits
 
 
 @kernel
@@ -154,16 +154,16 @@ def inadmissibility(case: recarray, work: recarray, balls: ndarray) -> int:
     friction that would have to be above the load. Under the bound of a case that says what friction there is, what is
     asked beyond makes a ball slip, and no equilibrium inadmissible.
     """
-    found = contacts_outside_groove(case, work, balls)
-    if found == 0 and has_angles_apart(case, work, balls):
-        found |= FRICTION_WITHOUT_LOAD
-    if found == 0 and any_stands(case, work, balls):
-        found |= NO_ORBIT
+    reasons = contacts_outside_groove(case, work, balls)
+    if reasons == 0 and has_angles_apart(case, work, balls):
+        reasons |= FRICTION_WITHOUT_LOAD
+    if reasons == 0 and any_stands(case, work, balls):
+        reasons |= NO_ORBIT
     if case.friction_coefficient != NO_BOUND and work.friction_bound != NO_BOUND:
-        return found
+        return reasons
     most, least = FAR_MORE_THAN_LOAD, STALLED
     if work.friction_bound != NO_BOUND:
         most, least = LOAD_BOUND, NO_FORCE
     if any_demands_friction(case, work, balls, most, least):
-        found |= FRICTION_WITHOUT_LOAD
-    return found
+        reasons |= FRICTION_WITHOUT_LOAD
+    return reasons

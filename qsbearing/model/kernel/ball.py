@@ -97,23 +97,23 @@ def moving_ball(
     Returns:
         imbalance, load, lighter, fc and friction of `Evaluated`.
     """
-    found = evaluated(case, work, ball, rolling_line(case, ball), a1, a2)
-    ball.imbalance[0], ball.imbalance[1] = found.r1, found.r2
-    ball.force[0], ball.force[1], ball.force[2] = found.h1, found.h2, found.h3
-    ball.condensed[0], ball.condensed[1], ball.condensed[2] = found.c1, found.c2, found.c3
-    ball.stiffness[0, 0], ball.stiffness[0, 1] = found.k11, found.k12
-    ball.stiffness[1, 0], ball.stiffness[1, 1] = found.k21, found.k22
-    ball.stiffness[2, 0], ball.stiffness[2, 1] = found.k31, found.k32
+    terms = evaluated(case, work, ball, rolling_line(case, ball), a1, a2)
+    ball.imbalance[0], ball.imbalance[1] = terms.r1, terms.r2
+    ball.force[0], ball.force[1], ball.force[2] = terms.h1, terms.h2, terms.h3
+    ball.condensed[0], ball.condensed[1], ball.condensed[2] = terms.c1, terms.c2, terms.c3
+    ball.stiffness[0, 0], ball.stiffness[0, 1] = terms.k11, terms.k12
+    ball.stiffness[1, 0], ball.stiffness[1, 1] = terms.k21, terms.k22
+    ball.stiffness[2, 0], ball.stiffness[2, 1] = terms.k31, terms.k32
     ball.y1, ball.y2, ball.y11, ball.y12, ball.y21, ball.y22 = (
-        found.y1, found.y2, found.y11, found.y12, found.y21, found.y22,
+        terms.y1, terms.y2, terms.y11, terms.y12, terms.y21, terms.y22,
     )  # fmt: skip
     if case.elastic_rings:
-        ball.outer_force, ball.outer_condensed = found.outer_force, found.outer_condensed
-        ball.outer_stiffness_1, ball.outer_stiffness_2 = found.outer_stiffness_1, found.outer_stiffness_2
-    ball.follows_inertia = found.follows_inertia
-    ball.outer_inverse, ball.inner_inverse = found.outer_inverse, found.inner_inverse
-    ball.closure1, ball.closure2 = found.closure1, found.closure2
-    return found.imbalance, found.load, found.lighter, found.fc, found.friction
+        ball.outer_force, ball.outer_condensed = terms.outer_force, terms.outer_condensed
+        ball.outer_stiffness_1, ball.outer_stiffness_2 = terms.outer_stiffness_1, terms.outer_stiffness_2
+    ball.follows_inertia = terms.follows_inertia
+    ball.outer_inverse, ball.inner_inverse = terms.outer_inverse, terms.inner_inverse
+    ball.closure1, ball.closure2 = terms.closure1, terms.closure2
+    return terms.imbalance, terms.load, terms.lighter, terms.fc, terms.friction
 
 
 @inlined

@@ -97,25 +97,25 @@ def try_strategy(case: recarray, work: recarray, balls: ndarray, tolerance: floa
     else:
         reached = follow(case, work, balls, heaviest)
     work.load_factor, work.speed_factor = 1.0, 1.0
-    found = solve_with_controls(case, work, balls, tolerance) if reached == 1.0 else NOTHING
-    if found == NOTHING:
+    outcome = solve_with_controls(case, work, balls, tolerance) if reached == 1.0 else NOTHING
+    if outcome == NOTHING:
         pseudo_transient(case, work, balls)
-        found = solve_with_controls(case, work, balls, tolerance)
-    if found == NOTHING and strategy == UP_IN_SPEED and 0.0 < reached < 1.0:
+        outcome = solve_with_controls(case, work, balls, tolerance)
+    if outcome == NOTHING and strategy == UP_IN_SPEED and 0.0 < reached < 1.0:
         restore(work, balls, CONTINUATION)
         work.speed_factor = reached
         if newton(case, work, balls, tolerance) and inadmissibility(case, work, balls) != 0:
-            found = REFUSED
-    return found
+            outcome = REFUSED
+    return outcome
 
 
 @kernel
-def release_bound(case: recarray, work: recarray, balls: ndarray, tolerance: float, found: int) -> int:
+def release_bound(case: recarray, work: recarray, balls: ndarray, tolerance: float, outcome: int) -> int:
     """From an equilibrium with bounded friction to one without the bound, or with the case's own: what is found."""
     own = case.friction_coefficient
     if not any_demands_friction(case, work, balls, work.friction_bound, NO_FORCE):
         work.friction_bound = own
-        return found
+        return outcome
     save(work, balls, BOUNDED)
     work.friction_bound = own
     released = solve_with_controls(case, work, balls, tolerance)
@@ -140,15 +140,15 @@ def solve_at_speed_by_fallback(case: recarray, work: recarray, balls: ndarray, t
             for strategy in (LIGHTER_LOADS, UP_IN_SPEED):
                 set_controls(case, work, balls, control)
                 work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, bound
-                found = try_strategy(case, work, balls, tolerance, strategy)
-                if bound != own and found != NOTHING and work.speed_factor == 1.0:
-                    found = release_bound(case, work, balls, tolerance, found)
-                if found == SOUND:
+                outcome = try_strategy(case, work, balls, tolerance, strategy)
+                if bound != own and outcome != NOTHING and work.speed_factor == 1.0:
+                    outcome = release_bound(case, work, balls, tolerance, outcome)
+                if outcome == SOUND:
                     return SOUND
-                if found == CONTRADICTED and not is_contradicted:
+                if outcome == CONTRADICTED and not is_contradicted:
                     is_contradicted = True
                     save(work, balls, ADMISSIBLE)
-                if found == REFUSED:
+                if outcome == REFUSED:
                     # Friction above load is better shown by the ball that slips under the bound than without one.
                     is_plain = bound != NO_BOUND or contacts_outside_groove(case, work, balls) != 0
                     if evidence < (2 if is_plain else 1):
@@ -167,20 +167,20 @@ def solve_at_speed_by_fallback(case: recarray, work: recarray, balls: ndarray, t
 def solve_by_fallback(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> tuple[int, int]:
     """Solve one case, ring and balls in place: (status, what there is to say of it as bits)."""
     if not is_moving(case):
-        found = solve_rest(case, work, balls, tolerance)
+        outcome = solve_rest(case, work, balls, tolerance)
     else:
-        found = solve_at_speed_by_fallback(case, work, balls, tolerance)
-        if found == NOTHING:  # unless it has no equilibrium at rest already
+        outcome = solve_at_speed_by_fallback(case, work, balls, tolerance)
+        if outcome == NOTHING:  # unless it has no equilibrium at rest already
             work.load_factor, work.speed_factor, work.friction_bound = 1.0, 0.0, case.friction_coefficient
             residual = work.residual
             if solve_rest(case, work, balls, tolerance) == REFUSED:
-                found = REFUSED
+                outcome = REFUSED
             elif not is_far(work):
                 work.speed_factor, work.residual = 1.0, residual
-    notes = remarks(case, found)
-    if found >= CONTRADICTED:
+    notes = remarks(case, outcome)
+    if outcome >= CONTRADICTED:
         return CONVERGED, notes
-    if found == REFUSED:
+    if outcome == REFUSED:
         return NO_EQUILIBRIUM, notes | inadmissibility(case, work, balls)
     if is_far(work):
         return NO_EQUILIBRIUM, notes | UNSUPPORTED

@@ -91,28 +91,28 @@ def evaluate_in_lane(
         ball.seen_by_approach[lane],
     )  # fmt: skip
     a1, a2 = groove_centre_in(ring, lane, here)
-    found = evaluated(case, work, here, seen, a1, a2)
-    least = max(found.lighter, ring.least[lane])
-    ring.worst[lane] = kept(max(ring.worst[lane], found.imbalance))
+    terms = evaluated(case, work, here, seen, a1, a2)
+    least = max(terms.lighter, ring.least[lane])
+    ring.worst[lane] = kept(max(ring.worst[lane], terms.imbalance))
     own = ring.worst_own[lane]
-    ring.worst_own[lane] = kept(found.imbalance / least if found.imbalance > own * least else own)
-    ring.total[lane] += found.imbalance
-    ring.inertial[lane] = kept(max(ring.inertial[lane], max(found.fc, found.friction)))
-    ring.contact[lane] = kept(max(ring.contact[lane], found.load))
+    ring.worst_own[lane] = kept(terms.imbalance / least if terms.imbalance > own * least else own)
+    ring.total[lane] += terms.imbalance
+    ring.inertial[lane] = kept(max(ring.inertial[lane], max(terms.fc, terms.friction)))
+    ring.contact[lane] = kept(max(ring.contact[lane], terms.load))
     ring.largest_approach[lane] = kept(max(ring.largest_approach[lane], here.inner_approach))
-    ball.y1[lane], ball.y2[lane], ball.y11[lane], ball.y12[lane] = found.y1, found.y2, found.y11, found.y12
-    ball.y21[lane], ball.y22[lane] = found.y21, found.y22
-    ball.follows_inertia[lane] = 1.0 if found.follows_inertia else 0.0
-    ball.outer_inverse[lane], ball.inner_inverse[lane] = found.outer_inverse, found.inner_inverse
-    ball.closure1[lane], ball.closure2[lane] = found.closure1, found.closure2
-    is_closed = found.closure1 == 0.0 and found.closure2 == 0.0
+    ball.y1[lane], ball.y2[lane], ball.y11[lane], ball.y12[lane] = terms.y1, terms.y2, terms.y11, terms.y12
+    ball.y21[lane], ball.y22[lane] = terms.y21, terms.y22
+    ball.follows_inertia[lane] = 1.0 if terms.follows_inertia else 0.0
+    ball.outer_inverse[lane], ball.inner_inverse[lane] = terms.outer_inverse, terms.inner_inverse
+    ball.closure1[lane], ball.closure2[lane] = terms.closure1, terms.closure2
+    is_closed = terms.closure1 == 0.0 and terms.closure2 == 0.0
     ring.is_open[lane] = kept(ring.is_open[lane] if is_closed else 1.0)
     levers = cosine, sine, case.tilt_lever * sine, case.tilt_lever * -cosine
-    add_row(ring, 0, lane, weight, found.h1, found.c1, found.k11, found.k12, levers)
-    add_row(ring, 1, lane, weight * cosine, found.h2, found.c2, found.k21, found.k22, levers)
-    add_row(ring, 2, lane, weight * sine, found.h2, found.c2, found.k21, found.k22, levers)
-    add_row(ring, 3, lane, weight * sine, found.h3, found.c3, found.k31, found.k32, levers)
-    add_row(ring, 4, lane, weight * -cosine, found.h3, found.c3, found.k31, found.k32, levers)
+    add_row(ring, 0, lane, weight, terms.h1, terms.c1, terms.k11, terms.k12, levers)
+    add_row(ring, 1, lane, weight * cosine, terms.h2, terms.c2, terms.k21, terms.k22, levers)
+    add_row(ring, 2, lane, weight * sine, terms.h2, terms.c2, terms.k21, terms.k22, levers)
+    add_row(ring, 3, lane, weight * sine, terms.h3, terms.c3, terms.k31, terms.k32, levers)
+    add_row(ring, 4, lane, weight * -cosine, terms.h3, terms.c3, terms.k31, terms.k32, levers)
 
 
 @inlined

@@ -282,8 +282,8 @@ def judge(
         case, work, ring.worst[lane], ring.worst_own[lane], ring.total[lane], ring.inertial[lane], ring.contact[lane]
     )
     ring.regularisation[lane] = work.regularisation
-    found = verdict(residual, own_residual, ring.before[lane], ring.is_last[lane] != 0, tolerance)
-    if found != UNSOLVED and ring.is_closed[lane] == 0 and ring.is_open[lane] != 0.0:
+    convergence = verdict(residual, own_residual, ring.before[lane], ring.is_last[lane] != 0, tolerance)
+    if convergence != UNSOLVED and ring.is_closed[lane] == 0 and ring.is_open[lane] != 0.0:
         leave(ring, lane_balls, lane, work, balls)
         close_loops(case, work, balls)
         for n in range(work.ball_count):
@@ -292,7 +292,7 @@ def judge(
         ring.before[lane], ring.is_closed[lane] = -1.0, 1
         ring.is_last[lane] = 1 if ring.closings[lane] > CLOSINGS else 0
         return False
-    if found == SOLVED:
+    if convergence == SOLVED:
         leave(ring, lane_balls, lane, work, balls)
         work.residual, work.iterations = residual, ring.iterations[lane]
         return True
@@ -305,7 +305,7 @@ def judge(
         return False
     for p in range(work.channel_count):
         ring.step[work.channel[p], lane] = -work.right_side[p]
-    ring.before[lane], ring.is_closed[lane], ring.is_last[lane] = residual, 0, 1 if found == NEARLY else 0
+    ring.before[lane], ring.is_closed[lane], ring.is_last[lane] = residual, 0, 1 if convergence == NEARLY else 0
     ring.steps[lane], ring.is_near[lane] = 1.0, 1.0 if residual < NEAR else 0.0
     ring.iterations[lane] += 1
     return False
@@ -385,7 +385,7 @@ def solve_batch(
     left = np.flatnonzero(results["status"] == UNFINISHED)
     if left.size == 0:
         return 0
-    found = results[left], positions[left], controls[left]
-    unfinished = solve_cases(cases[left], workspaces, balls, own[left], tolerance, budget, is_warm, *found)
-    results[left], positions[left], controls[left] = found
+    remaining = results[left], positions[left], controls[left]
+    unfinished = solve_cases(cases[left], workspaces, balls, own[left], tolerance, budget, is_warm, *remaining)
+    results[left], positions[left], controls[left] = remaining
     return int(unfinished)

@@ -62,17 +62,17 @@ def newton(case: recarray, work: recarray, balls: ndarray, tolerance: float) -> 
         work.residual = residual if residual < inf else 1.0
         if not residual < inf:
             return False
-        found = verdict(residual, own_residual, before, is_last, tolerance)
-        if found != UNSOLVED and not is_closed and has_closure_residual(work, balls):
+        convergence = verdict(residual, own_residual, before, is_last, tolerance)
+        if convergence != UNSOLVED and not is_closed and has_closure_residual(work, balls):
             close_loops(case, work, balls)  # what hardly acted while open may act once closed
             closings += 1
             before, is_last, is_closed = -1.0, closings > CLOSINGS, True
             continue
-        if found == SOLVED:
+        if convergence == SOLVED:
             return True
-        if found == UNSOLVED and (iterations >= MOST_ITERATIONS or work.iterations >= work.budget):
+        if convergence == UNSOLVED and (iterations >= MOST_ITERATIONS or work.iterations >= work.budget):
             return False
-        is_last = found == NEARLY
+        is_last = convergence == NEARLY
         fraction = propose_step(case, work, balls)
         if fraction < 0.0:
             work.residual = 1.0

@@ -84,9 +84,9 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
     outer_compliance, inner_compliance = work.outer_compliance, work.inner_compliance
     columns = work.channel_count
     modes = work.mode_count
-    free, found = modes + columns, modes + columns + 1  # z without a step of the ring; z of the loads as they are
+    free, loaded = modes + columns, modes + columns + 1  # z without a step of the ring; z of the loads as they are
     for m in range(modes):
-        for column in range(found + 1):
+        for column in range(loaded + 1):
             system[m, column] = 0.0
         system[m, m] = 1.0
         for p in range(columns):
@@ -114,7 +114,7 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
             for p in range(columns):
                 system[m, modes + p] += lever[p] * (across if row[p] == 1 else along)
             system[m, free] += outer * g + inner * h
-            system[m, found] += outer * outer_force + inner * inner_force
+            system[m, loaded] += outer * outer_force + inner * inner_force
         for p in range(columns):
             by_give = factor[p] * stiffness[row[p], 1]
             right_side[p] += by_give * give
@@ -126,7 +126,7 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
         values_at(work, ball)
         error = ball.give
         for m in range(modes):
-            error -= value[m] * system[m, found]
+            error -= value[m] * system[m, loaded]
         force = abs(error) * max(abs(ball.stiffness[0, 1]), abs(ball.stiffness[1, 1]))
         worst, total = max(worst, force), total + force
     if not eliminate(system, modes, free + 1):

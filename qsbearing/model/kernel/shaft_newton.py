@@ -54,17 +54,17 @@ def shaft_newton(
         shaft.residual = residual if residual < inf else 1.0
         if not residual < inf:
             return False
-        found = verdict(residual, own_residual, before, is_last, tolerance)
-        if found != UNSOLVED and not is_closed and any_open(works, balls):
+        convergence = verdict(residual, own_residual, before, is_last, tolerance)
+        if convergence != UNSOLVED and not is_closed and any_open(works, balls):
             close_rows(cases, works, balls, k)
             closings += 1
             before, is_last, is_closed = -1.0, closings > CLOSINGS, True
             continue
-        if found == SOLVED:
+        if convergence == SOLVED:
             return True
-        if found == UNSOLVED and iterations >= MOST_ITERATIONS:
+        if convergence == UNSOLVED and iterations >= MOST_ITERATIONS:
             return False
-        is_last = found == NEARLY
+        is_last = convergence == NEARLY
         fraction = propose_shaft_step(cases, works, balls, matrices, shafts, system, k)
         if fraction < 0.0:
             return False

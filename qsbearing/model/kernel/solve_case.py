@@ -130,14 +130,14 @@ def solve_with_controls(case: recarray, work: recarray, balls: ndarray, toleranc
     criterion contradicts are changed; and the equilibrium is sought again from where it was. Where that leads to no
     admissible one, the last admissible one stands, and contradicts its controls; else the last inadmissible one.
     """
-    found, replacements = NOTHING, 0
+    outcome, replacements = NOTHING, 0
     while newton(case, work, balls, tolerance):
         is_admissible = inadmissibility(case, work, balls) == 0
         if is_admissible and case.control != PER_BALL:
             return SOUND
-        if is_admissible or found != CONTRADICTED:
+        if is_admissible or outcome != CONTRADICTED:
             save(work, balls, CONTROLS)
-            found = CONTRADICTED if is_admissible else REFUSED
+            outcome = CONTRADICTED if is_admissible else REFUSED
         if not is_admissible and replacements < MOST_REPLACEMENTS and replace_standing_balls(case, work, balls):
             replacements += 1
             continue
@@ -148,9 +148,9 @@ def solve_with_controls(case: recarray, work: recarray, balls: ndarray, toleranc
             return SOUND
         if changed == 0:
             break
-    if found != NOTHING:
+    if outcome != NOTHING:
         restore_all(work, balls, CONTROLS)
-    return found
+    return outcome
 
 
 @kernel
@@ -173,25 +173,25 @@ def solve_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: fl
     contact is asked for more than it can carry, that is the start; where it leads nowhere, or nothing was found, so are
     the others.
     """
-    found = search_at_speed(case, work, balls, tolerance, is_warm)
+    outcome = search_at_speed(case, work, balls, tolerance, is_warm)
     if case.friction_coefficient == NO_BOUND:
-        return found
-    if found >= CONTRADICTED:
-        found = bound_friction(case, work, balls, tolerance, found)
-        if found >= CONTRADICTED:
-            return found
+        return outcome
+    if outcome >= CONTRADICTED:
+        outcome = bound_friction(case, work, balls, tolerance, outcome)
+        if outcome >= CONTRADICTED:
+            return outcome
     work.friction_bound = case.friction_coefficient
     return search_at_speed(case, work, balls, tolerance, False)
 
 
 @kernel
-def bound_friction(case: recarray, work: recarray, balls: ndarray, tolerance: float, found: int) -> int:
+def bound_friction(case: recarray, work: recarray, balls: ndarray, tolerance: float, outcome: int) -> int:
     """From an equilibrium, under the case's own friction coefficient to one under it: what is found."""
     bound = case.friction_coefficient
     is_slipping = any_demands_friction(case, work, balls, bound, NO_FORCE)
     work.friction_bound = bound
     if not is_slipping:
-        return found
+        return outcome
     for n in range(work.ball_count):
         balls[n].control_changes = 0
     return solve_with_controls(case, work, balls, tolerance)
@@ -206,9 +206,9 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
     """
     if is_warm:
         close_loops(case, work, balls)
-        found = solve_with_controls(case, work, balls, tolerance)
-        if found >= CONTRADICTED:
-            return found
+        outcome = solve_with_controls(case, work, balls, tolerance)
+        if outcome >= CONTRADICTED:
+            return outcome
     is_contradicted, is_refused = False, False
     is_rest_first = not is_thrust_like(case) and is_load_dominant(case, work)
     for control in range(OUTER, INNER + 1 if case.control == PER_BALL else OUTER + 1):
@@ -218,13 +218,13 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
                 guess_from_rest(case, work, balls)
             else:
                 guess_closed_form(case, work, balls)
-            found = solve_with_controls(case, work, balls, tolerance)
-            if found == SOUND:
+            outcome = solve_with_controls(case, work, balls, tolerance)
+            if outcome == SOUND:
                 return SOUND
-            if found == CONTRADICTED and not is_contradicted:
+            if outcome == CONTRADICTED and not is_contradicted:
                 save(work, balls, ADMISSIBLE)
                 is_contradicted = True
-            if found == REFUSED and not is_refused:
+            if outcome == REFUSED and not is_refused:
                 save(work, balls, INADMISSIBLE)
                 is_refused = True
     if is_contradicted:
@@ -237,10 +237,10 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
 
 
 @kernel
-def remarks(case: recarray, found: int) -> int:
+def remarks(case: recarray, outcome: int) -> int:
     """What is to be said of a case that converged, as bits."""
     bits = UNLOADED_RING if is_unloaded(case) else 0
-    return bits | NO_CONSISTENT_CONTROL if found == CONTRADICTED else bits
+    return bits | NO_CONSISTENT_CONTROL if outcome == CONTRADICTED else bits
 
 
 @kernel
@@ -289,11 +289,11 @@ def deliver_positions(
 
 @kernel
 def deliver_solved(
-    case: recarray, work: recarray, balls: ndarray, found: int, result: recarray, position: ndarray, control: ndarray
+    case: recarray, work: recarray, balls: ndarray, outcome: int, result: recarray, position: ndarray, control: ndarray
 ) -> None:
     """Write the equilibrium found, and what there is to say of it."""
     result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
-    result.notes, result.status = remarks(case, found), CONVERGED
+    result.notes, result.status = remarks(case, outcome), CONVERGED
     deliver(case, work, balls, result, position, control)
 
 
@@ -337,14 +337,14 @@ def solve_cases(
             if is_below_least_thrust(case, work, balls[0]):
                 deliver_refused(case, work, balls, result, positions[k], controls[k])
                 continue
-            found = solve_at_speed(case, work, balls, tolerance, is_warm)
+            outcome = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:
-            found = solve_at_rest(case, work, balls, tolerance, is_warm)
-        if found >= CONTRADICTED:
-            deliver_solved(case, work, balls, found, result, positions[k], controls[k])
+            outcome = solve_at_rest(case, work, balls, tolerance, is_warm)
+        if outcome >= CONTRADICTED:
+            deliver_solved(case, work, balls, outcome, result, positions[k], controls[k])
         else:
             unfinished += 1
-            result.notes = inadmissibility(case, work, balls) & NO_ORBIT if found == REFUSED else 0
+            result.notes = inadmissibility(case, work, balls) & NO_ORBIT if outcome == REFUSED else 0
             if result.notes != 0:
                 deliver(case, work, balls, result, positions[k], controls[k])
             result.status, result.iterations, result.residual = UNFINISHED, work.iterations, work.residual

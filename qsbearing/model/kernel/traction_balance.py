@@ -152,23 +152,23 @@ def balance(
     case: recarray, law: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray
 ) -> bool:
     """Newton's method from where ring and balls are, steps halved until the imbalance falls; whether it converged."""
-    found = evaluate(case, law, grooves, arrays, motion, balls)
+    residual = evaluate(case, law, grooves, arrays, motion, balls)
     for _ in range(MOST_ITERATIONS):
-        if found <= TOLERANCE or not found < inf or not step_of_motion(case, arrays, motion, balls):
+        if residual <= TOLERANCE or not residual < inf or not step_of_motion(case, arrays, motion, balls):
             break
         keep_state(motion, balls)
         motion.iterations += 1
-        fraction, before = allowed_fraction(motion, balls), found
+        fraction, before = allowed_fraction(motion, balls), residual
         for _ in range(MOST_HALVINGS):
             move(motion, balls, fraction)
-            found = evaluate(case, law, grooves, arrays, motion, balls)
-            if found < before or before <= STALLED:
+            residual = evaluate(case, law, grooves, arrays, motion, balls)
+            if residual < before or before <= STALLED:
                 break
             fraction *= 0.5
-        if not found < before:
+        if not residual < before:
             break
-    motion.residual = found
-    return bool(found <= STALLED)
+    motion.residual = residual
+    return bool(residual <= STALLED)
 
 
 @kernel
@@ -180,15 +180,15 @@ def balance_through_slips(
     larger, steps = slip_speed, 0
     while larger < FIRST_SLIP * motion.speed:
         larger, steps = larger / SLIP_RATIO, steps + 1
-    found = True
+    is_balanced = True
     for k in range(steps + 1):
         law.slip_speed = larger if k < steps else slip_speed
-        found = balance(case, law, grooves, arrays, motion, balls)
-        if not found:
+        is_balanced = balance(case, law, grooves, arrays, motion, balls)
+        if not is_balanced:
             break
         larger *= SLIP_RATIO
     law.slip_speed = slip_speed
-    return found
+    return is_balanced
 
 
 @entry(
@@ -235,28 +235,28 @@ def solve_motions(
         place_balls(case, motion, balls, positions[k])
         if motion.speed == 0.0:
             stop(motion, balls)
-        found = balance(case, law, grooves, arrays, motion, balls)
-        if not found and motion.speed > 0.0:
+        is_balanced = balance(case, law, grooves, arrays, motion, balls)
+        if not is_balanced and motion.speed > 0.0:
             set_ring(case, motion, result, motion.is_carried)
             place_balls(case, motion, balls, positions[k])
-            found = balance_through_slips(case, law, grooves, arrays, motion, balls)
+            is_balanced = balance_through_slips(case, law, grooves, arrays, motion, balls)
         result.residual, result.iterations = motion.residual, motion.iterations
         torques[k] = deliver(case, law, grooves, points, motion, balls, result, places[k], contacts[k])
-        result.notes = outside_grooves(case, contacts[k]) if found else 0
-        result.status = NOT_CONVERGED if not found else NO_EQUILIBRIUM if result.notes != 0 else CONVERGED
+        result.notes = outside_grooves(case, contacts[k]) if is_balanced else 0
+        result.status = NOT_CONVERGED if not is_balanced else NO_EQUILIBRIUM if result.notes != 0 else CONVERGED
 
 
 @kernel
 def outside_grooves(case: recarray, contacts: ndarray) -> int:
     """Inner contacts that carry load where no groove is, as bits of `admissibility`."""
-    found = 0
+    bits = 0
     for j in range(case.ball_count):
         if contacts[j, 0, LOAD] > 0.0:
             if case.one_sided and contacts[j, 0, SINE] > ANGLE_ROUNDING:  # n points from the ball to the contact
-                found |= OPEN_SIDE
+                bits |= OPEN_SIDE
             if contacts[j, 0, COSINE] > ANGLE_ROUNDING:
-                found |= OVER_SHOULDER
-    return found
+                bits |= OVER_SHOULDER
+    return bits
 
 
 @kernel

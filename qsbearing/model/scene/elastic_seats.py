@@ -51,14 +51,14 @@ def clearances(
     """By how much elastic rings stand off what holds them before loads act, by seats that do so anywhere [m]."""
     if rings is None or expansion is None:
         return {}
-    found = {}
+    gaps = {}
     for seat, _, own, which in _SEATS:
         if getattr(rings, own) is None and getattr(rings, seat) != "solid":
             continue
         gap = expansion.states(bearing, operation)[which].seat_gap
         if gap is not None and (np.asarray(gap) > 0.0).any():
-            found[seat] = np.asarray(gap)
-    return found
+            gaps[seat] = np.asarray(gap)
+    return gaps
 
 
 def clearance_errors(
@@ -67,8 +67,8 @@ def clearance_errors(
     """Such seats, where the balls cannot close them: in a set, whose rows are solved together."""
     errors = []
     for seat, gap in clearances(rings, expansion, bearing, operation).items():
-        (found,) = first(gap > 0.0, gap)
-        problem = f"is elastic, but has {found / um:.4g} um (diametral) of clearance to its ring in operation"
+        (clearance,) = first(gap > 0.0, gap)
+        problem = f"is elastic, but has {clearance / um:.4g} um (diametral) of clearance to its ring in operation"
         cause = f'A clearance closes in a bearing alone: a tighter fit, or {seat} = "free" while it stays open'
         errors.append(ErrorDetail(f"elastic_rings.{seat}", problem, cause=cause, where=gap > 0.0))
     return errors
@@ -83,10 +83,10 @@ def _differing(rings: ElasticRings, expansion: RingExpansion, name: str) -> list
     bad = np.abs(here - there) > 1e-9 * np.abs(there)
     if not bad.any():
         return []
-    found, other = first(bad, here, there)
+    value, other = first(bad, here, there)
     there = Field(f"{expansion.name}.{name}")
     problem = Sentence("is another than {there}, {other:.8g} mm", there=there, other=other / mm)
-    return [ErrorDetail(f"{rings.name}.{name}", problem, found, LENGTH, cause="One body has one diameter", where=bad)]
+    return [ErrorDetail(f"{rings.name}.{name}", problem, value, LENGTH, cause="One body has one diameter", where=bad)]
 
 
 def _material_errors(
@@ -101,9 +101,9 @@ def _material_errors(
         here, there = np.broadcast_arrays(*numbers)
         bad = np.abs(here - there) > 1e-9 * np.abs(there)
         if bad.any():
-            found, other = first(bad, here, there)
+            value, other = first(bad, here, there)
             told = "that of the rings, for it is left out" if own is None else "given here"
             problem = f"is {told}, but the {seat} of ring_expansion has {other / unit:.6g}{' GPa' * (unit == GPa)}"
             cause = f"One body has one material: state {seat}_material there and its constants here alike"
-            errors.append(ErrorDetail(f"{rings.name}.{seat}_{name}", problem, found, quantity, cause=cause, where=bad))
+            errors.append(ErrorDetail(f"{rings.name}.{seat}_{name}", problem, value, quantity, cause=cause, where=bad))
     return errors

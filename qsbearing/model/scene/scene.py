@@ -283,9 +283,9 @@ def speed_errors(bearing: BallBearing, operation: Operation) -> list[ErrorDetail
         if too_fast.any():
             worst = parameter.argmax()
             most = float(SPEED_PARAMETER_MAX * rpm * mm / pitch.flat[worst])
-            found = float(value.flat[worst])
+            given = float(value.flat[worst])
             fast = parameter.flat[worst]
             detail = f"dm n = {fast:.3g} mm rpm is beyond any bearing ({SPEED_PARAMETER_MAX:g})"
-            cause = unit_mistake(found, SPEED, -most, most)
-            errors.append(ErrorDetail(name, "is too fast", found, SPEED, (-most, most), cause, too_fast, detail))
+            cause = unit_mistake(given, SPEED, -most, most)
+            errors.append(ErrorDetail(name, "is too fast", given, SPEED, (-most, most), cause, too_fast, detail))
     return errors

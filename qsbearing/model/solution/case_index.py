@@ -17,6 +17,6 @@ def case_place(index: Index, shape: CasePlace) -> CasePlace:
     given = () if index is None else index if isinstance(index, tuple) else (index,)
     if len(given) != len(shape) or not all(-n <= i < n for i, n in zip(given, shape, strict=True)):
         hint = f"{shape} cases; give index, such as {tuple(n - 1 for n in shape)}"
-        found = hint if shape else "a single case; leave index out"
-        raise ValueError(f"index = {index!r} names none of its cases: this solution has {found}")
+        cases = hint if shape else "a single case; leave index out"
+        raise ValueError(f"index = {index!r} names none of its cases: this solution has {cases}")
     return tuple(int(i) % n for i, n in zip(given, shape, strict=True))

@@ -82,12 +82,12 @@ def _against_others(entry: Entry, solution: Any) -> list[Change]:
     others = [] if members is None else members.others(asked(solution))
     finest = None if members is None else members.finest
     by_it = [each for each in others if finest is not None and getattr(each.of, entry.switch.slot) == finest]
-    found = [(each, solution.solve_alike(each.of)) for each in by_it or others]
+    solutions = [(each, solution.solve_alike(each.of)) for each in by_it or others]
     if entry.hypothesis:
-        found = [(each, solution if _is_same(other, solution) else other) for each, other in found]
+        solutions = [(each, solution if _is_same(other, solution) else other) for each, other in solutions]
     return [
         _made(each, by_quantity(solution, other) if by_it else by_quantity(other, solution), other)
-        for each, other in found
+        for each, other in solutions
     ]
 
 
@@ -116,9 +116,9 @@ def _change(assumed: Assumed, solution: Any) -> Change:
     return _made(assumed, by_quantity(solution, full), full)
 
 
-def _made(assumed: Assumed, errors: dict[str, NDArray], found: Any) -> Change:
-    tangent = np.diagonal(found.stiffness, axis1=-2, axis2=-1)
-    return Change(assumed.under, assumed.what, errors, np.asarray(found.converged), found.displacement, tangent)
+def _made(assumed: Assumed, errors: dict[str, NDArray], other: Any) -> Change:
+    tangent = np.diagonal(other.stiffness, axis1=-2, axis2=-1)
+    return Change(assumed.under, assumed.what, errors, np.asarray(other.converged), other.displacement, tangent)
 
 
 def asked(solution: Any) -> Any:

@@ -12,7 +12,7 @@ from qsbearing.model.described import materials_of, numbers_of
 from qsbearing.model.material import Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.groups import GROUPS, RING, Solution
+from qsbearing.model.solution.groups import GROUPS, RING, SolvedScene
 from qsbearing.model.solution.result_keys import BALL, Group, Place
 from qsbearing.model.units import deg
 from qsbearing.model.version import __version__
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-def columns(solution: Solution) -> dict[str, NDArray]:
+def columns(solution: SolvedScene) -> dict[str, NDArray]:
     """Everything that there is to say about each ball; arrays of shape (row,), units in their names.
 
     The case's results, its status and the scene's numbers, as a scene file has them, follow on each of its rows.
@@ -88,7 +88,7 @@ def _materials(holder: Any) -> Iterator[tuple[str, Material]]:
             yield f"{name}_", material
 
 
-def dataset(solution: Solution) -> xarray.Dataset:
+def dataset(solution: SolvedScene) -> xarray.Dataset:
     """Everything that a solution holds, labelled; what the scene does not call for is left out.
 
     The scene's numbers that vary are coordinates; an axis along which one alone varies bears its name.

@@ -51,7 +51,7 @@ def read(solution: Any) -> Results:
         row.read_at_once((*CONTACT, "approach"))
     lever = lever_of(solution)[..., None]
     tangent = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
-    found: Results = {
+    quantities: Results = {
         "axial_displacement": displacement[..., :1],
         "radial_displacement": displacement[..., 1:3],
         "tilt": displacement[..., 3:] * lever,
@@ -63,9 +63,9 @@ def read(solution: Any) -> Results:
     for side in RACEWAYS:
         for name in (*CONTACT, "approach"):
             of_rows = [getattr(getattr(row, side), name) for row in rows]
-            found[f"{side}_{name}"] = np.concatenate(of_rows, axis=-1)
-    found["approach"] = sum(np.maximum(found.pop(f"{side}_approach"), 0.0) for side in RACEWAYS)
-    return found
+            quantities[f"{side}_{name}"] = np.concatenate(of_rows, axis=-1)
+    quantities["approach"] = sum(np.maximum(quantities.pop(f"{side}_approach"), 0.0) for side in RACEWAYS)
+    return quantities
 
 
 def lever_of(solution: Any) -> NDArray:
@@ -83,7 +83,7 @@ def moved(solution: Any, displacement: Any) -> NDArray:
     return np.asarray(_nan_max(np.concatenate([gap[..., :3], gap[..., 3:] * lever], axis=-1)))
 
 
-def errors(found: Results, full: Results) -> dict[str, NDArray]:
+def errors(approximate: Results, full: Results) -> dict[str, NDArray]:
     """Error of each result against the full one's; shape (*cases).
 
     NaN where the full result has no number; infinite where only the one found has none.
@@ -102,7 +102,7 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
             counted[key] = True if name == "load" else heavy[side]
     judged = {}
     for name, size in sizes.items():
-        gap = _nan_max(np.where(counted.get(name, True), _gap(found[name], full[name]), 0.0))
+        gap = _nan_max(np.where(counted.get(name, True), _gap(approximate[name], full[name]), 0.0))
         with np.errstate(invalid="ignore", divide="ignore"):
             judged[name] = np.where(gap == 0.0, 0.0, gap / size)
     for kind in (STIFFNESS[:2], STIFFNESS[2:]):
@@ -110,7 +110,7 @@ def errors(found: Results, full: Results) -> dict[str, NDArray]:
         for name in kind:
             size = np.maximum(np.maximum(np.abs(full[name]), smallest), np.finfo(float).tiny)
             with np.errstate(over="ignore"):  # of a stiffness that there is in one of them only
-                judged[name] = _nan_max(_gap(found[name], full[name]) / size)
+                judged[name] = _nan_max(_gap(approximate[name], full[name]) / size)
     return judged
 
 
@@ -143,7 +143,7 @@ def _nan_max(array: Any) -> NDArray:
     return np.where(np.isneginf(known), np.nan, known)
 
 
-def _gap(found: NDArray, full: NDArray) -> NDArray:
+def _gap(approximate: NDArray, full: NDArray) -> NDArray:
     """Absolute difference; infinite where only the one found has no number."""
-    gap = np.abs(found - full)
+    gap = np.abs(approximate - full)
     return np.where(np.isnan(gap) & ~np.isnan(full), np.inf, gap)

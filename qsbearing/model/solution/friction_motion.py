@@ -288,9 +288,9 @@ def _found(start: Solution, inside: Inside, contacts: NDArray, torques: NDArray,
 
     def side(which: int) -> ContactFriction:
         sign = -1.0 if which == INNER else 1.0
-        found = contacts[:, :, which]
-        values = {name: shaped(found[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
-        values["angle"] = shaped(np.arctan2(sign * found[..., kernel.SINE], sign * found[..., kernel.COSINE]))
+        of_side = contacts[:, :, which]
+        values = {name: shaped(of_side[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
+        values["angle"] = shaped(np.arctan2(sign * of_side[..., kernel.SINE], sign * of_side[..., kernel.COSINE]))
         with np.errstate(divide="ignore", invalid="ignore"):
             use = np.hypot(values["traction"], values["sideways"]) / (bound[..., None] * values["load"])
         return ContactFriction(**values, friction_use=use)

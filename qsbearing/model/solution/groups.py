@@ -22,7 +22,7 @@ from qsbearing.model.solution.result_keys import (
 )
 
 
-class Solution(Solved, Protocol):
+class SolvedScene(Solved, Protocol):
     """What is read here and in `columns` of a solution, which lies above: its methods call what is here."""
 
     scene: Scene
@@ -111,11 +111,11 @@ RING_SHAPE = (
 """Of a `RingShape`."""
 
 
-def _reshaped(solution: Solution) -> Any:
+def _reshaped(solution: SolvedScene) -> Any:
     return solution.scene.operating_bearing if solution.scene.is_reshaped else None
 
 
-def _unloaded(solution: Solution) -> NDArray:
+def _unloaded(solution: SolvedScene) -> NDArray:
     """Balls that have lost the inner raceway; NaN where not solved."""
     lost = (solution.inner.load == 0.0).sum(axis=-1)
     return np.where(solution.converged, lost, np.nan)
@@ -126,7 +126,7 @@ LEVEL = 1e-6
 solver leaves, far below what matters)."""
 
 
-def _least_loaded(solution: Solution) -> NDArray:
+def _least_loaded(solution: SolvedScene) -> NDArray:
     """Azimuth of the ball that is first to leave the inner raceway, or farthest from it [rad]; of several the first.
 
     NaN where no ball is less loaded than the others, where not solved, and at rest where a ball touches no raceway.
@@ -142,15 +142,15 @@ def _least_loaded(solution: Solution) -> NDArray:
     return np.where(known & (most - least > margin), azimuth, np.nan)
 
 
-def _steady_friction(solution: Solution) -> NDArray | None:
+def _steady_friction(solution: SolvedScene) -> NDArray | None:
     return None if solution.thermal is None else np.asarray(sum(solution.thermal.powers.values()))
 
 
-def _axial_load(solution: Solution) -> NDArray:
+def _axial_load(solution: SolvedScene) -> NDArray:
     return np.asarray(solution.load[..., 0])
 
 
-def _axial_displacement(solution: Solution) -> NDArray:
+def _axial_displacement(solution: SolvedScene) -> NDArray:
     return np.asarray(solution.displacement[..., 0])
 
 
@@ -162,7 +162,7 @@ def _has_elastic_rings(scene: Any) -> bool:
     return scene.elastic_rings is not None
 
 
-def _control(solution: Solution) -> NDArray | None:
+def _control(solution: SolvedScene) -> NDArray | None:
     if solution.raceway_control is None:
         return None
     return np.where(np.isnan(solution.inner.load), np.nan, solution.raceway_control == "inner")

@@ -42,9 +42,9 @@ class Judgement:
 
     def worst(self, case: int = 0) -> tuple[str, float]:
         """The quantity that errs most in a case (counted along the flattened axes), and by how much."""
-        found = {name: float(np.ravel(error)[case]) for name, error in self.errors.items()}
-        name = max(found, key=lambda each: found[each])
-        return name, found[name]
+        errors = {name: float(np.ravel(error)[case]) for name, error in self.errors.items()}
+        name = max(errors, key=lambda each: errors[each])
+        return name, errors[name]
 
 
 def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judgement:

@@ -53,35 +53,36 @@ class TurningStiffness(NamedTuple):
     """Against one along x that pulsates."""
 
 
-def motion_stiffness(found: FrictionMotion) -> NDArray:
+def motion_stiffness(motion: FrictionMotion) -> NDArray:
     """K of x, y and z (*cases, 3, 3) [N/m], with tilts held; no number where a case has no equilibrium.
 
     Of all three, whatever is held; under thrust every ball is taken for itself, and carried round if the scene was
     solved so.
     """
-    cases = found.inside.cases
+    cases = motion.inside.cases
     stiffness = [
-        _static(found, k, blocks) * (cases["force"][k] / cases["length"][k]) for k, blocks in enumerate(_blocks(found))
+        _static(motion, k, blocks) * (cases["force"][k] / cases["length"][k])
+        for k, blocks in enumerate(_blocks(motion))
     ]
-    return np.reshape(stiffness, (*found.status.shape, 3, 3))
+    return np.reshape(stiffness, (*motion.status.shape, 3, 3))
 
 
-def turning_stiffness(found: FrictionMotion, frequency: ArrayLike) -> TurningStiffness:
+def turning_stiffness(motion: FrictionMotion, frequency: ArrayLike) -> TurningStiffness:
     """Stiffness of a bearing under thrust against displacements that turn with the shaft or pulsate.
 
     Args:
-        found: under thrust.
+        motion: under thrust.
         frequency: nu, angular, of one axis [rad/s]; positive as the shaft turns about +x.
 
     Raises:
         ValueError: radial displacement, which makes balls unlike.
     """
-    if np.any(np.nan_to_num(found.displacement[..., 1:3]) != 0.0):
+    if np.any(np.nan_to_num(motion.displacement[..., 1:3]) != 0.0):
         raise ValueError("turning_stiffness knows thrust alone: balls under radial load are unlike")
-    inside = found.inside
+    inside = motion.inside
     nu = np.atleast_1d(np.asarray(frequency, float))
     values = np.full((3, inside.cases.size, nu.size), np.nan)
-    for k, blocks in enumerate(_blocks(found)):
+    for k, blocks in enumerate(_blocks(motion)):
         case = inside.cases[k]
         orbit = inside.places[k, 0, ORBIT]
         for n, each in enumerate(nu / case["speed"]):
@@ -89,25 +90,25 @@ def turning_stiffness(found: FrictionMotion, frequency: ArrayLike) -> TurningSti
                 values[:2, k, n] = _turning(blocks, orbit, orbit - each)
             values[2, k, n] = -_response(blocks, orbit, each, 0)[0].real
         values[:, k] *= case["ball_count"] * case["force"] / case["length"]
-    return TurningStiffness(*values.reshape(3, *found.status.shape, nu.size))
+    return TurningStiffness(*values.reshape(3, *motion.status.shape, nu.size))
 
 
-def motion_rates(found: FrictionMotion) -> NDArray:
+def motion_rates(motion: FrictionMotion) -> NDArray:
     """How fast each ball's motion returns to balance: eigenvalues (*cases, ball, 4) of (wx, wy, wz, omega_m) [1/s],
     the slowest first; complex, negative where stable.
 
     Its place and the ring held where they are found: r_u u + r_u' u'/omega_m = 0, the place following at once. A ball
     whose slowest rate is far below its orbit's does not follow what its azimuth asks for.
     """
-    rates = np.full((*found.inside.places.shape[:2], 4), np.nan, complex)
-    for k, blocks in enumerate(_blocks(found)):
+    rates = np.full((*motion.inside.places.shape[:2], 4), np.nan, complex)
+    for k, blocks in enumerate(_blocks(motion)):
         for j in range(len(blocks.force)):
-            a, c = blocks.by_unknown[j], blocks.by_rate[j] / found.inside.places[k, j, ORBIT]
+            a, c = blocks.by_unknown[j], blocks.by_rate[j] / motion.inside.places[k, j, ORBIT]
             if np.isfinite(a).all():
-                motion = a[2:, 2:] - a[2:, :2] @ np.linalg.solve(a[:2, :2], a[:2, 2:])
-                values = np.linalg.eigvals(-np.linalg.solve(c[2:, 2:], motion))
-                rates[k, j] = values[np.argsort(np.abs(values))] * found.inside.cases["speed"][k]
-    return rates.reshape(*found.status.shape, *rates.shape[1:])
+                condensed = a[2:, 2:] - a[2:, :2] @ np.linalg.solve(a[:2, :2], a[:2, 2:])
+                values = np.linalg.eigvals(-np.linalg.solve(c[2:, 2:], condensed))
+                rates[k, j] = values[np.argsort(np.abs(values))] * motion.inside.cases["speed"][k]
+    return rates.reshape(*motion.status.shape, *rates.shape[1:])
 
 
 def _response(blocks: Blocks, orbit: float, s: float, along: int) -> NDArray:
@@ -126,27 +127,27 @@ def _turning(blocks: Blocks, orbit: float, s: float) -> tuple[float, float]:
     return -0.5 * (radial.real - across.imag), -0.5 * (radial.imag + across.real)
 
 
-def _static(found: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
+def _static(motion: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     """K of a case, in its units."""
     count = len(blocks.force)
     if not np.isfinite(blocks.force).all():
         return np.full((3, 3), np.nan)
-    case = found.inside.cases[k]
+    case = motion.inside.cases[k]
     psi = case["first_azimuth"] + 2.0 * np.pi * np.arange(count) / count
     zero, one, c, s = np.zeros(count), np.ones(count), np.cos(psi), np.sin(psi)
     levers = np.array([[one, zero, zero], [zero, c, s]]).transpose(2, 0, 1)  # (ball, A, channel)
     turns = np.array([[one, zero, zero], [zero, c, s], [zero, s, -c]]).transpose(2, 0, 1)  # (ball, channel, force)
-    weight = found.inside.places[k, :count, 6]
+    weight = motion.inside.places[k, :count, 6]
     turns = turns * weight[:, None, None]
     by_unknown = np.zeros((count, 6, count, 6))
     each = np.arange(count)
     by_unknown[each, :, each] = blocks.by_unknown
     force_by_unknown = turns @ blocks.force_by_unknown
-    if found.inside.is_carried and case["inner_speed"] != case["outer_speed"]:
+    if motion.inside.is_carried and case["inner_speed"] != case["outer_speed"]:
         derivative = np.zeros(count)
         set_derivative(derivative, count)
         by_unknown += derivative[(each[:, None] - each) % count][:, None, :, None] * blocks.by_rate[:, :, None]
-        orbit = found.inside.places[k, :count, ORBIT]
+        orbit = motion.inside.places[k, :count, ORBIT]
         forces = np.einsum("jcf,jf->jc", turns, blocks.force)
         mean_time = (1.0 / orbit).mean()
         shares = forces.sum(axis=0) / (orbit[:, None] * mean_time * count) - forces
@@ -156,9 +157,9 @@ def _static(found: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     return -(force_by_unknown @ follow + turns @ blocks.force_by_ring @ levers).sum(axis=0)
 
 
-def _blocks(found: FrictionMotion) -> list[Blocks]:
+def _blocks(motion: FrictionMotion) -> list[Blocks]:
     """Of each case."""
-    inside = found.inside
+    inside = motion.inside
     cases, places = inside.cases, inside.places
     count, balls = places.shape[:2]
     of_balls, of_ring = np.full((count, balls, 6, 14), np.nan), np.full((count, balls, 4, 9), np.nan)

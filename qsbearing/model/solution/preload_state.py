@@ -67,5 +67,5 @@ def share(of: PreloadLoads) -> NDArray:
     """What of the given preload is there in operation without external loads; NaN where (next to) nothing is given."""
     given, alone, _ = of.arrays
     with np.errstate(over="ignore"):
-        found = np.divide(alone, given, out=np.full(given.shape, np.nan), where=given > 0.0)
-    return np.where(np.isinf(found), np.nan, found)
+        ratio = np.divide(alone, given, out=np.full(given.shape, np.nan), where=given > 0.0)
+    return np.where(np.isinf(ratio), np.nan, ratio)

@@ -22,7 +22,7 @@ CODES = {
 T = TypeVar("T")
 
 
-class Array(Generic[T]):
+class Lazy(Generic[T]):
     """A property of contacts or balls: an array that the kernel reads off when it is first asked for."""
 
     def __init__(self, doc: str) -> None:
@@ -32,8 +32,8 @@ class Array(Generic[T]):
         self._name = name
 
     def __get__(self, holder: Any, owner: type) -> T:
-        found: Any = self if holder is None else holder._array(self._name)
-        return found
+        value: Any = self if holder is None else holder._array(self._name)
+        return value
 
 
 class RacewayContacts:
@@ -55,15 +55,15 @@ class RacewayContacts:
             hint = question(alike(name, names)) or f"There are {', '.join(names)}"
             raise AttributeError(f"contacts have no {name!r}. {hint}", name=name, obj=self)
 
-    angle = Array[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
-    sine = Array[NDArray]("Of the angle [-].")
-    cosine = Array[NDArray]("Of the angle [-].")
-    load = Array[NDArray]("Normal load Q, zero where the ball has lost the raceway [N].")
-    approach = Array[NDArray]("Elastic approach of ball and ring; negative: the gap of a lost contact [m].")
-    semi_major_axis = Array[NDArray]("Of the ellipse, a [m]; zero without load.")
-    semi_minor_axis = Array[NDArray]("Of the ellipse, b [m]; zero without load.")
-    max_pressure = Array[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
-    required_friction = Array[NDArray | None](
+    angle = Lazy[NDArray]("From the radial plane towards +x [rad]; of an unloaded contact, the line it would act in.")
+    sine = Lazy[NDArray]("Of the angle [-].")
+    cosine = Lazy[NDArray]("Of the angle [-].")
+    load = Lazy[NDArray]("Normal load Q, zero where the ball has lost the raceway [N].")
+    approach = Lazy[NDArray]("Elastic approach of ball and ring; negative: the gap of a lost contact [m].")
+    semi_major_axis = Lazy[NDArray]("Of the ellipse, a [m]; zero without load.")
+    semi_minor_axis = Lazy[NDArray]("Of the ellipse, b [m]; zero without load.")
+    max_pressure = Lazy[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
+    required_friction = Lazy[NDArray | None](
         """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.

@@ -23,7 +23,7 @@ ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
-class Range:
+class ResultRange:
     """Of one channel of the displacement or of the locked stiffness."""
 
     of: Result
@@ -70,21 +70,21 @@ class Range:
         return f"{self.what} {low} ({self.least_under or HERE}) to {high} ({self.most_under or HERE})"
 
 
-def ranges(solution: Any, found: Sequence[Change], case: int = 0) -> dict[str, Range]:
+def ranges(solution: Any, changes: Sequence[Change], case: int = 0) -> dict[str, ResultRange]:
     """Of displacement and locked stiffness, in a case counted along the flattened axes; nothing of what some solution
     has not, nor where nothing else is solved.
 
     Of each in the channel that moves most; of the stiffness rather in that of the displacement, unless another moves
     twice as much.
     """
-    solved = [each for each in found if each.displacement is not None and np.ravel(each.is_solved)[case]]
+    solved = [each for each in changes if each.displacement is not None and np.ravel(each.is_solved)[case]]
     own = {
         "displacement": solution.displacement,
         "stiffness": np.diagonal(solution.stiffness, axis1=-2, axis2=-1),
     }
     lever = float(np.ravel(np.broadcast_to(lever_of(solution), solution.shape))[case])
     unders = ["", *(each.under for each in solved)]
-    spans: dict[str, Range] = {}
+    spans: dict[str, ResultRange] = {}
     channel, moves = 0, False
     for name, results in KEYS.items() if solved else ():
         arrays = (own[name], *(getattr(each, name) for each in solved))
@@ -105,7 +105,7 @@ def _stiffness_sizes(own: NDArray) -> NDArray:
     return np.asarray(np.maximum(np.abs(own), np.maximum(LIGHT * largest, np.finfo(float).tiny)))
 
 
-def _range(of: Result, values: NDArray, unders: list[str]) -> Range:
+def _range(of: Result, values: NDArray, unders: list[str]) -> ResultRange:
     low, high = int(np.argmin(values)), int(np.argmax(values))
     here, least, most = (float(values[n] / of.unit_size) for n in (0, low, high))
-    return Range(of, here, least, unders[low], most, unders[high])
+    return ResultRange(of, here, least, unders[low], most, unders[high])

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from qsbearing.model.units import MPa, Nmm, deg, mm, mrad, rpm, um, zero_celsius
 
 
-class Unit(NamedTuple):
+class ResultUnit(NamedTuple):
     """A unit of results."""
 
     ending: str
@@ -31,20 +31,23 @@ class Unit(NamedTuple):
 
 
 UNITS = {
-    "1": Unit(""),
-    "N/um": Unit("N_per_um", 1.0 / um),
-    "N m/mrad": Unit("Nm_per_mrad", 1.0 / mrad),
-    "MPa m/s": Unit("MPa_m_s", MPa),
-    "m/s": Unit("m_s"),
-    "mm rpm": Unit("mm_rpm", mm * rpm),
-    "N mm": Unit("Nmm", Nmm),
-    "N m": Unit("Nm"),
-    "Mrev": Unit("Mrev", 1e6),
-    "h": Unit("h", 3600.0),
-    "C": Unit("C", 1.0, zero_celsius),
-    **{name: Unit(name) for name in ("N", "Hz", "W", "balls")},
-    **{name: Unit(name, size) for name, size in (("deg", deg), ("mrad", mrad), ("rpm", rpm), ("um", um), ("mm", mm))},
-    "MPa": Unit("MPa", MPa),
+    "1": ResultUnit(""),
+    "N/um": ResultUnit("N_per_um", 1.0 / um),
+    "N m/mrad": ResultUnit("Nm_per_mrad", 1.0 / mrad),
+    "MPa m/s": ResultUnit("MPa_m_s", MPa),
+    "m/s": ResultUnit("m_s"),
+    "mm rpm": ResultUnit("mm_rpm", mm * rpm),
+    "N mm": ResultUnit("Nmm", Nmm),
+    "N m": ResultUnit("Nm"),
+    "Mrev": ResultUnit("Mrev", 1e6),
+    "h": ResultUnit("h", 3600.0),
+    "C": ResultUnit("C", 1.0, zero_celsius),
+    **{name: ResultUnit(name) for name in ("N", "Hz", "W", "balls")},
+    **{
+        name: ResultUnit(name, size)
+        for name, size in (("deg", deg), ("mrad", mrad), ("rpm", rpm), ("um", um), ("mm", mm))
+    },
+    "MPa": ResultUnit("MPa", MPa),
 }
 """Of all results, by the name that files and attributes have; "1": a ratio."""
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.elastic_rings import ElasticRings, RingCompliance, grooves_of
 from qsbearing.model.effects.ring_compliance import MOST_HARMONICS
-from qsbearing.model.solution.groups import Solution
+from qsbearing.model.solution.groups import SolvedScene
 
 AROUND = np.linspace(0.0, 2.0 * np.pi, 361)[:-1]
 """Azimuths at which extremes around a ring are looked for [rad]."""
@@ -35,7 +35,7 @@ class RingShape(NamedTuple):
     """[Pa]"""
 
 
-def radial_loads(solution: Solution) -> tuple[NDArray, NDArray]:
+def radial_loads(solution: SolvedScene) -> tuple[NDArray, NDArray]:
     """Of each ball on the inner and the outer ring, friction's part included; shape (*cases, ball) [N]; 0: no ball."""
     loads = []
     moment, turning = solution.scene.gyroscopic_moment, solution.gyroscopic_moment
@@ -50,7 +50,7 @@ def radial_loads(solution: Solution) -> tuple[NDArray, NDArray]:
     return loads[0], loads[1]
 
 
-def shape_of(solution: Solution, side: str) -> RingShape | None:
+def shape_of(solution: SolvedScene, side: str) -> RingShape | None:
     """Of the inner or the outer ring; None where the scene has it rigid."""
     number, compliance = _compliance(solution, side)
     if compliance is None:
@@ -73,7 +73,7 @@ def shape_of(solution: Solution, side: str) -> RingShape | None:
     return RingShape(growth * solved, bending * solved, np.abs(amplitude) * solved[..., None], *pressures)
 
 
-def mean_seat_pressure(solution: Solution, rings: ElasticRings, side: str) -> NDArray:
+def mean_seat_pressure(solution: SolvedScene, rings: ElasticRings, side: str) -> NDArray:
     """By the solution's loads at the seat of one of these rings; shape (*cases) [Pa]."""
     number = ("inner", "outer").index(side)
     compliance = rings.compliances(grooves_of(solution.scene.operating_bearing))[number]
@@ -81,7 +81,7 @@ def mean_seat_pressure(solution: Solution, rings: ElasticRings, side: str) -> ND
     return np.asarray(compliance.seat[0] * radial_loads(solution)[number].sum(axis=-1))
 
 
-def groove_shape(solution: Solution, side: str, azimuth: NDArray) -> NDArray:
+def groove_shape(solution: SolvedScene, side: str, azimuth: NDArray) -> NDArray:
     """How far the groove has moved away from the balls at these azimuths; shape (*cases, azimuth) [m]."""
     number, compliance = _compliance(solution, side)
     if compliance is None:
@@ -89,12 +89,12 @@ def groove_shape(solution: Solution, side: str, azimuth: NDArray) -> NDArray:
     return _around(_by_case(compliance.by_load, _fourier_sums(solution, radial_loads(solution)[number])), azimuth)
 
 
-def _compliance(solution: Solution, side: str) -> tuple[int, RingCompliance | None]:
+def _compliance(solution: SolvedScene, side: str) -> tuple[int, RingCompliance | None]:
     number, rings = ("inner", "outer").index(side), solution.scene.elastic_rings
     return number, None if rings is None else rings.compliances(grooves_of(solution.scene.operating_bearing))[number]
 
 
-def _fourier_sums(solution: Solution, load: NDArray) -> NDArray:
+def _fourier_sums(solution: SolvedScene, load: NDArray) -> NDArray:
     """Sum of F exp(i n psi) over the balls, (*cases, harmonic)."""
     n = np.arange(MOST_HARMONICS + 1)
     turned = np.exp(1j * n * np.nan_to_num(solution.azimuth)[..., None])
@@ -112,7 +112,7 @@ def _around(amplitude: NDArray, azimuth: NDArray = AROUND) -> NDArray:
     return np.asarray((amplitude @ np.exp(-1j * n[:, None] * azimuth)).real)
 
 
-def share_of_displacement(solution: Solution, rigid: Solution) -> NDArray:
+def share_of_displacement(solution: SolvedScene, rigid: SolvedScene) -> NDArray:
     """What part of the axial displacement is the rings': all of it less that between rigid rings; shape (*cases)."""
     own, other = solution.displacement[..., 0], rigid.displacement[..., 0]
     with np.errstate(invalid="ignore", divide="ignore"):

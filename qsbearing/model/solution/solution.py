@@ -22,7 +22,7 @@ from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
-from qsbearing.model.solution.raceway_contacts import CODES, Array, RacewayContacts
+from qsbearing.model.solution.raceway_contacts import CODES, Lazy, RacewayContacts
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
@@ -243,8 +243,8 @@ class Solution(SolutionOfCases):
         given = self.scene.ball_diameter_deviations
         return None if given is None else np.broadcast_to(given.array, (*self.shape, self.maker.ball_axis))
 
-    centrifugal_force = Array[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
-    gyroscopic_moment = Array[NDArray | None](
+    centrifugal_force = Lazy[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
+    gyroscopic_moment = Lazy[NDArray | None](
         "Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."
     )
 
@@ -259,19 +259,19 @@ class Solution(SolutionOfCases):
             return None
         return np.asarray(self.solved.read(results.OF_BALL, results.SLIPS) == 1.0)
 
-    orbital_speed = Array[NDArray | None](
+    orbital_speed = Lazy[NDArray | None](
         "omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."
     )
-    rotation_speed = Array[NDArray | None](
+    rotation_speed = Lazy[NDArray | None](
         "omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None "
         "without a ball effect."
     )
-    attitude_angle = Array[NDArray | None](
+    attitude_angle = Lazy[NDArray | None](
         "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
         "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect."
     )
-    axial_rotation = Array[NDArray | None]("omega_R cos(beta) of each ball, about +x [rad/s]; None likewise.")
-    radial_rotation = Array[NDArray | None]("omega_R sin(beta), positive towards the bearing axis [rad/s]; likewise.")
+    axial_rotation = Lazy[NDArray | None]("omega_R cos(beta) of each ball, about +x [rad/s]; None likewise.")
+    radial_rotation = Lazy[NDArray | None]("omega_R sin(beta), positive towards the bearing axis [rad/s]; likewise.")
 
     @cached_property
     def raceway_control(self) -> NDArray | None:

@@ -10,7 +10,7 @@ from qsbearing.model.kernel.workspace import working_memory
 
 
 def solve_records(
-    cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, found: tuple[NDArray, NDArray, NDArray],
+    cases: NDArray, balls: int, own: NDArray, tolerance: float, is_warm: bool, states: tuple[NDArray, NDArray, NDArray],
     *, in_lanes: bool = False, by_fallback: bool = True,
 ) -> None:  # fmt: skip
     """Solve case records, in place.
@@ -18,7 +18,7 @@ def solve_records(
     Args:
         balls: length of the ball axis.
         own: of unequal balls, (case, ball); empty where there are none.
-        found: results, positions and controls, which hold the start if is_warm.
+        states: results, positions and controls, which hold the start if is_warm.
         in_lanes: whether there are many, from no start.
         by_fallback: False: what is not solved directly is left UNFINISHED.
     """
@@ -26,11 +26,11 @@ def solve_records(
     if in_lanes:
         from qsbearing.model.kernel.lanes import solve_batch
 
-        unfinished = solve_batch(*given, BUDGET, is_warm, *found)
+        unfinished = solve_batch(*given, BUDGET, is_warm, *states)
     else:
-        unfinished = solve_cases(*given, BUDGET, is_warm, *found)
+        unfinished = solve_cases(*given, BUDGET, is_warm, *states)
     if unfinished and by_fallback:
         from qsbearing.model.kernel.fallback import solve_unfinished
 
-        which = np.flatnonzero(found[0]["status"] == UNFINISHED)
-        solve_unfinished(which, *given, BUDGET, is_warm, *found)
+        which = np.flatnonzero(states[0]["status"] == UNFINISHED)
+        solve_unfinished(which, *given, BUDGET, is_warm, *states)

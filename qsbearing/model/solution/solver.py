@@ -83,7 +83,7 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
     preloaded = None if as_preloaded is None else solve(as_preloaded, threads=threads)
     maker = CaseMaker(scene, _preloaded(scene, preloaded))
     count = maker.count
-    found = _start(start, maker)
+    states = _start(start, maker)
     made: dict[int, NDArray] = {}
     workers = thread_count(threads)
 
@@ -93,7 +93,7 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
         records = maker.make(part.start, part.stop)
         if count <= KEPT:
             made[part.start] = records
-        results, positions, controls = (array[part] for array in found)
+        results, positions, controls = (array[part] for array in states)
         own = maker.own_balls(records, part.start)
         into = results, positions, controls
         solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=in_lanes)
@@ -101,7 +101,7 @@ def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance:
     in_threads(solve_stretch, count, workers)
     cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
     again = partial(solve, threads=threads)
-    return Solution(maker, cases, *found, time.perf_counter() - began, workers, preloaded, again)
+    return Solution(maker, cases, *states, time.perf_counter() - began, workers, preloaded, again)
 
 
 def are_lanes_fast_for(count: int) -> bool:

@@ -11,14 +11,14 @@ from qsbearing.pictures.study.indices import draw_indices
 from qsbearing.pictures.study.labels import head, key_words, value_label, words
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
-from qsbearing.pictures.study.selection import Kind, PictureError, Selection, select
+from qsbearing.pictures.study.selection import PictureError, PictureKind, Selection, select
 from qsbearing.pictures.study.spread import draw_distributions, draw_sensitivities
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
-__all__ = ["Kind", "PictureError", "picture", "select"]
+__all__ = ["PictureError", "PictureKind", "picture", "select"]
 
 
 def picture(
@@ -40,15 +40,15 @@ def picture(
         head(figure, str(results.attrs["title"]).removeprefix("Study of "))
         return figure
     chosen = select(results, x, y, kind, at)
-    if chosen.kind is Kind.LINES:
+    if chosen.kind is PictureKind.LINES:
         figure = draw_lines(chosen)
-    elif chosen.kind is Kind.MAP:
+    elif chosen.kind is PictureKind.MAP:
         figure = draw_maps(chosen)
-    elif chosen.kind is Kind.ROSE:
+    elif chosen.kind is PictureKind.ROSE:
         figure = draw_roses(chosen)
-    elif chosen.kind is Kind.AZIMUTH:
+    elif chosen.kind is PictureKind.AZIMUTH:
         figure = draw_by_azimuth(chosen)
-    elif chosen.kind is Kind.DISTRIBUTION:
+    elif chosen.kind is PictureKind.DISTRIBUTION:
         figure = draw_distributions(chosen)
     else:
         figure = draw_sensitivities(chosen)
@@ -73,9 +73,9 @@ def _title(chosen: Selection) -> str:
     for values in chosen.results.coords.values():
         if values.ndim == 0 and float(values) != 0.0:
             parts.append(f"{key_words(values)} {value_label(values, float(values))}")
-    if chosen.kind in (Kind.ROSE, Kind.AZIMUTH):
+    if chosen.kind in (PictureKind.ROSE, PictureKind.AZIMUTH):
         parts.append(f"by {key_words(chosen.results[chosen.x])}")
-    if chosen.kind is Kind.LINES:
+    if chosen.kind is PictureKind.LINES:
         parts.append(curves_of(chosen))
     return ", ".join(filter(None, parts))
 

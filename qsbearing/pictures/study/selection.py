@@ -26,7 +26,7 @@ MOST_CURVES = 8
 """More values than this along a second axis make a map, not curves."""
 
 
-class Kind(StrEnum):
+class PictureKind(StrEnum):
     """Of a picture."""
 
     LINES = "lines"
@@ -52,7 +52,7 @@ class Selection:
     """Results with all axes chosen: x, the curves' or the map's other axis, samples and balls."""
 
     results: Dataset
-    kind: Kind
+    kind: PictureKind
     x: str
     other: str
     """The second axis; empty where there is none."""
@@ -98,36 +98,36 @@ def select(
     others = sorted((name for name in free if name != across), key=lambda name: -results.sizes[name])
     other = others[0] if others else ""
     chosen = _kind(results, kind, across, other)
-    if chosen in (Kind.DISTRIBUTION, Kind.SENSITIVITY):
+    if chosen in (PictureKind.DISTRIBUTION, PictureKind.SENSITIVITY):
         across = other = ""  # over the samples alone, at one value of every axis
     fixed |= {name: float(results[name].values[0]) for name in free if name not in (across, other)}
     results = results.sel(fixed)
     return Selection(results, chosen, across, other, _panels(results, chosen, y), fixed)
 
 
-def _kind(results: Dataset, kind: str | None, x: str, other: str) -> Kind:
+def _kind(results: Dataset, kind: str | None, x: str, other: str) -> PictureKind:
     has_samples = SAMPLE in results["status"].dims
     if kind is None:
         if not x:
-            return Kind.DISTRIBUTION
+            return PictureKind.DISTRIBUTION
         is_map = other and results.sizes[other] > MOST_CURVES and not has_samples
-        return Kind.MAP if is_map else Kind.LINES
-    if kind not in list(Kind):
-        raise PictureError(f"{kind} is not a kind of picture: {', '.join(Kind)}")
-    if kind == Kind.MAP and not other:
+        return PictureKind.MAP if is_map else PictureKind.LINES
+    if kind not in list(PictureKind):
+        raise PictureError(f"{kind} is not a kind of picture: {', '.join(PictureKind)}")
+    if kind == PictureKind.MAP and not other:
         raise PictureError("a map needs two axes")
-    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) and not has_samples:
+    if kind in (PictureKind.DISTRIBUTION, PictureKind.SENSITIVITY) and not has_samples:
         raise PictureError(f"a picture of the kind {kind} needs keys that vary at random")
-    if kind == Kind.LINES and not x:
+    if kind == PictureKind.LINES and not x:
         raise PictureError("lines need an axis: a key that takes listed values or a range")
-    if kind == Kind.AZIMUTH and ("azimuth" not in results or not x):
+    if kind == PictureKind.AZIMUTH and ("azimuth" not in results or not x):
         raise PictureError("a picture by azimuth needs an axis, and the result azimuth of every ball")
-    if kind == Kind.ROSE and "inner_load" not in results:
+    if kind == PictureKind.ROSE and "inner_load" not in results:
         raise PictureError("a rose needs the results inner_load and outer_load of every ball")
-    return Kind(kind)
+    return PictureKind(kind)
 
 
-def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+def _panels(results: Dataset, kind: PictureKind, y: Sequence[str]) -> tuple[tuple[str, ...], ...]:
     known = [str(name) for name in results.data_vars if name not in ("status", "reason")]
     names = list(y) or _default(results, kind)
     if not set(names) <= set(known):
@@ -142,19 +142,23 @@ def _panels(results: Dataset, kind: Kind, y: Sequence[str]) -> tuple[tuple[str, 
         raise PictureError("no point of these results is solved: status and reason say why")
     panels: dict[str, list[str]] = {}
     for name in names:
-        key = f"{stem(name)[0]} {results[name].attrs.get('units', '')}" if kind in (Kind.LINES, Kind.AZIMUTH) else name
+        key = (
+            f"{stem(name)[0]} {results[name].attrs.get('units', '')}"
+            if kind in (PictureKind.LINES, PictureKind.AZIMUTH)
+            else name
+        )
         panels.setdefault(key, []).append(name)
     return tuple(map(tuple, panels.values()))
 
 
-def _default(results: Dataset, kind: Kind) -> list[str]:
+def _default(results: Dataset, kind: PictureKind) -> list[str]:
     """What the study names; else what most readers want, and of it what is there and not zero everywhere."""
-    if asked := [name for name in _named(results) if kind is not Kind.AZIMUTH or BALL in results[name].dims]:
+    if asked := [name for name in _named(results) if kind is not PictureKind.AZIMUTH or BALL in results[name].dims]:
         return asked
-    if kind is Kind.MAP:
+    if kind is PictureKind.MAP:
         wanted = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
         wanted += ["ring_effective_stiffness_axial"]
-    elif kind is Kind.AZIMUTH:
+    elif kind is PictureKind.AZIMUTH:
         wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
     elif loads := [place for name in results if (place := place_named(str(name))) and place.group is AXIAL_LOAD]:
         largest = [Place(group, CONTACT_LOAD, each.row, "max").name for group in CONTACTS for each in loads]
@@ -165,7 +169,7 @@ def _default(results: Dataset, kind: Kind) -> list[str]:
             wanted.append("ring_effective_stiffness_radial_y")
     every = [each for name in wanted for each in (name, *_over_balls(name))]
     varying = [each for each in every if _varies(results, each)]
-    if kind in (Kind.DISTRIBUTION, Kind.SENSITIVITY) or not varying:
+    if kind in (PictureKind.DISTRIBUTION, PictureKind.SENSITIVITY) or not varying:
         varying += [str(name) for name in results.data_vars if name not in (*varying, *_NOT_RESULTS)]
         varying = [name for name in varying if _varies(results, name)][:6]
     return varying

@@ -17,15 +17,15 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.result_keys import OF_EACH_ROW
 from qsbearing.systems.heat.network import Thermal
-from qsbearing.systems.heat.state import Part
+from qsbearing.systems.heat.state import NetworkPart
 
-INLET = Part("oil inlet")
+INLET = NetworkPart("oil inlet")
 """What the oil's flow leads to, among the paths of heat."""
 
 
-def own_name(node: str, row: int, rows: int) -> Part:
+def own_name(node: str, row: int, rows: int) -> NetworkPart:
     """A node of one row, or a shared one."""
-    return Part(node, row if rows > 1 and node in OF_EACH_ROW else None)
+    return NetworkPart(node, row if rows > 1 and node in OF_EACH_ROW else None)
 
 
 class HeatBalance:
@@ -50,8 +50,8 @@ class HeatBalance:
         self.shares = self._shares()
         """S; shape (free node, source)."""
 
-    def _paths(self) -> tuple[tuple[Part, Part, float], ...]:
-        conductances: dict[tuple[Part, Part], float] = {}
+    def _paths(self) -> tuple[tuple[NetworkPart, NetworkPart, float], ...]:
+        conductances: dict[tuple[NetworkPart, NetworkPart], float] = {}
         for each in self.thermal.conductances:
             is_of_rows = bool(set(each.between) & set(OF_EACH_ROW))
             for row in range(self.rows) if is_of_rows else (0,):
@@ -60,7 +60,7 @@ class HeatBalance:
                     key = (other, one) if (other, one) in conductances else (one, other)
                     conductances[key] = conductances.get(key, 0.0) + each.conductance
         if self.thermal.oil is not None:
-            conductances[Part("oil"), INLET] = self.thermal.oil.conductance
+            conductances[NetworkPart("oil"), INLET] = self.thermal.oil.conductance
         return tuple((*ends, conductance) for ends, conductance in conductances.items())
 
     def _matrix(self) -> tuple[NDArray, NDArray]:
@@ -106,7 +106,7 @@ class HeatBalance:
         heat += self.given.reshape(-1, *[1] * (powers.ndim - 1))
         return np.linalg.solve(self.matrix, heat.reshape(len(self.free), -1)).reshape(heat.shape)
 
-    def named(self, temperatures: NDArray) -> dict[Part, NDArray]:
+    def named(self, temperatures: NDArray) -> dict[NetworkPart, NDArray]:
         """Of all nodes, by name; shape (*cases) each."""
         shape = temperatures.shape[1:]
         of_free = {name: np.asarray(temperatures[number]) for number, name in enumerate(self.free)}
@@ -117,7 +117,7 @@ class HeatBalance:
         given = self.given.reshape(-1, *[1] * (powers.ndim - 1))
         return np.asarray(np.tensordot(self.shares, powers, 1) + given - np.tensordot(self.matrix, temperatures, 1))
 
-    def flows(self, temperatures: Mapping[Part, NDArray]) -> dict[tuple[Part, Part], NDArray]:
+    def flows(self, temperatures: Mapping[NetworkPart, NDArray]) -> dict[tuple[NetworkPart, NetworkPart], NDArray]:
         """Heat on each path from its first node to its second [W]."""
         known = {name: np.asarray(value) for name, value in (*self.fixed.items(), *temperatures.items())}
         return {(one, other): np.asarray(G * (known[one] - known[other])) for one, other, G in self.paths}

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from qsbearing.model.solution.groups import STEADY
 from qsbearing.model.solution.result_keys import Group, Result
-from qsbearing.systems.heat.state import Part, ThermalState
+from qsbearing.systems.heat.state import NetworkPart, ThermalState
 
 WHOLE = Group(
     (
@@ -22,7 +22,7 @@ def groups_of_heat(state: ThermalState | None) -> list[Group]:
     if state is None:
         return []
     known = {each.entry for each in STEADY.results}
-    others = (Part(node) for node in state.temperatures if node not in known)
+    others = (NetworkPart(node) for node in state.temperatures if node not in known)
     nodes = _one_each(others, "temperature", "C", "temperatures_C", "temperatures")
     sources = _one_each(state.powers, "power", "W", "powers_W", "powers")
     flows = tuple(
@@ -35,7 +35,7 @@ def groups_of_heat(state: ThermalState | None) -> list[Group]:
     return [nodes, sources, paths, WHOLE]
 
 
-def _one_each(parts: Iterable[Part], what: str, unit: str, table: str, holder: str) -> Group:
+def _one_each(parts: Iterable[NetworkPart], what: str, unit: str, table: str, holder: str) -> Group:
     results = tuple(
         Result(f"{_named(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
     )

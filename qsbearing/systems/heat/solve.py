@@ -16,7 +16,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import SceneError
 from qsbearing.systems.heat.hot import HotBearing, HotSystem
 from qsbearing.systems.heat.speeds import follow_speeds
-from qsbearing.systems.heat.state import Part, SpeedCurve, ThermalState, Verdict, WholeBearing
+from qsbearing.systems.heat.state import NetworkPart, SpeedCurve, ThermalState, ThermalVerdict, WholeBearing
 from qsbearing.systems.heat.steady import Heated, Steady, feedback, find_steady
 from qsbearing.systems.heat.transient import heat_up
 from qsbearing.systems.heat.whole_bearing import with_whole_friction
@@ -43,18 +43,18 @@ def at_steady_temperatures(system: HotSystem) -> Any:
     heated = Heated(system)
     steady = find_steady(heated)
     good = _is_stable(steady)
-    verdict, curve = np.where(good, Verdict.STABLE, Verdict.UNDECIDED), None
+    verdict, curve = np.where(good, ThermalVerdict.STABLE, ThermalVerdict.UNDECIDED), None
     if not system.shape and not good:
         curve = follow_speeds(heated, FARTHEST)
         if curve.crossing is not None:
             steady = find_steady(heated, curve.crossing.powers)
             good = _is_stable(steady)
-        verdict = np.asarray(Verdict.STABLE if good else _verdict_of(curve))
+        verdict = np.asarray(ThermalVerdict.STABLE if good else _verdict_of(curve))
     solution, balance, without_steady_state = steady.solution, heated.balance, ~good
     if not good.all():
         cold = balance.temperatures(np.where(good, steady.x, 0.0))
         solution, _ = heated.at(cold)
-        code = NOT_CONVERGED if (verdict == Verdict.UNDECIDED).any() else NO_EQUILIBRIUM
+        code = NOT_CONVERGED if (verdict == ThermalVerdict.UNDECIDED).any() else NO_EQUILIBRIUM
         without_steady_state = ~good & np.asarray(solution.converged)
         solution.mark_unsolved(without_steady_state, code)
     temperatures = balance.temperatures(np.where(good, steady.x, np.nan))
@@ -104,12 +104,12 @@ def _is_stable(steady: Steady) -> NDArray:
         return np.asarray(steady.found & (feedback(steady.slopes) < 1.0))
 
 
-def _verdict_of(curve: SpeedCurve) -> Verdict:
+def _verdict_of(curve: SpeedCurve) -> ThermalVerdict:
     """What the curve proves where it does not come to the scene's speed."""
     if curve.at_limit is None or curve.crossing is not None:
-        return Verdict.UNDECIDED
-    return Verdict.TOO_HOT if curve.fold is None else Verdict.RUNAWAY
+        return ThermalVerdict.UNDECIDED
+    return ThermalVerdict.TOO_HOT if curve.fold is None else ThermalVerdict.RUNAWAY
 
 
-def _name(row: int, source: str, rows: int) -> Part:
-    return Part(source, row if rows > 1 else None)
+def _name(row: int, source: str, rows: int) -> NetworkPart:
+    return NetworkPart(source, row if rows > 1 else None)

@@ -18,7 +18,7 @@ from qsbearing.remarks.of_solution import no_steady_state
 from qsbearing.systems.heat.network import Thermal
 
 
-class Part(str):
+class NetworkPart(str):
     """A node or a source of a network by its name in files, which also says of which row it is."""
 
     kind: str
@@ -26,13 +26,13 @@ class Part(str):
     row: int | None
     """From 0; None where there is one row, or rows share it."""
 
-    def __new__(cls, kind: str, row: int | None = None) -> Part:
+    def __new__(cls, kind: str, row: int | None = None) -> NetworkPart:
         part = super().__new__(cls, kind if row is None else f"{kind} {row + 1}")
         part.kind, part.row = kind, row
         return part
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Part, (self.kind, self.row)
+        return NetworkPart, (self.kind, self.row)
 
     @property
     def in_words(self) -> str:
@@ -72,7 +72,7 @@ class SpeedCurve:
         return self.at_limit if self.fold is None else self.fold
 
 
-class Verdict(StrEnum):
+class ThermalVerdict(StrEnum):
     """Whether there is a steady state below the limit of temperature."""
 
     STABLE = "stable"
@@ -94,7 +94,7 @@ class Course:
 
     time: NDArray
     """[s], growing, closer where more happens."""
-    temperatures: dict[Part, NDArray]
+    temperatures: dict[NetworkPart, NDArray]
     """Of every node [K]."""
     powers: NDArray
     """Of the sources [W]; shape (instant, source)."""
@@ -143,11 +143,11 @@ class WholeBearing(NamedTuple):
 class ThermalState:
     """Temperatures and heats of a solution; arrays of shape (*cases), NaN where there is no steady state."""
 
-    temperatures: dict[Part, NDArray]
+    temperatures: dict[NetworkPart, NDArray]
     """Of every node [K]; of a set of several rows, `inner_ring 1` is that of the first."""
-    powers: dict[Part, NDArray]
+    powers: dict[NetworkPart, NDArray]
     """Heat that friction makes, by source [W]."""
-    flows: dict[tuple[Part, Part], NDArray]
+    flows: dict[tuple[NetworkPart, NetworkPart], NDArray]
     """Heat on each path, from its first node to its second [W]."""
     imbalance: NDArray
     """The largest heat that any free node takes in and does not give off, of what the solution's friction makes [W]."""
@@ -156,7 +156,7 @@ class ThermalState:
     free: tuple[str, ...]
     """The nodes whose temperatures are found."""
     verdict: NDArray
-    """`Verdict` of each case, as its word."""
+    """`ThermalVerdict` of each case, as its word."""
     without_steady_state: NDArray
     """Whether a case has an equilibrium, but counts as not solved for want of a steady state."""
     solves: int
@@ -194,22 +194,22 @@ class ThermalState:
             ValueError: the index does not name one case.
         """
         place = case_place(index, self.verdict.shape)
-        verdict = Verdict(str(self.verdict[place]))
-        if verdict is Verdict.STABLE:
+        verdict = ThermalVerdict(str(self.verdict[place]))
+        if verdict is ThermalVerdict.STABLE:
             name, hottest = max(self.temperatures.items(), key=lambda each: float(each[1][place]))
             return (
                 f"Stable at {hottest[place] - zero_celsius:.1f} °C ({name.in_words}){self.thermal.bound}. "
                 f"Thermal feedback {self.feedback[place]:.2g} (runaway at 1)."
             )
         limit = f"{self.thermal.limit_temperature - zero_celsius:.4g} °C"
-        if verdict is Verdict.UNDECIDED:
+        if verdict is ThermalVerdict.UNDECIDED:
             return (
                 f"No steady state below {limit} was found{self.thermal.bound}; this does not prove that there is none."
             )
         curve = self.speeds
         own = f"{float(self.speed) / rpm:.5g} rpm"
         head = f"No steady state below {limit} at {own}{self.thermal.bound}: followed from standstill, steady states"
-        if verdict is Verdict.RUNAWAY and curve.fold is not None:
+        if verdict is ThermalVerdict.RUNAWAY and curve.fold is not None:
             fold = self.described(curve.fold)
             return f"Thermal runaway of the preload. {head} exist up to {fold}, where their curve turns back."
         assert curve.at_limit is not None
@@ -264,7 +264,7 @@ def instant(course: dict[str, Any], number: int) -> dict[str, Any]:
     }
 
 
-def hottest(temperatures: Mapping[Part, float]) -> dict[str, float]:
+def hottest(temperatures: Mapping[NetworkPart, float]) -> dict[str, float]:
     """By kind of node: of all rows' inner rings, for instance, the hottest."""
     largest: dict[str, float] = {}
     for name, value in temperatures.items():

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.solution.ring_stiffness import SOFTEST
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
-from qsbearing.systems.sets.row_cases import Found, RowCases
+from qsbearing.systems.sets.row_cases import RowCases, RowStates
 
 # Choices that shape the way to an equilibrium, not the equilibrium.
 MOST_ITERATIONS = 60
@@ -87,7 +87,7 @@ class Stretch:
         scale[:, 3:5] = self.lever[which, None]
         return scale
 
-    def imbalance(self, which: NDArray, q: NDArray, of_rows: list[Found]) -> tuple[NDArray, NDArray]:
+    def imbalance(self, which: NDArray, q: NDArray, of_rows: list[RowStates]) -> tuple[NDArray, NDArray]:
         """(what the rows' loads exceed the applied by, free unknowns only and as forces; that over the largest).
 
         Nothing where all of them are what rounding of positions presses: a set without load that just touches.
@@ -111,7 +111,7 @@ class Stretch:
         total = np.asarray(sum(matrix.swapaxes(1, 2) @ own @ matrix for matrix, own in parts))
         return total + self.elasticity[which] if self.elasticity.size else total
 
-    def solve_rows(self, q: NDArray, which: NDArray, is_trial: bool = False) -> tuple[list[Found], NDArray]:
+    def solve_rows(self, q: NDArray, which: NDArray, is_trial: bool = False) -> tuple[list[RowStates], NDArray]:
         """All rows at this displacement: (what is found, where all are solved); none after one that is not.
 
         Args:
@@ -130,7 +130,7 @@ class Stretch:
             every.append(state)
         return every, good
 
-    def keep(self, which: NDArray, q: NDArray, of_rows: list[Found], residual: NDArray) -> None:
+    def keep(self, which: NDArray, q: NDArray, of_rows: list[RowStates], residual: NDArray) -> None:
         """Go on from here."""
         self.q[which], self.residual[which] = q, residual
         self.fault[which[np.isfinite(residual)]] = -1

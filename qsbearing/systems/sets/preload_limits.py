@@ -16,7 +16,7 @@ from qsbearing.model.units import rpm, um
 from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, check_kind, within
 from qsbearing.remarks.wording import spanned
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.preload_search import Change, changes, firsts, opposed_errors, sentence, together
+from qsbearing.systems.sets.preload_search import StateChange, changes, firsts, opposed_errors, sentence, together
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.shaft import with_loads
 
@@ -27,7 +27,7 @@ FASTER = 1.5
 """Times the speed of the set, up to which its preload is followed."""
 UNCHANGED = 0.005
 """Relative; a preload that changes by less is said to stay."""
-Limits = tuple[list[Change], list[Change]]
+Limits = tuple[list[StateChange], list[StateChange]]
 """Changes over speed and over loads."""
 
 
@@ -62,7 +62,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
     return [PreloadSpeed(each.value, each.row, each.after, speed_sentence(of, each)) for each in first_changes]
 
 
-def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = None) -> list[Change]:
+def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = None) -> list[StateChange]:
     """Everything that becomes of the preload up to this speed [rad/s], what comes back included; else likewise."""
     errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7) + opposed_errors(of)
     if errors:
@@ -73,7 +73,7 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
     )
 
 
-def speed_sentence(of: BearingSet, *same: Change) -> str:
+def speed_sentence(of: BearingSet, *same: StateChange) -> str:
     """What changes at which speed; the same of several rows."""
 
     def at(speed: Any) -> str:
@@ -83,7 +83,7 @@ def speed_sentence(of: BearingSet, *same: Change) -> str:
     return sentence(of, same, at, "already at rest, under these loads")
 
 
-def speed_sentences(of: BearingSet, every: Sequence[Change]) -> list[str]:
+def speed_sentences(of: BearingSet, every: Sequence[StateChange]) -> list[str]:
     """Each change once, with the rows that it is of."""
     return [speed_sentence(of, *each) for each in together(every)]
 
@@ -120,7 +120,7 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
     return [PreloadLoad(each.value, each.row, each.after, load_sentence(of, each)) for each in first_changes]
 
 
-def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = None) -> list[Change]:
+def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = None) -> list[StateChange]:
     """Everything that becomes of the preload up to this multiple, what comes back included; else likewise."""
     errors = within("highest", highest, RATIO, 1e-6, 1e6) + opposed_errors(of)
     if not loads_of(of):
@@ -148,12 +148,12 @@ def loaded(of: BearingSet, factors: ArrayLike) -> BearingSet:
     return replace(of, operation=replace(of.operation, **loads), shaft=with_loads(of.shaft, factors), readings={})
 
 
-def load_sentence(of: BearingSet, *same: Change) -> str:
+def load_sentence(of: BearingSet, *same: StateChange) -> str:
     """What changes at which multiple of the loads; the same of several rows."""
     return sentence(of, same, lambda factor: f"at {factor:.3g} times the loads", "before any load acts")
 
 
-def load_sentences(of: BearingSet, every: Sequence[Change]) -> list[str]:
+def load_sentences(of: BearingSet, every: Sequence[StateChange]) -> list[str]:
     """Each change once, with the rows that it is of."""
     return [load_sentence(of, *each) for each in together(every)]
 

@@ -27,7 +27,7 @@ find as one, so that nothing is tried beyond."""
 
 
 @dataclass(frozen=True)
-class Change:
+class StateChange:
     """The least value at which a row is in another state than before."""
 
     value: float
@@ -52,7 +52,7 @@ def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
     return [ErrorDetail("rows", "have no preload: all carry in one direction", cause=cause)]
 
 
-def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[Change]:
+def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[StateChange]:
     """What changes between 0 and the highest value, the least value first; at 0 what is not maintained there.
 
     What changes and changes back between two of the values tried is not seen, and nothing is sought beyond the first
@@ -67,7 +67,9 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
     values = np.linspace(0.0, high, VALUES)
     labels = _labels(at, values, threads)
     maintained = str(PreloadState.MAINTAINED)
-    every = [Change(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)]
+    every = [
+        StateChange(0.0, _row(n, labels), "", word) for n, word in enumerate(labels[0]) if word not in ("", maintained)
+    ]
     for k in _changing(labels):
         between = np.linspace(values[k - 1], values[k], VALUES)
         finer = _labels(at, between, threads)
@@ -75,7 +77,7 @@ def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | Non
             for n in np.flatnonzero(finer[j] != finer[j - 1]):
                 before, after = str(finer[j - 1, n]), str(finer[j, n])
                 if after not in ("", maintained) or (after == maintained and before):
-                    every.append(Change(float(between[j]), _row(n, labels), before, after))
+                    every.append(StateChange(float(between[j]), _row(n, labels), before, after))
     return sorted(every, key=lambda each: each.value)
 
 
@@ -84,25 +86,25 @@ def _changing(labels: NDArray[Any]) -> NDArray:
     return np.flatnonzero((labels[1:] != labels[:-1]).any(axis=1)) + 1
 
 
-def firsts(every: list[Change]) -> list[Change]:
+def firsts(every: list[StateChange]) -> list[StateChange]:
     """The first loss, excess or end of each row."""
-    known: dict[tuple[int, str], Change] = {}
+    known: dict[tuple[int, str], StateChange] = {}
     for each in every:
         if not each.is_return:
             known.setdefault((each.row, each.after), each)
     return list(known.values())
 
 
-def together(every: Sequence[Change]) -> list[list[Change]]:
+def together(every: Sequence[StateChange]) -> list[list[StateChange]]:
     """Those that are said at once: the same of several rows, unless the sentence is about one row's own preload."""
-    alike: dict[tuple[Any, ...], list[Change]] = {}
+    alike: dict[tuple[Any, ...], list[StateChange]] = {}
     for number, each in enumerate(every):
         own = number if each.row < 0 or each.after in (PreloadState.LOST, PreloadState.MAINTAINED) else -1
         alike.setdefault((own, each.after, each.value == 0.0), []).append(each)
     return list(alike.values())
 
 
-def sentence(of: BearingSet, same: Sequence[Change], at: Callable[[Any], str], already: str) -> str:
+def sentence(of: BearingSet, same: Sequence[StateChange], at: Callable[[Any], str], already: str) -> str:
     """What changes, of one row, of the set, or of several rows at once.
 
     Args:

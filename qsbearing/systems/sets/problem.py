@@ -24,7 +24,7 @@ from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.rigid_shaft import SLIDE
 from qsbearing.systems.sets.row import Row
-from qsbearing.systems.sets.row_cases import Found, RowCases, empty
+from qsbearing.systems.sets.row_cases import RowCases, RowStates, empty
 from qsbearing.systems.sets.start import begin
 
 
@@ -59,7 +59,7 @@ class Outcome:
 
 
 def solve_directly(
-    s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, loose: NDArray, states: Found
+    s: Stretch, cases: NDArray, own: NDArray, matrices: NDArray, offsets: NDArray, loose: NDArray, states: RowStates
 ) -> None:
     """Solve all cases of a stretch that this method solves; they are marked as solved there.
 

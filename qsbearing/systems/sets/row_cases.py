@@ -17,29 +17,29 @@ from qsbearing.model.kernel.workspace import working_memory
 from qsbearing.model.solution.solve_records import solve_records
 
 
-class Found(NamedTuple):
+class RowStates(NamedTuple):
     """What the kernel finds of a row: case records of results, ball positions and controls, in the cases' units."""
 
     results: NDArray
     positions: NDArray
     controls: NDArray
 
-    def part(self, which: Any) -> Found:
+    def part(self, which: Any) -> RowStates:
         """Of these cases alone: a copy where they are numbers, the same memory for a slice."""
-        return Found(self.results[which], self.positions[which], self.controls[which])
+        return RowStates(self.results[which], self.positions[which], self.controls[which])
 
-    def put(self, which: NDArray, other: Found) -> None:
+    def put(self, which: NDArray, other: RowStates) -> None:
         """Replace these cases."""
         for mine, new in zip(self, other, strict=True):
             mine[which] = new
 
 
-def empty(*shape: int, position_size: int = 3) -> Found:
+def empty(*shape: int, position_size: int = 3) -> RowStates:
     """Room for cases of so many balls, the last of the numbers; they hold no start."""
     *cases, balls = shape
     results = np.zeros(cases, RESULT)
     results["status"] = UNFINISHED
-    return Found(results, np.empty((*cases, balls, position_size)), np.zeros((*cases, balls), np.int8))
+    return RowStates(results, np.empty((*cases, balls, position_size)), np.zeros((*cases, balls), np.int8))
 
 
 @dataclass
@@ -53,7 +53,7 @@ class RowCases:
     """How far the row is pressed together while the shaft is at its zero; shape (case,) [m]."""
     datum_shift: NDArray
     """By how much further it touches than at rest and cold; shape (case,) [m]."""
-    found: Found
+    found: RowStates
     own: NDArray
     """Records (case, ball) of unequal balls."""
 
@@ -78,7 +78,7 @@ class RowCases:
 
     def solve(
         self, q: NDArray, which: NDArray, tolerance: float, speed_factor: NDArray, is_trial: bool
-    ) -> tuple[Found, NDArray]:
+    ) -> tuple[RowStates, NDArray]:
         """These cases at this displacement of the shaft, from where they were: (what is found, which are solved)."""
         self.prescribe(q, which)
         cases, state = self.cases[which], self.found.part(which)
@@ -98,7 +98,7 @@ class RowCases:
         """What is less is no load, but rounding of positions; shape (case,) [N]."""
         return np.asarray(LEAST_LOAD * self.cases["series_stiffness"][which] * self.cases["force"][which])
 
-    def load(self, state: Found, which: NDArray) -> NDArray:
+    def load(self, state: RowStates, which: NDArray) -> NDArray:
         """On the inner ring in the row's own frame; shape (case, 5) [N, N m]."""
         force, length = self.cases["force"][which], self.cases["length"][which]
         load = state.results["load"] * force[:, None]

@@ -12,7 +12,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.scene_file import scene_of
-from qsbearing.model.compiler.compiled import Entry
+from qsbearing.model.compiler.compiled import CompiledEntry
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.solution import solver
 from qsbearing.model.solution.friction_motion import friction_motion
@@ -60,16 +60,16 @@ def solve_many_kinds() -> None:
 def recorded() -> dict[str, list[tuple[Any, ...]]]:
     """Copies of what entries are given, by their names."""
     found: dict[str, list[tuple[Any, ...]]] = {}
-    called = Entry.__call__
+    called = CompiledEntry.__call__
 
-    def noted(entry: Entry, *args: Any) -> Any:
+    def noted(entry: CompiledEntry, *args: Any) -> Any:
         calls = found.setdefault(entry.name, [])
         if len(calls) < CALLS:
             calls.append(copied(args))
         return called(entry, *args)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Entry, "__call__", noted)
+        patch.setattr(CompiledEntry, "__call__", noted)
         patch.setattr(solver, "LEAST_BATCH", FEW)
         solve_many_kinds()
     return found

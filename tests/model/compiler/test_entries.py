@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler import library
-from qsbearing.model.compiler.compiled import HAS_NUMBA, Entry
+from qsbearing.model.compiler.compiled import HAS_NUMBA, CompiledEntry
 from qsbearing.model.compiler.kinds import Array, flat
 from tests.model.compiler.recorded import arrays, copied, recorded
 from tests.verification.kernel_library import inputs
@@ -42,7 +42,7 @@ def assert_same(name: str, one: Any, other: Any, calls: list[tuple[Any, ...]]) -
         assert outcome(one, args) == outcome(other, args), f"call {number} of {name}"
 
 
-def machine_code(entry: Entry) -> Any:
+def machine_code(entry: CompiledEntry) -> Any:
     found = library.machine_code(entry.name, entry.flat_kinds)
     assert found is not None, f"{entry.name} is not in the library"
     return found

@@ -173,13 +173,13 @@ def test_no_batch_runs_plain(monkeypatch: pytest.MonkeyPatch) -> None:
     plain: list[str] = []
     monkeypatch.setattr(plain_records, "call", lambda function, args: plain.append(function.__qualname__))
     calls: set[str] = set()
-    called = compiled.Entry.__call__
+    called = compiled.CompiledEntry.__call__
 
-    def noted(entry: compiled.Entry, *args: object) -> object:
+    def noted(entry: compiled.CompiledEntry, *args: object) -> object:
         calls.add(entry.name)
         return called(entry, *args)
 
-    monkeypatch.setattr(compiled.Entry, "__call__", noted)
+    monkeypatch.setattr(compiled.CompiledEntry, "__call__", noted)
     batch = qs.solve(random_scenes.random_points(1000))
     assert np.isfinite(batch.stiffness).all()
     asked = scene_of(with_readings(), "")

@@ -21,7 +21,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.results.json_record import record
 from qsbearing.results.set_record import set_record
 from qsbearing.results.thermal_report import speeds_record, thermal_tables
-from qsbearing.systems.heat.state import Part, ThermalState, along_curve
+from qsbearing.systems.heat.state import NetworkPart, ThermalState, along_curve
 from tests.systems.heat.spindle import AMBIENT, BEARING, BETWEEN, EFFECTS, pair, paths, scene, tables
 
 KELVIN = 1e-8 * (AMBIENT + qs.zero_celsius)
@@ -184,9 +184,9 @@ def test_the_curve_over_speed_has_no_kink_and_the_fold_in_its_place() -> None:
 def test_heat_is_shown_from_where_it_comes() -> None:
     """A flow against the order of its path's ends from the other end; nodes of a set with their row."""
     found = {
-        "friction": "skf", "message": "Stable.", "temperatures_C": {Part("balls", 0): 40.0},
-        "powers_W": {Part("friction", 0): 5.0},
-        "flows_W": [{"from": Part("inner_ring", 0), "to": Part("balls", 0), "heat_W": -2.0}],
+        "friction": "skf", "message": "Stable.", "temperatures_C": {NetworkPart("balls", 0): 40.0},
+        "powers_W": {NetworkPart("friction", 0): 5.0},
+        "flows_W": [{"from": NetworkPart("inner_ring", 0), "to": NetworkPart("balls", 0), "heat_W": -2.0}],
     }  # fmt: skip
     nodes, heat, _ = thermal_tables(found)
     assert [list(row) for row in nodes.rows] == [["balls of row 1", "40"]]  # type: ignore[union-attr]

@@ -14,7 +14,7 @@ from qsbearing.cli.heat import _show
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.readings import static_load_rating
 from qsbearing.results.thermal_report import whole_bearing_record
-from qsbearing.systems.heat.state import Part
+from qsbearing.systems.heat.state import NetworkPart
 from qsbearing.systems.heat.whole_bearing import with_whole_friction
 from tests.systems.heat.spindle import BEARING, EFFECTS, pair, scene, tables
 from tests.systems.heat.test_heating_up import run
@@ -47,7 +47,7 @@ def test_heat_shows_both(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     state = qs.solve(by_palmgren(of)).thermal
     assert state is not None and state.speeds.at_limit is not None
     text = run(tmp_path, input_tables(of), "--json").stdout
-    shown = json.loads(text, object_pairs_hook=lambda pairs: {Part(key): value for key, value in pairs})
+    shown = json.loads(text, object_pairs_hook=lambda pairs: {NetworkPart(key): value for key, value in pairs})
     assert BOUND in shown["message"] and BOUND in shown["speeds"]["message"]
     found = shown["whole_bearing"]
     assert found["at_limit"]["speed_rpm"] == pytest.approx(state.speeds.at_limit.factor * 14_000, rel=1e-9)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.documents.model import Group, Paragraph, Table
+from qsbearing.documents.model import Paragraph, RowGroup, Table
 from qsbearing.reports import set_inputs
 from qsbearing.results.set_report import set_result
 from qsbearing.systems.sets.preload_limits import preload_summary
@@ -100,7 +100,7 @@ def test_outputs_name_the_row_that_spacers_leave_in_its_place() -> None:
         assert isinstance(heading, Paragraph)
         assert ("row 3 is the axial datum of spacers" in heading.text) is said
         rows = [row for block in set_inputs.section(each, "").blocks if isinstance(block, Table) for row in block.rows]
-        lines = [row for row in rows if not isinstance(row, Group) and row[0] == "axial_datum_row"]
+        lines = [row for row in rows if not isinstance(row, RowGroup) and row[0] == "axial_datum_row"]
         assert [line[1] for line in lines] == (["3"] if said else [])
 
 

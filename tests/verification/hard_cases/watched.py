@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from qsbearing.model.compiler.compiled import Entry
+from qsbearing.model.compiler.compiled import CompiledEntry
 from tests.qsbearing.scenes import B218, INNER, OUTER, PER_BALL, turning
 from tests.verification.hard_cases.scenes import BY_NAME, scene_of
 
@@ -84,7 +84,7 @@ def squared(x: float) -> float:
     return 1.0 / square
 
 
-def with_traps(entry: Entry, *args: Any) -> Any:
+def with_traps(entry: CompiledEntry, *args: Any) -> Any:
     """In place of `Entry.plain`, which lets numbers be none and gives the kernel Python's."""
     return entry.function(*args)
 
@@ -93,7 +93,7 @@ def trap() -> dict[str, Any]:
     """What the traps catch when something walks into them."""
     watch = Watch(Path(__file__).parent)
     raised = []
-    entry = Entry(squared, (float,))
+    entry = CompiledEntry(squared, (float,))
     with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
         sys.setprofile(watch)
         squared(1e200)
@@ -133,5 +133,5 @@ def watched(name: str) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    Entry.plain = with_traps  # type: ignore[method-assign]
+    CompiledEntry.plain = with_traps  # type: ignore[method-assign]
     print(json.dumps({name: watched(name) for name in sys.argv[1:]}))

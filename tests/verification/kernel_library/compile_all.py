@@ -86,7 +86,7 @@ def _part(function: Any, kind: str) -> Any:
     return dispatcher
 
 
-def compiled_module(entries: list[compiled.Entry]) -> tuple[str, dict[str, dict[str, Any]]]:
+def compiled_module(entries: list[compiled.CompiledEntry]) -> tuple[str, dict[str, dict[str, Any]]]:
     """(the optimised module as text, what the manifest states of each entry)."""
     dispatchers = Dispatchers(compiled.functions, _part)
     parts: dict[Any, None] = {}

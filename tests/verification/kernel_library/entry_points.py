@@ -12,7 +12,7 @@ from typing import Any
 
 from numba.core import types
 
-from qsbearing.model.compiler.compiled import Entry
+from qsbearing.model.compiler.compiled import CompiledEntry
 from qsbearing.model.compiler.kinds import NEEDED, Array
 from qsbearing.model.compiler.machine_code import DATA, DIMENSION_COUNT, DIMENSIONS, DTYPE, FLAGS, REFUSED, TYPE
 
@@ -35,7 +35,7 @@ class EntryPoint:
         returns: the letters of what it returns.
     """
 
-    def __init__(self, entry: Entry, name: str, returns: str) -> None:
+    def __init__(self, entry: CompiledEntry, name: str, returns: str) -> None:
         self.symbol = PREFIX + entry.name.removeprefix("qsbearing.").replace(".", "_")
         self._lines: list[str] = []
         self._types, self._given = ["ptr", "ptr"], ["ptr %results" if returns else "ptr %nothing", "ptr %exception"]

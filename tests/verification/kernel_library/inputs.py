@@ -22,7 +22,7 @@ EXTRA = "kernel"
 """Of pyproject.toml: the versions with which libraries are made."""
 
 
-def entries() -> list[compiled.Entry]:
+def entries() -> list[compiled.CompiledEntry]:
     """Of the package, in the order in which they are compiled, which is part of what the bytes rest on."""
     for path in sorted((ROOT / PACKAGE).rglob("*.py")):
         if ENTRY.search(path.read_text(encoding="utf-8")):
