@@ -87,9 +87,7 @@ def run(balls: FreeBalls, state: Array, duration: float, step: float = 5e-6, sam
             fourth = rates(state + step * third)
             state = state + step / 6.0 * (first + 2.0 * (second + third) + fourth)
         if not np.isfinite(state).all():
-            raise UnsettledError(
-                f"no number is left after {len(states) * stride * step:.2g} s: nothing holds the balls"
-            )
+            raise UnsettledError(f"no number is left after {len(states) * stride} steps: nothing holds the balls")
         states.append(state)
     return BallRun(balls, stride * step * np.arange(samples + 1), np.array(states))
 

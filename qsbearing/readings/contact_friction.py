@@ -194,10 +194,11 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
     holding: list[tuple[Any, Remark]] = []
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
-            used = side.required_friction / np.asarray(mu, float)[..., None]
-            slips = (used > 1.0).any(axis=-1)
+            available = np.asarray(mu, float)[..., None]
+            slips = (side.required_friction > available).any(axis=-1)
+            creeps = (side.required_friction > CREEP * available).any(axis=-1)
             holding.append((slips, remark("friction_given_exceeded", name)))
-            holding.append(((used > CREEP).any(axis=-1) & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
+            holding.append((creeps & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
     return holding
 
 

@@ -24,7 +24,8 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.solution.result_keys import UNITS, Place, place_of, spelled
 from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.asked import every_group
-from qsbearing.results.whole import all_taken, whole_record
+from qsbearing.results.readings_record import all_taken
+from qsbearing.results.whole import whole_record
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.results import find, known_results, read
 from qsbearing.systems.sets.set_groups import OF_SHAFT, SYSTEM, groups_of_row

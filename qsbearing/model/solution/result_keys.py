@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.units import MPa, Nmm, deg, mm, mrad, rpm, um, zero_celsius
+from qsbearing.model.validation import whole_number
 
 
 class ResultUnit(NamedTuple):
@@ -74,7 +75,8 @@ def value_at(path: Path, of: Any) -> Any:
 def _part(of: Any, name: Any) -> Any:
     if of is None or isinstance(of, Mapping):
         return None if of is None else of.get(name)
-    return of[..., int(name)] if name.isdecimal() else getattr(of, name)
+    index = whole_number(name)
+    return getattr(of, name) if index is None else of[..., index]
 
 
 class Result(NamedTuple):
@@ -294,7 +296,7 @@ def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) 
     name = text.replace(".", "_")
     first, _, rest = name.partition("_")
     number = rest.partition("_")[0]
-    row = int(number) if first == ROW and number.isdecimal() else 0
+    row = (whole_number(number) or 0) if first == ROW else 0
     whole = [Place(group, each, row) for group in (of_rows if row else groups) for each in group.results]
     near = [each for each in whole if each.result.name in name]
     near += [over for each in near for over in each.overs]

@@ -234,7 +234,7 @@ def test_what_is_no_number_in_every_field(place: tuple[str, str], value: Any) ->
 
 
 @few
-@given(st.sampled_from(["start", "threads", "tolerance"]), JUNK)
+@given(st.sampled_from(["start", "threads", "accuracy", "residual_tolerance"]), JUNK)
 def test_anything_as_an_argument_of_solve(name: str, value: Any) -> None:
     """A result, or an error that says what is wrong with the value, not one from deep inside."""
     scene = qs.Scene(qs.BallBearing(**SOUND_BEARING), qs.Operation(**SOUND_OPERATION), **SOUND_CHOICES)
