@@ -223,3 +223,5 @@ def test_many_cases_have_their_own_gaps() -> None:
     assert said.of.cases is not None
     assert (said.of.cases.count, said.of.cases.first) == (2, (0, 1))
     assert said.values["inner_N"] == pytest.approx(3e3)
+    (of_one,) = (each.remark for each in qs.warnings(solution, (1, 0)) if each.remark.code == "momentum_gap")
+    assert of_one.values["outer_N"] == pytest.approx(7028.1, abs=0.1)
