@@ -11,6 +11,10 @@ and a periodic function times its slope has no mean. All balls go through the sa
 largest lag to the largest lead each needs the same freedom: the excursion. More than the pockets' clearance, and the
 cage holds balls back and pulls others along.
 
+Balls have inertia, and at speed do not take on the orbital speed that each azimuth asks for: this excursion is then 2
+to 6 times too large (a trial with friction and inertia). How far balls are from it, momentum alone tells: the outer
+ring does not take the radial load of the inner one (`ring_forces`).
+
 For omega = m (1 + e cos psi) the mean is m sqrt(1 - e^2), and time and azimuth are related as in Kepler's equation.
 
 The name, and the limit by the pocket's clearance, are as in the manual of MESYS ("circumferential ball advance", which
@@ -31,6 +35,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Result
+from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
 from qsbearing.model.validation import LENGTH, ErrorDetail, within
@@ -65,6 +70,11 @@ class BallAdvance(Remarked):
     """Of the balls where they are; shape (*cases, ball)."""
     pocket_use: NDArray | None
     """Excursion over the pockets' clearance; None where it is not given."""
+    momentum_gap: NDArray | None
+    """Radial force that loads only one ring, over the radial load; NaN without one; None without centrifugal force, or
+    with balls of unlike diameters."""
+    outer_radial_load: NDArray | None
+    """What the outer ring takes [N]; None likewise."""
     remarks: Remarks
 
 
@@ -108,7 +118,16 @@ def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
             needed = float(excursion[worst]) / mm
             said.append((beyond, remark("balls_press_cage", excursion_mm=needed, clearance_mm=clearance)))
     advance = radius[..., None] * own
-    return BallAdvance(mean, lead, lag, excursion, advance, use, remarks(said, solution.shape))
+    gap, on_outer = _of_momentum(solution)
+    return BallAdvance(mean, lead, lag, excursion, advance, use, gap, on_outer, remarks(said, solution.shape))
+
+
+def _of_momentum(solution: Solution) -> tuple[NDArray, NDArray] | tuple[None, None]:
+    """Momentum gap and what the outer ring takes."""
+    forces = radial_forces(solution)
+    if forces is None:
+        return None, None
+    return forces.momentum_gap.reshape(solution.shape), forces.on_outer.reshape(solution.shape)
 
 
 def _of_cases(speeds: NDArray, balls: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -155,14 +174,17 @@ ENTRY = Reading(
     table=ReadingTable(
         example="pocket_clearance_mm = 0.3  # of the cage, along the pitch circle; left out: not compared\n",
     ),
-    needs=(("load", "sine", "cosine"), AXIS),
+    needs=(("load", "sine", "cosine"), (*AXIS, "centrifugal_force")),
     of_case=(
         Result("mean_orbital_speed", "rpm", "speed of a cage that keeps up with the balls"),
         Result("lead", "mm", "largest advance of a ball in front of its mean place in the cage"),
         Result("lag", "mm", "likewise, behind it"),
         Result("excursion", "mm", "lead and lag together"),
         Result("pocket_use", words="excursion over the clearance of the pockets"),
+        Result("momentum_gap", words="radial force that loads only one ring over the radial load"),
+        Result("outer_radial_load", "N", "radial force that the outer ring takes"),
     ),
     of_ball=(Result("advance", "mm", "of the ball at its azimuth, on the arc of the pitch circle", is_signed=True),),
-    scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed.",
+    scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed, nor is "
+    "the inertia of balls along their orbit, which makes them smaller at speed.",
 )

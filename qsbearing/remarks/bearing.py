@@ -21,7 +21,7 @@ from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mrad, um
-from qsbearing.remarks.balls import ball_remarks, friction_remarks, rows
+from qsbearing.remarks.balls import ball_remarks, friction_remarks, momentum_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.kinds import to_add
@@ -174,6 +174,7 @@ def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[F
     yield from _ring_remarks(solution, part)
     yield from ball_remarks(solution, part)
     yield from friction_remarks(solution, part)
+    yield from momentum_remarks(solution, part)
     yield from missing_effects(solution, part, may_solve)
     yield from hypotheses(solution, part, may_solve)
     if solution.scene.is_reshaped:

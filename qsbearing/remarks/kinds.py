@@ -278,6 +278,9 @@ _ALL = (
     Kind("friction_beyond", WRONG, HYPOTHESES, f"{_FRICTION}expect slip{_TYPICAL}"),
     Kind("friction_above_load", WRONG, HYPOTHESES,
          f"{_FRICTION}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}"),
+    Kind("momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
+         "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
+         "follow the azimuth. Radial stiffness is that against a load that turns with the cage."),
     Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
          "expect permanent dents.", _YIELDING),

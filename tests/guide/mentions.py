@@ -18,6 +18,7 @@ NO_EXAMPLE = {
 WORDS = {
     "hypotheses_differ": r"hypothes[ie]s",
     "gyroscopic_slip": r"\bslips?\b|friction coefficient",
+    "momentum_gap": r"follow the azimuth",
     "balls_press_cage": r"press the cage",
     "ring_expansion": r"expansion|expand|gr[eo]w",
     "ball_expansion": r"expansion of the balls|balls a temperature",

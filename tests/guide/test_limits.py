@@ -43,3 +43,19 @@ def test_how_often_inner_control_has_no_solution(row: tuple[float, ...]) -> None
 
 def test_the_page_has_the_table() -> None:
     assert [row[0] for row in ROWS] == [0.0, 0.3, 0.5, 1.0]
+
+
+OUTER_RING = re.compile(r"^\| ([\d,]+) \| ([\d,]+) \| ([\d,]+) \| ([\d,]+) \|$", flags=re.MULTILINE)
+
+
+def test_what_the_outer_ring_takes_and_how_far_balls_run_ahead() -> None:
+    page = (GUIDE / "limits.md").read_text(encoding="utf-8")
+    rows = np.array([[float(cell.replace(",", "")) for cell in row] for row in OUTER_RING.findall(page)])
+    speed, axial, radial, expected = rows.T
+    assert speed.size == 5
+    operation = qs.Operation(speed=speed * qs.rpm, axial_load=axial, radial_load_y=radial, tilt_y=0.0, tilt_z=0.0)
+    found = qs.readings.ball_advance(qs.solve(replace(qs.load_scene("b218"), operation=operation)))
+    assert found.outer_radial_load == pytest.approx(expected, abs=1.0)
+    excursions = re.search(r"rows have ([\d.]+), ([\d.]+) and ([\d.]+) mm here", page)
+    assert excursions is not None
+    assert found.excursion[2:] / qs.mm == pytest.approx([float(each) for each in excursions.groups()], abs=0.05)

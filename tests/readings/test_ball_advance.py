@@ -12,9 +12,12 @@ from scipy.integrate import quad, solve_ivp
 import qsbearing as qs
 from qsbearing import pictures
 from qsbearing.files.scene_file import scene_of
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_advance import advance_over_a_turn
+from qsbearing.remarks.balls import MOMENTUM_GAP
 from tests.guide.pages import GUIDE, blocks
-from tests.qsbearing.scenes import solved, turning
+from tests.model.solution.test_friction_motion import bearing
+from tests.qsbearing.scenes import B218, BOTH_HARRIS, CENTRIFUGAL, INNER, UPRIGHT, solved, turning
 
 TURN = 2.0 * np.pi * np.arange(360) / 360
 POCKET = next(each.text for each in blocks(GUIDE / "cage_and_grease.md") if each.language == "toml")
@@ -119,3 +122,106 @@ def test_the_picture_shows_balls_and_pockets() -> None:
     assert np.ptp(curve.get_ydata()) == pytest.approx(found.excursion / qs.mm)
     assert np.sort(dots.get_ydata()) == pytest.approx(np.sort(found.advance / qs.mm))
     assert "clearance of the pockets" in axes.get_legend_handles_labels()[1]
+
+
+# The outer ring's share of the radial load ----------------------------------------------------------------------------
+
+SPINDLES = {angle: bearing(20, 11.1125, 90.0, 0.53, 0.52, angle) for angle in (15.0, 25.0)}
+
+
+@pytest.mark.parametrize(
+    ("of", "speed", "axial", "radial", "expected"),
+    [
+        (B218, 10e3, 17.8e3, 3e3, 2713),
+        (B218, 10e3, 17.8e3, 8e3, 7028),
+        (B218, 10e3, 8e3, 4e3, 1353),
+        (B218, 6e3, 17.8e3, 8e3, 7920),
+        (B218, 3e3, 17.8e3, 8e3, 7996),
+        (SPINDLES[25.0], 18e3, 600.0, 300.0, 197),
+        (SPINDLES[15.0], 18e3, 600.0, 300.0, 274),
+    ],
+)
+def test_what_the_outer_ring_takes(
+    of: qs.BallBearing, speed: float, axial: float, radial: float, expected: float
+) -> None:
+    """Another program's numbers; a remark without the reading, where the gap is large."""
+    solution = qs.solve(turning(speed, of, axial_load=axial, radial_load_y=radial, **UPRIGHT))
+    found = qs.readings.ball_advance(solution)
+    assert found.outer_radial_load == pytest.approx(expected, abs=1.0)
+    assert found.momentum_gap == pytest.approx(1.0 - found.outer_radial_load / radial, rel=1e-9)
+    said = [each.remark for each in qs.warnings(solution) if each.remark.code == "momentum_gap"]
+    assert len(said) == (found.momentum_gap > MOMENTUM_GAP)
+    for each in said:
+        assert each.values == {"outer_N": found.outer_radial_load, "inner_N": pytest.approx(radial)}
+
+
+def radially(solution: qs.Solution, contacts: RacewayContacts, share: float) -> np.ndarray:
+    """Sum of a raceway's contact forces (y, z), with its share of the gyroscopic moment as friction along tangents."""
+    moment = solution.gyroscopic_moment
+    across = 0.0 if moment is None else share * np.abs(moment) / (0.5 * B218.ball_diameter)
+    of_ball = contacts.load * contacts.cosine - across * contacts.sine
+    return np.array([(of_ball * along(solution.azimuth)).sum() for along in (np.cos, np.sin)])
+
+
+@pytest.mark.parametrize(
+    ("more", "shares"),
+    [
+        ({"effects": CENTRIFUGAL}, (0.0, 0.0)),
+        ({}, (0.0, 1.0)),
+        ({"effects": BOTH_HARRIS, "control": INNER}, (0.5, 0.5)),
+        ({"effects": CENTRIFUGAL, "outer_rpm": 2e3}, (0.0, 0.0)),
+    ],
+    ids=["forces alone", "outer control", "shared moment", "both rings turn"],
+)
+def test_the_outer_contacts_carry_the_load_less_the_gap(more: dict, shares: tuple[float, float]) -> None:
+    """Contact by contact, under a load of both directions and a moment."""
+    loads = {"axial_load": 17.8e3, "radial_load_y": 5e3, "radial_load_z": -2e3, "moment_z": -60.0, "tilt_y": 0.0}
+    solution = qs.solve(turning(7e3, **more, **loads))
+    assert solution.converged
+    sides = zip((solution.inner, solution.outer), shares, strict=True)
+    inner, outer = (radially(solution, *each) for each in sides)
+    assert inner == pytest.approx(solution.load[1:3], abs=1e-5)
+    found = qs.readings.ball_advance(solution)
+    assert found.outer_radial_load == pytest.approx(np.hypot(*outer), rel=1e-9)
+    assert found.momentum_gap == pytest.approx(np.hypot(*(inner - outer)) / np.hypot(5e3, 2e3), rel=1e-8)
+
+
+def gap_of(scene: qs.Scene) -> tuple[float | None, float | None, bool]:
+    """The gap, what the outer ring takes, and whether a remark says so."""
+    solution = solved(scene)
+    found = qs.readings.ball_advance(solution)
+    said = any(each.remark.code == "momentum_gap" for each in qs.warnings(solution))
+    return found.momentum_gap, found.outer_radial_load, said  # type: ignore[return-value]
+
+
+def test_where_there_is_no_gap() -> None:
+    thrust, outer, said = gap_of(turning(10e3, axial_load=8e3))
+    assert np.isnan(thrust) and outer == 0.0 and not said  # type: ignore[arg-type]
+    combined = {"axial_load": 8e3, "radial_load_y": 4e3, **UPRIGHT}
+    assert gap_of(turning(0.0, **combined)) == (0.0, pytest.approx(4e3), False)
+    assert gap_of(turning(10e3, effects=(qs.GyroscopicMoment(),), **combined)) == (None, None, False)
+    unlike = replace(turning(10e3, **combined), ring_effects=(qs.BallDiameterDeviations(np.r_[1e-6, np.zeros(15)]),))
+    assert gap_of(unlike) == (None, None, False)
+
+
+def test_a_gap_that_matters_to_nothing_is_not_said() -> None:
+    """The share tends to a limit as the radial load goes to zero."""
+    little, _, said = gap_of(turning(10e3, axial_load=17.8e3, radial_load_y=1.0, **UPRIGHT))
+    more, _, is_said = gap_of(turning(10e3, axial_load=17.8e3, radial_load_y=1e3, **UPRIGHT))
+    assert little == pytest.approx(more, rel=0.02)
+    assert (said, is_said) == (False, True)
+
+
+def test_many_cases_have_their_own_gaps() -> None:
+    radial = np.array([[0.0, 3e3], [8e3, 0.0]])
+    axial = np.array([[17.8e3, 17.8e3], [17.8e3, -1e3]])  # the last has no equilibrium
+    solution = qs.solve(turning(10e3, axial_load=axial, radial_load_y=radial, **UPRIGHT))
+    found = qs.readings.ball_advance(solution)
+    assert found.outer_radial_load == pytest.approx(np.array([[0.0, 2713.2], [7028.1, np.nan]]), abs=0.1, nan_ok=True)
+    assert np.isnan(found.momentum_gap).tolist() == [[True, False], [False, True]]  # type: ignore[arg-type]
+    (said,) = (each.remark for each in qs.warnings(solution) if each.remark.code == "momentum_gap")
+    assert said.of.cases is not None
+    assert (said.of.cases.count, said.of.cases.first) == (2, (0, 1))
+    assert said.values["inner_N"] == pytest.approx(3e3)
+    (of_one,) = (each.remark for each in qs.warnings(solution, (1, 0)) if each.remark.code == "momentum_gap")
+    assert of_one.values["outer_N"] == pytest.approx(7028.1, abs=0.1)
