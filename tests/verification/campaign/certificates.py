@@ -56,8 +56,10 @@ NOT_ASKED = "not asked"
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
 
-FALLING, MOST_THRUST = 1e-3, 1e15
+FALLING, MOST_THRUST = 1e-5, 1e15
 """Of the thrust: how far apart that with an equilibrium and that without may lie; so many times its own is none."""
+WITHOUT_LOAD = 1e3
+"""Friction over load that says that a contact bears nothing; it grows without bound where the load goes to zero."""
 
 FRICTION_LIMITS = (None, 1.0, 0.1)
 """Of friction over load: none, what no material exceeds, what oiled steel carries."""
@@ -218,7 +220,7 @@ def friction_takes_thrust(scene: qs.Scene) -> bool:
     if not last.converged.all() or any(bad.any() for bad in findings(last.scene, last).failed().values()):
         return False
     asked = [np.nanmax(np.asarray(side.required_friction)) for side in (last.inner, last.outer)]
-    return bool(max(asked) > 1.0 / FALLING)
+    return bool(max(asked) > WITHOUT_LOAD)
 
 
 def directional(scene: qs.Scene) -> Certificate:
