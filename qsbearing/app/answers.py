@@ -26,6 +26,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import message
@@ -106,7 +107,7 @@ def solved(document: Tables, label: str) -> Answer:
         "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),
         "picture": picture,
         "pictures": pictures,
-        "effects": _switches(solution.scene if isinstance(solution, Solution) else solution.set),
+        "effects": _switches(asked(solution)),
     }
 
 
@@ -197,7 +198,7 @@ def _named(document: Tables, label: str) -> Scene | BearingSet:
     if of.tolerance is None:
         return of
     solution = _solution(document, label)
-    return replace(solution.scene if isinstance(solution, Solution) else solution.set, tolerance=None)
+    return replace(asked(solution), tolerance=None)
 
 
 def _solution(document: Tables, label: str) -> Solution | SetSolution:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
+from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING
 from qsbearing.model.solution.result_keys import BALL, DISPLACEMENT, LOAD, STIFFNESS, Group, Place, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
@@ -24,7 +25,7 @@ from qsbearing.results.readings_record import Readings, number, readings_record
 from qsbearing.results.remarks import every_remark, remarks_record
 
 DISPLACEMENT_NOISE = 1e-15
-"""Likewise, of displacements [m, rad]: a hundred-thousandth of an atom."""
+"""Of displacements [m, rad]: a hundred-thousandth of an atom."""
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -204,14 +205,17 @@ def numbers_of(
         row: of a set, from 1, of what each row has.
         readings: where they are of one; of a set those of each row.
     """
-    if group.is_asked is not None and not group.is_asked(
-        solution.scene if isinstance(solution, Solution) else solution.set
-    ):
+    if group.is_asked is not None and not group.is_asked(asked(solution)):
         return None
-    numbers = {each.entry or each.key: Place(group, each, row).of(solution, readings) for each in group.results}
+    numbers = {each.in_record: Place(group, each, row).of(solution, readings) for each in group.results}
     if all(values is None for values in numbers.values()):
         return None
     return {key: None if values is None else number(values[index]) for key, values in numbers.items()}
+
+
+def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
+    """As `numbers_of`; each None where none is called for."""
+    return numbers_of(group, *of) or {each.in_record: None for each in group.results}
 
 
 def tables_of(groups: Iterable[Group], solution: SetSolution) -> dict[str, Any]:
@@ -223,11 +227,6 @@ def tables_of(groups: Iterable[Group], solution: SetSolution) -> dict[str, Any]:
             table = table.setdefault(name, {})
         table.update(numbers_or_none(group, solution))
     return tables
-
-
-def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
-    """Likewise; each None where none is called for."""
-    return numbers_of(group, *of) or {each.entry or each.key: None for each in group.results}
 
 
 def temperatures(

@@ -9,20 +9,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.groups import GROUPS, STEADY, unasked
 from qsbearing.model.solution.result_keys import OVER, Group, Place, place_of, printed_unit, spelled
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import alike, question
 from qsbearing.readings.asked import READINGS, every_group, take_asked
 from qsbearing.systems.heat.heat_groups import groups_of_heat
-from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_row, groups_of_set
+from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_row, groups_of_set, of_bearing
 from qsbearing.systems.sets.set_solution import SetSolution
 
 Known = Mapping[str, Place]
 """Results by their names; of those that each ball has, in a row of a set those of all its balls."""
 
 
-OF_BEARING = [each for each in groups_of_row(GROUPS) if each not in OF_ROWS]
+OF_BEARING = of_bearing(GROUPS)
 """What a row has as any bearing has it."""
 
 
@@ -44,7 +45,7 @@ def _there(groups: Iterable[Group], solution: Any, taken: Any) -> Iterator[Place
     for group in groups:
         if group.is_asked is None:
             yield from (Place(group, each) for each, values in group.values(solution, taken) if values is not None)
-        elif group.is_asked(solution.scene if isinstance(solution, Solution) else solution.set):
+        elif group.is_asked(asked(solution)):
             yield from (Place(group, each) for each in group.results)
 
 
@@ -60,10 +61,8 @@ def _of_set(solution: SetSolution) -> list[Place]:
             one = each._replace(row=number)
             (of_readings if each.group.reading else of_rows).extend(one.overs if one.is_per_ball else [one])
     heat = [STEADY._replace(results=unasked(STEADY.results)), *groups_of_heat(solution.thermal)]
-    of_whole = [*_there([*groups_of_set(solution), *heat], solution, taken)]
-    places = [*of_rows, *(each for each in of_whole if each.group is not SYSTEM), *of_readings]
-    places += [each for each in of_whole if each.group is SYSTEM]
-    return sorted(places, key=_rank)
+    of_whole = _there([*groups_of_set(solution), *heat], solution, taken)
+    return sorted([*of_rows, *of_whole, *of_readings, *_there([SYSTEM], solution, taken)], key=_rank)
 
 
 def _rank(place: Place) -> int:

@@ -116,6 +116,11 @@ class Result(NamedTuple):
         """Its name with its unit."""
         return "_".join(filter(None, (self.name, UNITS[self.unit].ending)))
 
+    @property
+    def in_record(self) -> str:
+        """Under what it is in the record of `run --json`."""
+        return self.entry or self.key
+
     def of(self, holder: Any, index: Any = ...) -> NDArray | None:
         """The number in its unit; None where the holder has none, or there is no holder.
 
@@ -267,6 +272,11 @@ class Place(NamedTuple):
 
 IN_FULL, WITHOUT_BEFORE, WITHOUT_READING = range(3)
 """How much of a name is left out."""
+
+
+def in_name(words: str) -> str:
+    """As part of a result's name."""
+    return words.replace(" ", "_")
 
 
 def spelled(place: Place, with_unit: bool = False, left_out: int = IN_FULL) -> str:

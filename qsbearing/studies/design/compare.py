@@ -50,30 +50,15 @@ SHOWN = (
 """Of one bearing; with them every number of its readings that is not of single balls."""
 
 
-class InputKey(NamedTuple):
-    """A number of a bearing, by its path in a file."""
-
-    name: str
-    unit: str
-
-
 @dataclass(frozen=True)
 class Compared:
     """One number of each bearing."""
 
-    of: InputKey | Place
+    name: str
+    """Of the result; of an input its path in a file."""
+    unit: str
     values: tuple[float, ...]
     """NaN where there is none."""
-
-    @property
-    def name(self) -> str:
-        """Of the input or result."""
-        return self.of.name
-
-    @property
-    def unit(self) -> str:
-        """Of all values."""
-        return self.of.unit
 
     def difference(self, number: int) -> float:
         """Of a bearing from the first, as a part of the first; 0 where either has none, or they have not one sign."""
@@ -249,15 +234,13 @@ def _labels(names: list[str], files: list[str]) -> tuple[str, ...]:
 
 def _inputs(bearings: list[BallBearing]) -> tuple[Compared, ...]:
     lines = [
-        Compared(
-            InputKey(key.name, key.unit), tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings)
-        )
+        Compared(key.name, key.unit, tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings))
         for key in BEARING
     ]
     for side in MATERIALS:
         for key in required_of(Material):
             values = tuple(key.in_file(float(getattr(getattr(each, side), key.field))) for each in bearings)
-            lines.append(Compared(InputKey(f"{side}.{key.name}", key.unit), values))
+            lines.append(Compared(f"{side}.{key.name}", key.unit, values))
     return tuple(line for line in lines if len(set(line.values)) > 1)
 
 
@@ -271,16 +254,17 @@ def _inputs_of_sets(sets: Sequence[BearingSet]) -> tuple[Compared, ...]:
         if any(value != values[0] for value in values) and path[0] not in OF_JOB:
             key = paths.key_at(path)
             numbers = tuple(np.nan if value is None else float(value) for value in values)
-            lines.append(Compared(InputKey(".".join(path), key.unit if key else ""), numbers))
+            lines.append(Compared(".".join(path), key.unit if key else "", numbers))
     return tuple(lines)
 
 
 def main_results(solution: Solution | SetSolution) -> dict[str, Place]:
     """Those that are shown of one bearing, and every number of its readings; of a set all that a study keeps."""
     known = {name: each for name, each in known_results(solution).items() if each.is_usual}
+    if isinstance(solution, SetSolution):
+        return known
     of_readings = [name for name, each in known.items() if each.group.reading and not each.is_per_ball]
-    names = (*SHOWN, *of_readings) if isinstance(solution, Solution) else known
-    return {each.name: each for name in names if (each := find_result(name, known)) is not None}
+    return {each.name: each for name in (*SHOWN, *of_readings) if (each := find_result(name, known)) is not None}
 
 
 def _results(solutions: list[Solution | SetSolution]) -> tuple[Compared, ...]:
@@ -291,5 +275,5 @@ def _results(solutions: list[Solution | SetSolution]) -> tuple[Compared, ...]:
         every |= {name: each for name, each in kept.items() if name not in every}
         own = read(solution, kept.values())
         values.append({name: float(np.asarray(each)) for name, each in own.items()})
-    lines = (Compared(each, tuple(own.get(name, np.nan) for own in values)) for name, each in every.items())
+    lines = (Compared(name, each.unit, tuple(own.get(name, np.nan) for own in values)) for name, each in every.items())
     return tuple(line for line in lines if any(np.isfinite(each) and each != 0.0 for each in line.values))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from qsbearing.model.solution.groups import STEADY
-from qsbearing.model.solution.result_keys import Group, Result
+from qsbearing.model.solution.result_keys import Group, Result, in_name
 from qsbearing.systems.heat.state import NetworkPart, ThermalState
 
 WHOLE = Group(
@@ -27,7 +27,11 @@ def groups_of_heat(state: ThermalState | None) -> list[Group]:
     sources = _one_each(state.powers, "power", "W", "powers_W", "powers")
     flows = tuple(
         Result(
-            f"heat_{_named(one)}_to_{_named(other)}", "W", path=((one, other),), is_usual=False, entry=f"{one}>{other}"
+            f"heat_{in_name(one)}_to_{in_name(other)}",
+            "W",
+            path=((one, other),),
+            is_usual=False,
+            entry=f"{one}>{other}",
         )
         for one, other in state.flows
     )
@@ -37,10 +41,6 @@ def groups_of_heat(state: ThermalState | None) -> list[Group]:
 
 def _one_each(parts: Iterable[NetworkPart], what: str, unit: str, table: str, holder: str) -> Group:
     results = tuple(
-        Result(f"{_named(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
+        Result(f"{in_name(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
     )
     return Group(results, prefix="steady", holder=f"thermal.{holder}", table=("thermal", table))
-
-
-def _named(part: str) -> str:
-    return part.replace(" ", "_")

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.groups import OF_PRELOAD, channels, unasked
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result
+from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result, in_name
 from qsbearing.systems.sets.system_life import system_life
 
 if TYPE_CHECKING:
@@ -43,9 +43,14 @@ PRELOAD = Group(
 OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
 
 
-def groups_of_row(of_bearing: Iterable[Group]) -> list[Group]:
-    """Of a row: its own, and those of a bearing but of a preload, which is the set's."""
-    return [*OF_ROWS, *(each for each in of_bearing if each is not OF_PRELOAD)]
+def of_bearing(groups: Iterable[Group]) -> list[Group]:
+    """Those of a bearing that a row has too: all but of a preload, which is the set's."""
+    return [each for each in groups if each is not OF_PRELOAD]
+
+
+def groups_of_row(groups: Iterable[Group]) -> list[Group]:
+    """Of a row: its own, and those of a bearing."""
+    return [*OF_ROWS, *of_bearing(groups)]
 
 
 SHAFT = "shaft"
@@ -84,22 +89,6 @@ SYSTEM = Group(
 """The lives of all rows together."""
 
 
-class OfShaft(NamedTuple):
-    """What the shaft does at one of several positions [m]: the name of a method of a solution, which takes them all, so
-    that a study and a record have the same digits."""
-
-    method: str
-    positions: tuple[float, ...]
-    number: int
-
-    def __call__(self, solution: SetSolution) -> NDArray | None:
-        """Its channels, or its only number, of the cases."""
-        along = getattr(solution, self.method)(self.positions)
-        if along is None:
-            return None
-        return np.asarray(along[..., self.number] if self.method == "axial_growth" else along[..., self.number, :])
-
-
 class OfSupport(NamedTuple):
     """What a support of the shaft carries, by its number from 0."""
 
@@ -114,15 +103,14 @@ GROWTH = Result("axial_growth", "um")
 
 
 def groups_of_set(solution: SetSolution) -> list[Group]:
-    """Of the set as a whole: its shaft, the points and supports of this, and places along it."""
+    """Of a set's shaft, the points and supports of this, and places along it; the lives of all rows are `SYSTEM`."""
     shaft = solution.set.shaft
     if shaft is None:
-        return [*OF_SHAFT, SLIDE, SYSTEM]
+        return [*OF_SHAFT, SLIDE]
     points = [group for name in shaft.points for group in _of_point(solution, name)]
-    along = places_on_shaft(solution.set)
-    line = [group for number, name in enumerate(along) for group in _of_line(name, tuple(along.values()), number)]
+    line = [group for name in solution.line for group in _of_line(name)]
     supports = [_of_support(number) for number in range(len(shaft.supports))]
-    return [*OF_SHAFT, *points, SLIDE, *line, *supports, SYSTEM]
+    return [*OF_SHAFT, *points, SLIDE, *line, *supports]
 
 
 def _of_point(solution: SetSolution, name: str) -> list[Group]:
@@ -148,7 +136,7 @@ def _always(of: BearingSet) -> bool:
 def _of_part(point: str, part: str) -> Group:
     """What part of the deflection at a point it is."""
     table, of = ("shaft", "points", point, "shares", part), ("points", point, "relative_shares", part)
-    return Group(SHARES, prefix=f"{point}_share_{_named(part)}", holder=of, table=table, is_asked=_always)
+    return Group(SHARES, prefix=f"{point}_share_{in_name(part)}", holder=of, table=table, is_asked=_always)
 
 
 def _of_support(number: int) -> Group:
@@ -156,19 +144,23 @@ def _of_support(number: int) -> Group:
     return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_asked=_always)
 
 
-def _named(place: str) -> str:
-    return place.replace(" ", "_")
+def _grows(of: BearingSet) -> bool:
+    shaft, _ = of.growth
+    return shaft.is_evaluated
 
 
-def _of_line(name: str, positions: tuple[float, ...], number: int) -> list[Group]:
-    table, prefix, at = ("shaft", "line", name), f"line_{_named(name)}", (positions, number)
-    moved = Group(unasked(DISPLACEMENT), prefix=f"{prefix}_displacement", holder=OfShaft("deflection", *at))
-    forces = Group(unasked(LOAD), prefix=f"{prefix}_inner_forces", holder=OfShaft("inner_forces", *at))
-    growth = GROWTH._replace(path="", is_usual=False)
+def _of_line(name: str) -> list[Group]:
+    table, of, prefix = ("shaft", "line", name), ("line", name), f"line_{in_name(name)}"
+
+    def group(kind: str, results: tuple[Result, ...]) -> Group:
+        return Group(
+            unasked(results), prefix=f"{prefix}_{kind}", holder=(*of, kind), table=(*table, kind), is_asked=_always
+        )
+
     return [
-        moved._replace(table=(*table, "displacement"), is_asked=_always),
-        Group((growth,), prefix=prefix, holder=OfShaft("axial_growth", *at), table=table),
-        forces._replace(table=(*table, "inner_forces"), is_asked=_always),
+        group("displacement", DISPLACEMENT),
+        Group(unasked((GROWTH,)), prefix=prefix, holder=of, table=table, is_asked=_grows),
+        group("inner_forces", LOAD),
     ]
 
 

@@ -28,6 +28,7 @@ from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_know
 from qsbearing.systems.sets.elastic_shaft import Structure
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
+from qsbearing.systems.sets.set_groups import places_on_shaft
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
@@ -271,8 +272,24 @@ class SetSolution(SolutionOfCases):
         """The shaft's named points: deflection, compliance, and the parts that contribute to it."""
         return {} if self.set.shaft is None else {name: self.point(at) for name, at in self.set.shaft.points.items()}
 
+    @cached_property
+    def line(self) -> dict[str, dict[str, NDArray | None]]:
+        """What the shaft does at its ends and where something stands on it: `deflection`, `inner_forces` and
+        `axial_growth` of each, under the name of the place."""
+        along = places_on_shaft(self.set)
+        at = [*along.values()]
+        moved, forces, grown = self.deflection(at), self.inner_forces(at), self.axial_growth(at)
+        return {
+            name: {
+                "displacement": moved[..., i, :],
+                "inner_forces": forces[..., i, :],
+                "axial_growth": None if grown is None else grown[..., i],
+            }
+            for i, name in enumerate(along)
+        }
+
     def point(self, position: float) -> ShaftPoint:
-        """Likewise, of any position on the shaft [m]."""
+        """As one of `points`, of any position on the shaft [m]."""
         rows = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
         free = [*self.free_channels, *self._followers]
         compliance, parts = self._deflection.compliance(position, self._tangent, free, rows)

@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.studies.design.compare import Compared, InputKey
+from qsbearing.studies.design.compare import Compared
 from tests.systems.sets.arrangements import PAIR_FILE
 
 JOB = (
@@ -103,7 +103,7 @@ def test_a_set_s_rows_take_each_bearing(tmp_path: Path) -> None:
 def test_the_job_is_shown_and_what_changes_its_sign_has_no_percentage(job: Path) -> None:
     found = qs.compare(["7210C", "71914C"], job)
     assert found.conditions == (("speed_rpm", 9000.0, "rpm"), ("axial_load_N", 3000.0, "N"))
-    line = Compared(InputKey("x", "um"), (-2.0, 4.18, -8.36, 0.0, np.nan))
+    line = Compared("x", "um", (-2.0, 4.18, -8.36, 0.0, np.nan))
     assert [line.difference(number) for number in range(5)] == [0.0, 0.0, pytest.approx(3.18), 0.0, 0.0]
     shown = CliRunner().invoke(cli, ["compare", "7210C", "71914C", "--at", str(job)]).stdout
     assert "speed_rpm" in shown and "axial_load_N" in shown
