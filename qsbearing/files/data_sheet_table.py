@@ -112,10 +112,13 @@ def refusal(bearing: BallBearing) -> str:
     return "" if bearing.inferred is None else f"a data sheet allows several ball sets. {_one_of(bearing.inferred)}"
 
 
+_BALL_SET = ("ball_count", "ball_diameter", "pitch_diameter")
+
+
 def _one_of(inferred: InferredBearing) -> str:
     """How to go on with a single one."""
     best: Any = inferred.at(0)
-    numbers = {key.name: key.in_file(getattr(best, key.field)) for key in BEARING[:3]}
+    numbers = {key.name: key.in_file(getattr(best, key.field)) for key in BEARING if key.field in _BALL_SET}
     numbers["groove_radius_coefficient"] = round(best.inner_groove_radius / best.ball_diameter, 4)
     lines = ", ".join(f"{name} = {value:.6g}" for name, value in numbers.items())
     return (

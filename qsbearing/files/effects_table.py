@@ -47,12 +47,11 @@ from qsbearing.model.effects import (
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.ring_expansion_errors import Fit
-from qsbearing.model.scene.scene import CHOICES, effect_errors
+from qsbearing.model.scene.scene import CHOICES, DEFAULT_ACCURACY, effect_errors
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
 AUTO = "auto"
 """In place of the table of effects: they are chosen to a tolerance."""
-DEFAULT_TOLERANCE = 0.01
 
 _EFFECTS = table_model(
     "effects",
@@ -65,7 +64,6 @@ _ELASTIC_RINGS = table_model(
     EFFECT_TABLES["elastic_rings"],
     dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES},
 )
-_RING_EFFECTS: dict[str, Any] = RING_EFFECTS
 
 
 def effects_of(
@@ -79,7 +77,7 @@ def effects_of(
     """
     table = document.get("effects")
     if table == AUTO:
-        return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_TOLERANCE), errors)}
+        return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_ACCURACY), errors)}
     if "tolerance" in document:
         cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
         errors.append(FileErrorDetail("tolerance", 'is given without effects = "auto"', cause=cause))
@@ -142,7 +140,7 @@ def ring_effect(
     path, table = f"effects.{name}", stated.filled(name, table)
     if name == ElasticRings.name:
         return _elastic_rings(path, table, errors)
-    known_materials = materials_of(_RING_EFFECTS[name])
+    known_materials = materials_of(RING_EFFECTS[name])
     is_table = isinstance(table, dict)
     numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
     before = len(errors)
@@ -153,7 +151,7 @@ def ring_effect(
     if not is_table:
         return None
     later = [key.field for key in EFFECT_TABLES[name] if key.name in balance_keys]
-    needed = named(required_of(_RING_EFFECTS[name]))
+    needed = named(required_of(RING_EFFECTS[name]))
     missing = [key for key in needed if key not in {*good, *unusable, *balance_keys}]
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = dict.fromkeys(later)
@@ -164,7 +162,7 @@ def ring_effect(
     numbers_si |= {f"{seat}_interference": nan for seat in FITTED if f"{seat}_fit" in table}
     for seat, fit in fits.items():
         numbers_si |= {f"{seat}_fit": fit, f"{seat}_interference": fit.mean}
-    effect: RingEffect | None = made(lambda: _RING_EFFECTS[name](**numbers_si), errors)
+    effect: RingEffect | None = made(lambda: RING_EFFECTS[name](**numbers_si), errors)
     return effect if len(errors) == before else None
 
 

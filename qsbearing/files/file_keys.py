@@ -51,8 +51,9 @@ def reading_tables() -> dict[str, ReadingTable]:
 
 @cache
 def reading_keys(name: str) -> tuple[Key, ...]:
-    """The keys that hold numbers in a table within [readings]."""
-    return tuple(map(key_of, reading_tables()[name].inputs))
+    """The keys that hold numbers in a table within [readings]; none where there is no such table."""
+    table = reading_tables().get(name)
+    return () if table is None else tuple(map(key_of, table.inputs))
 
 
 def numbers() -> dict[str, tuple[Key, ...]]:

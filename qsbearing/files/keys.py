@@ -123,7 +123,7 @@ MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Pr
 SPECTRUM = (key_of(number("share")), key_of(number("hours", "h")), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
-RING_EFFECTS = types_in("ring_effects")
+RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
 EFFECT_TABLES = {name: keys for name, of in RING_EFFECTS.items() if (keys := keys_of(of))}
 """Effects that have a table of their own within [effects], which names them and holds their numbers."""
 RING_EXPANSION, BALL_EXPANSION = (EFFECT_TABLES[each.name] for each in (RingExpansion, BallExpansion))

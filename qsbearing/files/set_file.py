@@ -21,22 +21,23 @@ from qsbearing.files.scene_file import (
     preload_of,
     wrong_in_other_tables,
 )
+from qsbearing.files.set_keys import OTHERS
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.stated import Stated, stated_in, with_own_tables
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.row import PLACED, Direction, Row, placement_errors
+from qsbearing.systems.sets.row import Direction, Row, placement_errors
 
 TABLES = (*SECTIONS, *SET_TABLES)
 LISTED = ("rows", "spacers", "floating")
 """Those that are lists of tables."""
-OF_OTHERS = ("bearing", *EFFECT_TABLES, "readings", "housing_stiffness")
-"""Tables within a row, which are judged as those of a scene are."""
-
 _NUMBERS = keys_of(Row)
-_ROW = table_model("rows", _NUMBERS, {"carries": as_word, "sprung": as_it_is})
+_WORDS: dict[str, Any] = {"carries": as_word, "sprung": as_it_is}
+_ROW = table_model("rows", _NUMBERS, _WORDS)
+OF_OTHERS = tuple(name for name in OTHERS["rows"] if name not in _WORDS)
+"""Tables within a row, which are judged as those of a scene are."""
 
 
 def load_set(source: str | os.PathLike[str]) -> BearingSet:
@@ -166,8 +167,7 @@ def _row(
         problem = "missing" if carries is None else "is none of the choices"
         errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
     numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(_NUMBERS, good)
-    placed = {name: numbers[name] for name in PLACED if name in numbers}
-    errors += map(translate, placement_errors(path, **placed))
+    errors += map(translate, placement_errors(path, **numbers))
     sprung = good.get("sprung", False)
     if not isinstance(sprung, bool):
         errors.append(FileErrorDetail(f"{path}.sprung", "is neither true nor false", sprung))

@@ -35,8 +35,9 @@ from qsbearing.systems.sets.shaft import (
 )
 
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
+
+
 _LISTED = ("section", "load", "support", "mass")
-WITHIN_SHAFT = (*(NUMBERED[kind] for kind in _LISTED), "points", "gravity_m_s2")
 
 
 def _plain(name: str) -> TableModel:
@@ -52,11 +53,11 @@ _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The arguments of a BearingSet that these tables give."""
     table = document.get("shaft", {})
-    plain = {k: v for k, v in table.items() if k not in WITHIN_SHAFT} if isinstance(table, dict) else table
+    plain = {k: v for k, v in table.items() if k not in OTHERS["shaft"]} if isinstance(table, dict) else table
     good, _ = checked(_SHAFT, "shaft", plain, errors)
     numbers: dict[str, Any] = si(keys_of(Shaft), good)
     arguments: dict[str, Any] = si(OF_SET, good)
-    if isinstance(table, dict) and any(name in table for name in WITHIN_SHAFT):
+    if isinstance(table, dict) and any(name in table for name in OTHERS["shaft"]):
         arguments["shaft"] = _shaft(table, numbers, errors)
     elif numbers:
         errors.append(FileErrorDetail("[[shaft.sections]]", "missing", cause=_ELASTIC))
@@ -104,7 +105,7 @@ def surroundings_tables(
         tables["spacers"] = [{"rows": list(each.rows), **written(each)} for each in of.spacers]
     if of.floating:
         tables["floating"] = [
-            {"rows": list(each.rows), **numbers(SET_NUMBERS["floating"], each)}
+            {"rows": list(each.rows), **written(each)}
             | ({} if each.preload is None else {"preload": numbers(PRELOAD, each.preload)})
             for each in of.floating
         ]

@@ -90,7 +90,7 @@ def with_own_tables(document: dict[str, Any]) -> dict[str, Any]:
 @cache  # a search asks a thousand times
 def printed_keys(name: str) -> dict[str, str]:
     """The keys of an effect's or a reading's table in which a printed number stands in, and which."""
-    keys = EFFECT_TABLES.get(name) or (reading_keys(name) if name in reading_tables() else ())
+    keys = EFFECT_TABLES.get(name) or reading_keys(name)
     return {key.name: key.printed for key in keys if key.printed}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike
@@ -34,7 +34,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     title, bearing = report_of.get("title", name), report.geometry_text(solution)
     bearing = bearing if title == name else f"{name}: {bearing}"
-    tolerance = asked.tolerance or effects.DEFAULT_TOLERANCE
+    tolerance = asked.tolerance or DEFAULT_ACCURACY
     readings, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))

@@ -9,7 +9,7 @@ from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.bearing import chosen
@@ -17,8 +17,6 @@ from qsbearing.remarks.wording import capital
 from qsbearing.reports.evidence import of_rows
 from qsbearing.studies.chooser.explain import DATA_MISSING, NEEDED, NOT_NEEDED, Assessment
 from qsbearing.systems.sets.set_solution import SetSolution
-
-DEFAULT_TOLERANCE = 0.01
 
 STEADY = (
     "The motion is steady, and every ball is in equilibrium by itself: no cage force, no drag, no lubricant film under "
@@ -90,7 +88,7 @@ def section_of_set(solution: SetSolution, rows: Sequence[Assessment]) -> Section
     """Likewise of a set."""
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
-    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_TOLERANCE)
+    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_ACCURACY)
 
 
 def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessment], tolerance: float) -> Section:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Code, Paragraph, RowGroup, Section, Table
 from qsbearing.files.bearing_table import entry_of
-from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.file_keys import reading_keys
 from qsbearing.files.keys import (
     BEARING,
     COEFFICIENTS,
@@ -242,8 +242,7 @@ def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing |
         lines.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):
-                keys = reading_keys(name) if name in reading_tables() else ()
-                known = None if isinstance(value, str) else _key(keys, key)
+                known = None if isinstance(value, str) else _key(reading_keys(name), key)
                 text = value if isinstance(value, str) else _text(known.in_file(value) if known else value)
                 unit = printed_unit(known.unit) if known else "" if isinstance(value, str) else "SI"
                 origin = _origin(bearing, name, known.name, known.in_file(value)) if known else ""  # type: ignore[arg-type]

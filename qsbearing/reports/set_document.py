@@ -8,6 +8,7 @@ import numpy as np
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY
 from qsbearing.model.units import mm, rpm
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name
@@ -36,7 +37,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
     of, report_of = solution.set, inputs.document(source).get("report", {})
     readings = [taken(row) for row in solution.rows]
     changes, checks = limits(of), evidence.statements(solution.rows, of)
-    _, effect_rows = explain_set(of, effects.DEFAULT_TOLERANCE)
+    _, effect_rows = explain_set(of, DEFAULT_ACCURACY)
     return Document(
         report_of.get("title", f"{of.name or 'Bearing set'}, {of.arrangement}"),
         "Design report of a set",
@@ -56,7 +57,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
             margins_of_set(solution, readings),
             every_remark(solution, readings),
             key_results_of_set(solution, readings),
-            [*effects.is_right(effect_rows, effects.DEFAULT_TOLERANCE), evidence.in_short(checks)],
+            [*effects.is_right(effect_rows, DEFAULT_ACCURACY), evidence.in_short(checks)],
         ),
     )
 

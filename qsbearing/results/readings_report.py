@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.file_keys import reading_keys
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import Result, printed_unit
@@ -56,8 +56,7 @@ def _of_bearing(title: str, name: str, reading: Any, scene: Scene) -> Table | No
 
 def _origin(name: str, result: Result, scene: Scene) -> str:
     """Of a number that a scene may give or leave to the geometry: which, in brackets; of others nothing."""
-    keys = reading_keys(name) if name in reading_tables() else ()
-    key = next((each for each in keys if each.name == result.key), None)
+    key = next((each for each in reading_keys(name) if each.name == result.key), None)
     if key is None:
         return ""
     value = scene.readings.get(name, {}).get(key.field)

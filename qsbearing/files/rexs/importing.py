@@ -30,6 +30,7 @@ from qsbearing.files.toml import tables_of
 from qsbearing.model.validation import printable
 
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
+_PRELOAD, _ROW = ({key.field: key for key in keys} for keys in (PRELOAD, SET_NUMBERS["rows"]))
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 _ALONE = {
     *("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing", "bevel_gear", "cylindrical_gear"),
@@ -227,7 +228,7 @@ def _preload(document: NotedTable, forces: list[float]) -> None:
     """[preload] of the forces that bearings state, if any does."""
     if forces:
         table = document["preload"] = NotedTable()
-        table.put(PRELOAD[1], max(forces), "assumed: held rigidly, before fitting; programs differ")
+        table.put(_PRELOAD["rigid"], max(forces), "assumed: held rigidly, before fitting; programs differ")
         if len(set(forces)) > 1:
             table.note("", "the bearings have different preload forces: the largest is written")
 
@@ -271,7 +272,7 @@ def _results(reader: AttributeReader, bearing: Component, turn: NDArray) -> NDAr
 def _row(row: BearingRow) -> NotedTable:
     table = NotedTable()
     table.note("", str(row.bearing))
-    table.put(SET_NUMBERS["rows"][0], row.position, "the middle of the bearing: assumed that its balls are there")
+    table.put(_ROW["position"], row.position, "the middle of the bearing: assumed that its balls are there")
     if row.direction is not None:
         said = "assumed: the direction of the shaft's force that it carries" * (row.table["kind"] != "deep_groove")
         table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
@@ -289,7 +290,8 @@ def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneTex
     given = shaft_mapping.loads(reader, shaft)
     table = document["shaft"] = shaft_mapping.shaft_table(reader, shaft, given)
     reference = rows[0].position or 0.0
-    table.put(OF_SET[0], reference)
+    (key,) = OF_SET
+    table.put(key, reference)
     operation = document["operation"] = NotedTable()
     turns = _speeds(reader, bearings[0], operation)
     for field in _LOADS:

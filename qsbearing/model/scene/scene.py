@@ -201,11 +201,17 @@ class Scene(InNotebooks):
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
 
 
+DEFAULT_ACCURACY = 0.01
+"""The error that choosing effects may leave, where none is given."""
+FINEST, COARSEST = 1e-12, 1.0
+"""What of it may be asked for: the solver's own tolerance, and everything."""
+
+
 def tolerance_errors(of: Any) -> list[ErrorDetail]:
     """Errors of the tolerance to which effects of a scene or set are chosen."""
     if of.tolerance is None:
         return []
-    errors = within("tolerance", of.tolerance, RATIO, 1e-12, 1.0)
+    errors = within("tolerance", of.tolerance, RATIO, FINEST, COARSEST)
     if of.thermal is None:
         return errors
     cause = "Name the effects instead: with a heat balance they are not chosen automatically"

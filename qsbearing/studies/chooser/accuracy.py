@@ -1,12 +1,11 @@
-"""The error that choosing effects may leave, as `qs.solve` and `qs.solve_set` are asked for it."""
+"""The error that choosing effects may leave, as `qs.solve` and `qs.solve_set` are asked for it; and arguments of theirs
+that had another name."""
 
 from __future__ import annotations
 
 import warnings
 
-DEFAULT_ACCURACY = 0.01
-FINEST, COARSEST = 1e-12, 1.0
-"""What may be asked: the solver's own tolerance, and everything."""
+from qsbearing.model.scene.scene import COARSEST, DEFAULT_ACCURACY, FINEST
 
 
 def asked_accuracy(effects: str | None, given: float | None, own: float | None) -> float | None:
@@ -14,6 +13,7 @@ def asked_accuracy(effects: str | None, given: float | None, own: float | None) 
 
     Args:
         effects: as `qs.solve` has it.
+        given: as an argument.
         own: of the scene or set.
 
     Raises:

@@ -27,8 +27,6 @@ OUT_OF_LINE = (
     ("housing_tilt_z", ANGLE, 0.1),
 )
 """What a row states of its housing, and the most of it; likewise."""
-PLACED = ("position", "offset", *(name for name, *_ in OUT_OF_LINE))
-"""What of a row says where it stands."""
 
 
 class Direction(StrEnum):
@@ -87,13 +85,13 @@ class Row:
 
 def row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
     """Errors of each row alone."""
-    errors = []
+    errors, placed = [], ("position", "offset", *(name for name, *_ in OUT_OF_LINE))
     for number, row in enumerate(rows, 1):
         path = f"row {number}"
         if not isinstance(row.bearing, BallBearing):
             errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
         errors += choose(f"{path}.carries", row.carries, Direction)[1]
-        errors += placement_errors(path, **{name: getattr(row, name) for name in PLACED})
+        errors += placement_errors(path, **{name: getattr(row, name) for name in placed})
     return errors
 
 
