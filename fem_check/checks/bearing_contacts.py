@@ -281,7 +281,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     """Both contacts of each bearing."""
     rows: list[AgreementRow] = []
     notes: list[str] = []
-    mesh = NO_MESH
+    mesh = NO_MESH.copy()
     solver = ""
     points = operated(scene)
     for point in points:
@@ -308,7 +308,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
             rows += half_space_rows(contact, ideal[race], level) + on_half_spaces[race]
             rows += true_rows(contact, true[race]) + of_true_bodies[race]
             last = true[race]
-            mesh = half_space_contact.mesh_entry(ideal[race]) if isinstance(last, Refused) else last.mesh
+            mesh = half_space_contact.mesh_entry(ideal[race].bodies) if isinstance(last, Refused) else last.mesh
             solver = ideal[race].bodies.race.solver
         notes += _notes(contacts)
     return Findings(rows, mesh, solver, notes=notes)

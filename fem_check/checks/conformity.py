@@ -13,7 +13,6 @@ from fem_check.mechanics import boundary_element, contact, half_space_contact, m
 from fem_check.product.scenes import groove_contact
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, covered
-from fem_check.rows.record import MeshRecord
 
 COEFFICIENTS = {MeshLevel.QUICK: (0.56, 0.51), MeshLevel.RELEASE: (0.56, 0.53, 0.515, 0.51, 0.505)}
 """f = r/D, open to close. The closest is for finer meshes: its ellipse is 3 % off Hertz's."""
@@ -112,11 +111,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         reached.append(f"with f = {coefficient:g}, {' and '.join(limits)}")
     series["curves"] = curves
     bodies = half_space_contact.condensed_bodies(base.problem(LOAD), ELEMENTS[level][-2])
-    entry: MeshRecord = {
-        "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
-        "dofs": bodies.race.dofs,
-        "file": bodies.recipe.file_name,
-    }
+    entry = half_space_contact.mesh_entry(bodies)
     notes = [
         f"The gap's shape alone, on half-spaces; reference: {boundary_element.SOURCE}. What finite bodies "
         "add to the approach is about the same for every groove: see true_geometry.",

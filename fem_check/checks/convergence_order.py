@@ -14,7 +14,6 @@ from fem_check.mechanics.measuring import Measured
 from fem_check.product.scenes import groove_contact, operating_loads
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
-from fem_check.rows.record import MeshRecord
 
 PARTS = 4
 COUNTS = {MeshLevel.QUICK: (3, 4, 6), MeshLevel.RELEASE: (4, 6, 8, 12)}
@@ -112,11 +111,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         )
     )
     series = {"convergence": {"size": sizes, "rms_error": errors, "worst_single_position": single}}
-    entry: MeshRecord = {
-        "elements_per_semi_axis": COUNTS[level][-1],
-        "dofs": bodies.race.dofs,
-        "file": bodies.recipe.file_name,
-    }
+    entry = half_space_contact.mesh_entry(bodies)
     return Findings(rows, entry, bodies.race.solver, series)
 
 

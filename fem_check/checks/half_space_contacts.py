@@ -110,7 +110,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         sound += half_space_contact.soundness_rows(of.case, [*study.sequence, *study.stretched])
     rows += collapsed(sound, f"{len(sound) // 2} contacts, all meshes")
     pictures = contact_pictures(study.solution, study.bodies, "the heaviest load")
-    return Findings(rows, half_space_contact.mesh_entry(study), study.bodies.race.solver, pictures)
+    return Findings(rows, half_space_contact.mesh_entry(study.bodies), study.bodies.race.solver, pictures)
 
 
 CHECK = Check(

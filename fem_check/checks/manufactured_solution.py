@@ -15,7 +15,6 @@ from fem_check.elements.elastic_body import DisplacementSpace, lame
 from fem_check.elements.linear_solver import Factor, factorise
 from fem_check.independent.contact_problem import Array, ElasticConstants
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
-from fem_check.rows.record import NO_MESH
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
@@ -160,8 +159,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
             rows.append(
                 AgreementRow(case, f"order of the {quantity}", "1", order, source, observed, None, TOLERANCE, WHY)
             )
-    mesh = NO_MESH
-    return Findings(rows, mesh, factor.solver)
+    return Findings(rows, solver=factor.solver)
 
 
 CHECK = Check(

@@ -280,7 +280,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         rows += collapsed(product_rows(progress), f"{name} and other scenes for solve: {product_scenes.COUNT}")
     if study is None:
         return Findings(rows)
-    return Findings(rows, half_space_contact.mesh_entry(study), study.bodies.race.solver)
+    return Findings(rows, half_space_contact.mesh_entry(study.bodies), study.bodies.race.solver)
 
 
 def of_one_bearing(points: Sequence[SolvedPoint]) -> list[list[SolvedPoint]]:

@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from fem_check.rows import row_text
-from fem_check.rows.record import CheckRecord, RowRecord, deviation_percent
+from fem_check.rows.record import CheckRecord, RowRecord, deviation_percent, reach_percent
 from qsbearing.documents.terminal import STYLES
 
 SHOWN = {
@@ -104,7 +104,7 @@ def _summary(rows: Iterable[RowRecord]) -> Iterable[Any]:
         judged = [row for row in by_verdict.get(verdict, []) if row["quantity"] != "angle"] or by_verdict.get(verdict)
         if not judged:
             continue
-        worst = max(judged, key=lambda row: abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0))
+        worst = max(judged, key=reach_percent)
         said = f"{SHOWN[worst['quantity']][0].partition(' ')[0]} {' ± '.join(_difference(worst))}"
         limit = worst["tolerance_percent"]
         told = meaning.format(worst=said, tolerance=f"{row_text.number(limit, 2)}%" if limit else "none")

@@ -36,8 +36,6 @@ class Motion:
 
     displacement: Array
     """Of the inner ring, along the axis [m]."""
-    azimuth: Array
-    """[rad]."""
     orbit: Array
     """[rad/s]."""
     rotation: Array
@@ -102,7 +100,6 @@ def motion(balls: FreeBalls, state: Array) -> Motion:
     toward = contacts.normal * np.array([[-1.0], [1.0]])
     return Motion(
         displacement=state[RING].real,
-        azimuth=np.angle(state[YZ]),
         orbit=orbit,
         rotation=np.array([w_x - orbit, -turning.imag, turning.real]),
         angle=np.arctan2(toward.real, toward.imag),

@@ -21,12 +21,12 @@ import numpy as np
 from fem_check.independent import references
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.drawing import BearingDrawing
+from fem_check.independent.groove import RACES
 from fem_check.independent.slip_friction import Coulomb, EllipsePoints, Linear
 
 X, YZ, ALONG, ACROSS, RING, RING_SPEED = 0, 1, slice(2, 4), slice(4, 6), 6, 7
 """Rows of a state: the ball's place along and across the axis; its velocity and angular velocity along the axis, the
 same across it; the inner ring's place and speed along it."""
-RACES = ("inner", "outer")
 
 
 @dataclass(frozen=True)
@@ -211,18 +211,16 @@ class FreeBalls:
         change[RING_SPEED] = (push + contacts.on_rings[0][0]) * lightness
         return change
 
-    def start(self, place: Array, orbit: Array, rotation: Array, ring: Array, azimuth: Array | float = 0.0) -> Array:
-        """A state of balls that go round, and rings that do not move along their axis; shape (8, case).
+    def start(self, place: Array, orbit: Array, rotation: Array, ring: Array) -> Array:
+        """A state of balls that go round, in the plane of x and y, and rings that do not move along their axis; shape
+        (8, case).
 
         Args:
             place: of the ball's centre, x + ir [m].
             orbit: its speed round the axis [rad/s].
             rotation: the ball's angular velocity as seen from there, x + ir [rad/s].
             ring: the inner ring's displacement [m].
-            azimuth: from y towards z [rad].
         """
-        outward = np.exp(1j * np.asarray(azimuth)) + 0.0 * place
         still = 0.0 * place
-        going = 1j * orbit * place.imag * outward
-        turning = rotation.real + orbit, rotation.imag * outward
-        return np.array([place.real, place.imag * outward, still, turning[0], going, turning[1], ring, still])
+        going, turning = 1j * orbit * place.imag, rotation.real + orbit
+        return np.array([place.real, place.imag, still, turning, going, rotation.imag, ring, still])

@@ -53,7 +53,7 @@ def shape(sections: list[BeamSection], at: Array, forces: Array, moments: Array,
         at: positions of forces and moments, which balance, (load,) [m].
         forces: across the shaft [N].
         moments: that turn it in the sense of a positive slope [N m].
-        asked: positions [m].
+        stations: positions [m].
     """
     stops = np.unique(np.concatenate([[each.begin for each in sections], [sections[-1].end], at, stations]))
     w, slope = 0.0, 0.0

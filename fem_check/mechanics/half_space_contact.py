@@ -196,12 +196,12 @@ def mesh_study(
     return MeshStudy(problem, solution, sequence, stretched_out, sizes, bodies)
 
 
-def mesh_entry(study: MeshStudy) -> MeshRecord:
+def mesh_entry(bodies: Bodies) -> MeshRecord:
     """The finest mesh, as the record keeps it."""
     return {
-        "elements_per_semi_axis": study.bodies.recipe.elements_per_semi_axis,
-        "dofs": study.bodies.race.dofs,
-        "file": study.bodies.recipe.file_name,
+        "elements_per_semi_axis": bodies.recipe.elements_per_semi_axis,
+        "dofs": bodies.race.dofs,
+        "file": bodies.recipe.file_name,
     }
 
 

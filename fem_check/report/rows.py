@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from math import inf
 
 from fem_check.rows import row_text
-from fem_check.rows.record import RowRecord, computed_value, deviation_percent
+from fem_check.rows.record import RowRecord, computed_value, deviation_percent, reach_percent
 from qsbearing.documents.model import Badge, Cell, Table
 
 SHORT = {
@@ -74,7 +74,7 @@ def used(row: RowRecord) -> float:
     refused."""
     if row["found"] is None:
         return inf
-    reach = abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0)
+    reach = reach_percent(row)
     tolerance = row["tolerance_percent"]
     return float(reach / tolerance) if tolerance else (inf if tolerance == 0.0 and reach else 0.0)
 

@@ -69,6 +69,11 @@ def computed_value(row: RowRecord) -> float:
     return row["found"]
 
 
+def reach_percent(row: RowRecord) -> float:
+    """|deviation| + uncertainty, of a row that has a deviation [%]."""
+    return abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0)
+
+
 def deviation_percent(row: RowRecord) -> float:
     """(computed - reference)/reference of a row that has one, or the difference from 0 [%]."""
     assert row["deviation_percent"] is not None

@@ -22,7 +22,7 @@ BOUNDS = {
 """Largest uncertainty allowed at the release level, outside diameter fixed, centrifugal force alone; in per cent, of
 angles in degrees."""
 WITH_MOMENT = f"{OuterSupport.RIGID}{MOMENT_STEP}"
-"""Names the series with it."""
+"""Names the series with the gyroscopic moment."""
 
 
 def largest_uncertainty(states: dict[str, Any]) -> dict[str, float]:
@@ -110,6 +110,7 @@ def _spans(states: dict[str, Any]) -> str:
 
 
 def support_note(series: dict[str, Any]) -> str:
+    """What a free outside diameter changes against rigid rings; empty without that series."""
     if str(OuterSupport.FREE) not in series:
         return ""
     return (
@@ -121,6 +122,7 @@ def support_note(series: dict[str, Any]) -> str:
 
 
 def rings_note(series: dict[str, Any]) -> str:
+    """What is left of that with elastic rings in the model; empty without that series."""
     with_rings = series.get(f"{OuterSupport.FREE}{WITH_RINGS}")
     if with_rings is None:
         return ""

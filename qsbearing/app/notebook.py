@@ -19,7 +19,7 @@ from qsbearing.pictures.study import picture
 from qsbearing.remarks.wording import PYTHON
 from qsbearing.reports import inputs, set_inputs
 from qsbearing.results import report, set_report
-from qsbearing.results.readings_record import taken
+from qsbearing.results.readings_record import all_taken
 from qsbearing.results.tables import digits_of
 from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import find, known_results, read
@@ -57,8 +57,8 @@ def _blocks(shown: Any) -> Sequence[Block]:
         case Solution() | SetSolution() if shown.shape:
             return _cases(shown)
         case Solution():
-            return report.result(shown, taken(shown), PYTHON)
-    return set_report.set_result(shown, [taken(row) for row in shown.rows], PYTHON)
+            return report.result(shown, all_taken(shown), PYTHON)
+    return set_report.set_result(shown, all_taken(shown), PYTHON)
 
 
 def _tables(blocks: Sequence[Block]) -> list[Block]:

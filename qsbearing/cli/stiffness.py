@@ -16,6 +16,17 @@ if TYPE_CHECKING:
     from qsbearing.studies.remarked import Look
 
 
+LAST = "0.5.0"
+"""The version with which some formats go."""
+INSTEAD = {
+    "mat": "json has the same matrices, which jsondecode of MATLAB and Octave reads",
+    "abaqus": "calculix has the same springs, on a node that moves and one that turns",
+    "ansys": "json has the matrix, of which MATRIX27 takes the symmetric part",
+}
+"""Formats that will go, and what to use in place of each."""
+NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"
+
+
 @click.command(short_help="Tabulate stiffness over speed and load, for rotor dynamics.")
 @click.argument("scene")
 @vary_option
@@ -26,7 +37,7 @@ if TYPE_CHECKING:
     type=click.Choice(["csv", "json", "mat", "ross", "calculix", "nastran", "abaqus", "ansys"]),
     default="csv",
     help="csv: a table over speed and load. Of one operating point: json; ross (Python that makes "
-    "elements of ROSS); springs for CalculiX and Nastran. Until 0.5.0: mat (MATLAB), abaqus and ansys.",
+    f"elements of ROSS); springs for CalculiX and Nastran. Until {LAST}: mat (MATLAB), abaqus and ansys.",
 )
 @click.option(
     "--units",
@@ -108,13 +119,4 @@ def _for_finite_elements(
     for each in blocks(every_remark(solution)):
         note(each.text)
     if form in INSTEAD:
-        note(f"--format {form} goes with version 0.5.0; {INSTEAD[form]}")
-
-
-INSTEAD = {
-    "mat": "json has the same matrices, which jsondecode of MATLAB and Octave reads",
-    "abaqus": "calculix has the same springs, on a node that moves and one that turns",
-    "ansys": "json has the matrix, of which MATRIX27 takes the symmetric part",
-}
-"""Formats that will go, and what to use in place of each."""
-NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"
+        note(f"--format {form} goes with version {LAST}; {INSTEAD[form]}")

@@ -28,6 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import given_in
+from qsbearing.model.effects.traction import most_drag
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
@@ -148,7 +149,7 @@ def _axis_moment(solution: Solution, mu: NDArray) -> NDArray | None:
         return None
     radius = 0.5 * np.asarray(BearingNumbers(solution.scene.operating_bearing).ball_diameter)
     held = (mu * radius)[..., None] * (solution.inner.load + solution.outer.load)
-    return _largest(_ratio(np.abs(solution.gyroscopic_moment), held))
+    return np.asarray(np.fmax.reduce(_ratio(np.abs(solution.gyroscopic_moment), held), axis=-1))
 
 
 def _drag(
@@ -159,13 +160,13 @@ def _drag(
     if cd is None or low is None or high is None:
         return None, None, None
     inner, outer = solution.inner, solution.outer
-    both = 1.0 + inner.cosine * outer.cosine + inner.sine * outer.sine
-    touches = inner.load > 0.0
-    held = np.where(touches, mu[..., None] * inner.load * both, 0.0).sum(axis=-1)
+    touches, parallel = inner.load > 0.0, inner.cosine * outer.cosine + inner.sine * outer.sine
+    at_load = most_drag(mu[..., None], 1.0, parallel)
+    held = np.where(touches, at_load * inner.load, 0.0).sum(axis=-1)
     # Of oil alone; its share is a factor.
     drag = drag_force(solution, np.asarray(cd, float), np.asarray(given.oil_density, float))
-    used = _ratio(np.nansum(np.abs(drag), axis=-1), held)
-    load = np.where(touches, np.abs(inner.sine * drag) / (mu[..., None] * both), 0.0).sum(axis=-1)
+    used = _ratio(np.nansum(drag, axis=-1), held)
+    load = np.where(touches, np.abs(inner.sine * drag) / at_load, 0.0).sum(axis=-1)
     solved = np.where(np.asarray(solution.converged), 1.0, np.nan)
     least, most = (solved * np.asarray(share, float) for share in (low, high))
     return np.asarray(least * used), np.asarray(most * used), np.asarray(most * load)
@@ -180,12 +181,6 @@ def _ratio(used: NDArray, held: NDArray) -> NDArray:
     """NaN where nothing holds."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(held > 0.0, used / held, np.nan))
-
-
-def _largest(of_balls: NDArray) -> NDArray:
-    """Of each case; NaN where there is none."""
-    largest = np.where(np.isnan(of_balls), -np.inf, of_balls).max(axis=-1)
-    return np.asarray(np.where(np.isneginf(largest), np.nan, largest))
 
 
 def _found(
@@ -214,8 +209,9 @@ ENTRY = Reading(
         Result("most_drag_used", words="drag over the friction that drives balls, most oil"),
         Result("least_axial_load", "N", "least axial load against skidding, most oil"),
         Result("maker_axial_load", "N", "least axial load by the maker's factor"),
-        Result("maker_load_used", words="that over the axial load"),
+        Result("maker_load_used", words="maker's least axial load over the axial load"),
     ),
     of_contact=(Result("friction_used", words="friction for the gyroscopic moment over mu Q"),),
-    scope="Balls roll as raceway control has them: a balance of friction itself is not computed.",
+    scope="Balls roll as raceway control has them: a balance of friction itself is not computed. Oil of "
+    f"{OIL_DENSITY:g} kg/m³ is assumed where this reading is given no density.",
 )

@@ -46,9 +46,9 @@ NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "requir
 
 
 CREEP = 0.5
-"""Part of the friction coefficient above which the gyroscopic moment makes balls creep (`ball_slip`)."""
+"""Part of the friction coefficient above which the gyroscopic moment makes balls creep; their remark says half."""
 MOST_HEAT = 2.8
-"""Heat by a balance of friction over that by raceway control, at most."""
+"""Heat by a balance of friction over that by raceway control: the most in a trial of both; no bound is known."""
 PARTS = (0.0, 1.0)
 """Of a load, or of what is stored."""
 

@@ -148,17 +148,16 @@ def _of_contacts(solution: Solution, readings: Mapping[str, Any]) -> Iterator[Ma
     pressure = max(float(np.nanmax(side.max_pressure)) for side in sides.values())
     dents = Estimate(STATIC_PRESSURE / MPa, "ISO 76; beyond it permanent dents")
     yield Margin("contact pressure", pressure / MPa, (dents,))
-    moment = solution.scene.gyroscopic_moment
+    moment, slip = solution.scene.gyroscopic_moment, readings.get("ball_slip")
     if moment is not None:
-        slip = readings.get("ball_slip")
-        given = (
-            slip.friction_coefficient if moment.friction_coefficient is None and slip else moment.friction_coefficient
-        )
+        given = moment.friction_coefficient
+        if given is None and slip is not None:
+            given = slip.friction_coefficient
         own = () if given is None else (Estimate(float(np.asarray(given)), "input; beyond it balls slip"),)
         required = [np.asarray(side.required_friction)[side.load > 0.0] for side in sides.values()]
         largest = max((float(np.max(each)) for each in required if each.size), default=0.0)
         yield Margin("friction coefficient", largest, own or USUAL_FRICTION)
-    yield from _of_slip(solution, readings.get("ball_slip"))
+    yield from _of_slip(solution, slip)
     overrun = readings.get("overrun")
     for name, side in sides.items():
         at_edge = None if overrun is None else getattr(overrun, name)

@@ -18,7 +18,7 @@ from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.reports.margins import margins_of_set
 from qsbearing.results import report, set_report
-from qsbearing.results.readings_record import Readings, taken
+from qsbearing.results.readings_record import Readings, all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.explain_set import explain_set
@@ -35,7 +35,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         command: that makes this report.
     """
     of, report_of = solution.set, inputs.document(source).get("report", {})
-    readings = [taken(row) for row in solution.rows]
+    readings = all_taken(solution)
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, DEFAULT_ACCURACY)
     return Document(

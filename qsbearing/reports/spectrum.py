@@ -17,7 +17,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.reports import document as of_scene
 from qsbearing.reports import set_document
-from qsbearing.results.readings_record import taken
+from qsbearing.results.readings_record import all_taken, taken
 from qsbearing.results.set_spectrum_report import set_spectrum_result
 from qsbearing.results.spectrum_report import spectrum_result
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -41,7 +41,7 @@ def document(
         command: that makes this report.
     """
     if isinstance(solution, SetSolution):
-        readings = [taken(row) for row in solution.rows]
+        readings = all_taken(solution)
         blocks = set_spectrum_result(solution, readings)
     else:
         readings = [taken(solution)]

@@ -12,7 +12,8 @@ from qsbearing.model.units import mm
 from qsbearing.results.json_record import tables_of
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
-from qsbearing.systems.sets.set_groups import SHAFT, SHARES, groups_of_set, places_on_shaft
+from qsbearing.systems.sets.bearing_set import places_on_shaft
+from qsbearing.systems.sets.set_groups import SHAFT, SHARES, groups_of_set
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOISE = 1e-9

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,9 +14,6 @@ from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
-
-if TYPE_CHECKING:
-    pass
 
 
 def thermal_record(state: ThermalState, index: CasePlace = ()) -> dict[str, Any]:

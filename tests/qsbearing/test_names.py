@@ -8,22 +8,12 @@ from __future__ import annotations
 import ast
 from collections import defaultdict
 from collections.abc import Iterator
-from functools import cache
-from itertools import chain
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
-PACKAGES = ("qsbearing", "fem_check")
+from tests.qsbearing.source_text import PACKAGES, ROOT, trees
+
 NAME = "found"
-
-
-@cache
-def trees(folder: str) -> list[tuple[str, ast.Module]]:
-    """Every file with its syntax tree, by its path in the repository."""
-    files = sorted((ROOT / folder).rglob("*.py"))
-    return [(each.relative_to(ROOT).as_posix(), ast.parse(each.read_text(encoding="utf-8"))) for each in files]
 
 
 def variables(tree: ast.Module) -> Iterator[tuple[str, int]]:
@@ -39,29 +29,24 @@ def variables(tree: ast.Module) -> Iterator[tuple[str, int]]:
             yield each.name, each.lineno
 
 
-def places_of(*folders: str) -> dict[str, list[str]]:
-    """Of each folder where the variable stands: its places."""
-    places = defaultdict(list)
-    for path, tree in chain.from_iterable(map(trees, folders)):
-        lines = [f"{path}:{line}" for name, line in variables(tree) if name == NAME]
-        if lines:
-            places["/".join(path.split("/")[:2])] += lines
-    return dict(places)
-
-
 def several() -> dict[str, list[str]]:
     """Classes whose names stand more than once, with their files."""
     files = defaultdict(list)
-    for path, tree in chain.from_iterable(map(trees, PACKAGES)):
+    for path, tree in trees(r"\bclass ", *PACKAGES):
         for each in ast.walk(tree):
             if isinstance(each, ast.ClassDef):
-                files[each.name].append(path)
+                files[each.name].append(path.relative_to(ROOT).as_posix())
     return {name: paths for name, paths in files.items() if len(paths) > 1}
 
 
 def test_no_variable_is_named_found() -> None:
-    places = places_of(*PACKAGES, "tests/fem_check")
-    assert places == {}, "name it by what it is: a record, errors, a table, a step, rows"
+    places = [
+        f"{path.relative_to(ROOT)}:{line}"
+        for path, tree in trees(rf"\b{NAME}\b", *PACKAGES, ROOT / "tests" / "fem_check")
+        for name, line in variables(tree)
+        if name == NAME
+    ]
+    assert places == [], "name it by what it is: a record, errors, a table, a step, rows"
 
 
 def test_a_class_name_stands_once() -> None:

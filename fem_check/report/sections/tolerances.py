@@ -6,7 +6,7 @@ from statistics import median
 
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import quantity
-from fem_check.rows.record import RowRecord, deviation_percent, tolerance_percent
+from fem_check.rows.record import RowRecord, deviation_percent, reach_percent, tolerance_percent
 from fem_check.rows.row_text import number
 from qsbearing.documents.model import Cell, Md, Paragraph, Section, Table
 
@@ -62,7 +62,7 @@ def _is_rounding(row: RowRecord) -> bool:
 
 
 def _over_both(row: RowRecord) -> float:
-    both = abs(deviation_percent(row)) + (row["uncertainty_percent"] or 0.0)
+    both = reach_percent(row)
     return tolerance_percent(row) / both if both else float("inf")
 
 

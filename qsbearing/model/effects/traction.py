@@ -1,7 +1,6 @@
 """Traction: the friction of sliding contacts from which the balls' axes and orbits follow, in place of raceway control.
 
-Source        the quasi-static balance of friction over both ellipses, as Harris & Kotzalas (Advanced Concepts, chapter
-              on ball motion without raceway control) and Jones 1960 state it, derived here anew; contact surfaces as
+Source        rigid-body mechanics of a ball with friction over both ellipses, derived here; contact surfaces as
               Heathcote 1921 has them, on their common curvature. Coulomb's law is rounded off at small slip
 Equation      dF = -f(|v|) p v/|v| dA on the ball, v its surface's velocity less the ring's (`kernel/traction.py`);
               Coulomb: f = mu |v|/sqrt(v^2 + vc^2); linear: f = mu |v|/vc, what Coulomb's is at slips far below vc
@@ -21,7 +20,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from math import sqrt
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.compiler.compiled import inlined
 from qsbearing.model.validation import DENSITY, FORCE, RATIO, ErrorDetail, Quantity, choose, raise_if_any, within
@@ -78,6 +78,18 @@ class Traction:
             missing = "fluid_density" if self.fluid_density is None else "drag_coefficient"
             errors.append(ErrorDetail(missing, "is missing: drag needs both"))
         raise_if_any(errors)
+
+
+def most_drag(coefficient: NDArray, inner_load: ArrayLike, parallel: NDArray) -> NDArray:
+    """mu Qi (1 + cos(ai - ao)) of a ball: the drag at which it slides on both rings and falls behind.
+
+    By equilibrium about the axis through both contacts' tangents: the ball passes what its inner contact drives it with
+    on to the outer one.
+
+    Args:
+        parallel: cos(ai - ao).
+    """
+    return np.asarray(coefficient * np.asarray(inner_load) * (1.0 + parallel))
 
 
 @inlined

@@ -45,7 +45,15 @@ from qsbearing.model.kernel.newton_step import (
     turned_line,
 )
 from qsbearing.model.kernel.ring import inner_groove_step
-from qsbearing.model.kernel.solve_case import SOUND, UNFINISHED, deliver_solved, prepare, set_controls, solve_cases
+from qsbearing.model.kernel.solve_case import (
+    SOUND,
+    UNFINISHED,
+    deliver_refused,
+    deliver_solved,
+    prepare,
+    set_controls,
+    solve_cases,
+)
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
 from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
@@ -329,8 +337,9 @@ def solve_alike(
                     prepare(case, work, balls, own[k], False, results[k], positions[k], controls[k])
                     entered += 1
                     if is_below_least_thrust(case, work, balls[0]):
-                        continue
-                    enter(ring, lane_balls, lane, case, work, balls, k)
+                        deliver_refused(case, work, balls, results[k], positions[k], controls[k])
+                    else:
+                        enter(ring, lane_balls, lane, case, work, balls, k)
             running += 1 if ring.case[lane] != NONE else 0
         if running == 0:
             return entered

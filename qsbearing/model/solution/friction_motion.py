@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw
+from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw, most_drag
 from qsbearing.model.kernel import traction_ball as kernel
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction import ANGLES, RADII, contact_points
@@ -147,23 +147,19 @@ class FrictionMotion:
 
     @property
     def skid_margin(self) -> NDArray:
-        """mu Qi (1 + cos(ai - ao))/Fd of each ball: the drag at which it slides on both rings and falls behind, over
-        that which it has.
-
-        By equilibrium about the axis through both contacts' tangents; infinite without drag.
-        """
-        parted = self.inner.angle - self.outer.angle
-        most = self.friction_coefficient[..., None] * self.inner.load * (1.0 + np.cos(parted))
+        """`most_drag` of each ball over that which it has; infinite without drag."""
+        parallel = np.cos(self.inner.angle - self.outer.angle)
+        most = most_drag(self.friction_coefficient[..., None], self.inner.load, parallel)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(most / np.abs(self.drag))
 
     @property
     def gyroscopic_margin(self) -> NDArray:
         """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right."""
-        asked = self.start.outer.required_friction
-        assert asked is not None
+        required = self.start.outer.required_friction
+        assert required is not None
         with np.errstate(divide="ignore", invalid="ignore"):
-            return np.asarray(self.friction_coefficient[..., None] / asked)
+            return np.asarray(self.friction_coefficient[..., None] / required)
 
     @property
     def heat(self) -> NDArray:

@@ -146,14 +146,6 @@ def _steady_friction(solution: SolvedScene) -> NDArray | None:
     return None if solution.thermal is None else np.asarray(sum(solution.thermal.powers.values()))
 
 
-def _axial_load(solution: SolvedScene) -> NDArray:
-    return np.asarray(solution.load[..., 0])
-
-
-def _axial_displacement(solution: SolvedScene) -> NDArray:
-    return np.asarray(solution.displacement[..., 0])
-
-
 def _has_preload(scene: Any) -> bool:
     return scene.preload is not None
 
@@ -182,11 +174,11 @@ PRELOAD = unasked(
     )
 ) + unasked(
     (
-        Result("in_operation", "N", WITH_LOADS, path=_axial_load),
+        Result("in_operation", "N", WITH_LOADS, path="load.0"),
         Result("alone", "N", "preload in operation, without external loads", path="preload_in_operation"),
-        Result("carried", "N", WITH_LOADS, path=_axial_load),
+        Result("carried", "N", WITH_LOADS, path="load.0"),
         Result("share", words="part of the given preload, without external loads", path="preload_share"),
-        Result("axial_displacement", "um", "axial displacement under preload", path=_axial_displacement),
+        Result("axial_displacement", "um", "axial displacement under preload", path="displacement.0"),
     ),
     is_column=False,
 )

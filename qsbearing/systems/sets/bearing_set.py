@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
@@ -260,6 +260,19 @@ class BearingSet(InNotebooks):
         if len(pair) == 2:
             return names.get(pair, "DT (tandem)")
         return " ".join(pair)
+
+
+def places_on_shaft(of: BearingSet) -> dict[str, float]:
+    """What stands on the shaft, and its ends, in the order of their positions [m]; without what varies over cases."""
+    shaft = of.shaft
+    assert shaft is not None
+    places: dict[str, Any] = {"begin": shaft.ends[0], "end": shaft.ends[-1]} if shaft.sections else {}
+    places |= shaft.points
+    parts: dict[str, Sequence[Any]] = {"row": of.rows, "load": shaft.loads, "mass": shaft.masses}
+    for kind, several in (parts | {"support": shaft.supports}).items():
+        places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
+    at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
+    return dict(sorted(at.items(), key=lambda item: item[1]))
 
 
 def _number_errors(of: BearingSet) -> list[ErrorDetail]:

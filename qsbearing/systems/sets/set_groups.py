@@ -162,16 +162,3 @@ def _of_line(name: str) -> list[Group]:
         Group(unasked((GROWTH,)), prefix=prefix, holder=of, table=table, is_asked=_grows),
         group("inner_forces", LOAD),
     ]
-
-
-def places_on_shaft(of: BearingSet) -> dict[str, float]:
-    """What stands on the shaft, and its ends, in the order of their positions [m]; without what varies over cases."""
-    shaft = of.shaft
-    assert shaft is not None
-    places: dict[str, Any] = {"begin": shaft.ends[0], "end": shaft.ends[-1]} if shaft.sections else {}
-    places |= shaft.points
-    parts: dict[str, Sequence[Any]] = {"row": of.rows, "load": shaft.loads, "mass": shaft.masses}
-    for kind, several in (parts | {"support": shaft.supports}).items():
-        places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
-    at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
-    return dict(sorted(at.items(), key=lambda item: item[1]))

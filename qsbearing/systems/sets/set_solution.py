@@ -23,12 +23,11 @@ from qsbearing.model.solution.status import Reason
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
-from qsbearing.systems.sets.set_groups import places_on_shaft
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""

@@ -15,7 +15,7 @@ import qsbearing as qs
 from qsbearing.model.compiler.compiled import HAS_NUMBA, functions, has_fast_code
 from qsbearing.model.effects.raceway_control import INNER, MINIMUM_DISSIPATION, OUTER
 from qsbearing.model.kernel import lanes
-from qsbearing.model.kernel.admissibility import CONVERGED
+from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.kernel.lane_assembly import evaluate_ball_lanes
 from qsbearing.model.kernel.lane_state import BALL_LANES, LANES, RING_LANES, lane_memory
@@ -145,7 +145,7 @@ def inner_without_moment(count: int) -> qs.Scene:
 
 
 def inner_thrust(count: int) -> qs.Scene:
-    """Thrust alone, of which lanes leave what is below the least to the scalar kernel, which refuses it."""
+    """Thrust alone, of which lanes refuse what is below the least, as the scalar kernel does."""
     scene = inner(count)
     operation = replace(scene.operation, radial_load_y=0.0, axial_load=0.3 * np.asarray(scene.operation.axial_load))
     return replace(scene, operation=operation)
@@ -178,7 +178,7 @@ def test_lanes_give_the_digits_of_the_scalar_kernel(make: Any, least: float) -> 
     assert_same(solved_by(lanes.solve_batch, maker, cases), expected)
     alone = solved_by(in_lanes_alone, maker, cases)[0]["status"]
     assert np.mean(alone == CONVERGED) >= least
-    assert set(alone) <= {CONVERGED, UNFINISHED}
+    assert set(alone) <= {CONVERGED, UNFINISHED, *([NO_EQUILIBRIUM] if make is inner_thrust else [])}
 
 
 def test_a_lane_that_is_not_a_number_leaves_the_others_their_digits() -> None:

@@ -24,12 +24,12 @@ friction above the load, an equilibrium (evidence)
     With friction that is never more than the contact's load, or than a tenth of it, there is an equilibrium, checked as
     any other, and in it some contact is asked for more than its load: the ball slips. That the equations, which ask
     whatever the load, have no equilibrium elsewhere is not proved.
-friction above the thrust (evidence)
-    Under inner control with thrust alone: more thrust has equilibria, and as it falls to where the last one is, checked
-    as any other, a contact loses its load, so that friction alone carries what is left. The scene has less.
 the same at part of the speed (evidence)
     So it is at a part of the speed, continued from rest: the equilibrium is checked at that part. Beyond it the one
     that comes from rest is none of a bearing.
+friction above the thrust (evidence)
+    Under inner control with thrust alone: more thrust has equilibria, and as it falls to where the last one is, checked
+    as any other, a contact loses its load, so that friction alone carries what is left. The scene has less.
 """
 
 from __future__ import annotations

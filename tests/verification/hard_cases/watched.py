@@ -5,7 +5,7 @@
 A name is a hard case's, or `random SEED`, or `trap`, which walks into each of the traps.
 
 Three traps. numpy raises on a division by zero, an overflow or an invalid operation wherever one of its numbers takes
-part, and the fields of the kernel's records are such numbers: it is given them as they are, not as `Entry.plain` does.
+part, and the fields of the kernel's records are such numbers: `CompiledEntry.plain` replaces them, this leaves them.
 Python itself raises ZeroDivisionError, OverflowError (powers, exp) and ValueError (roots and logarithms of negative
 numbers). What neither sees, a product or sum of plain floats that overflows without a word, is caught by looking at
 every local variable of every kernel function at the moment when it returns: none may be infinite or not a number.
@@ -85,7 +85,7 @@ def squared(x: float) -> float:
 
 
 def with_traps(entry: CompiledEntry, *args: Any) -> Any:
-    """In place of `Entry.plain`, which lets numbers be none and gives the kernel Python's."""
+    """In place of `CompiledEntry.plain`, which lets numbers be none and gives the kernel Python's."""
     return entry.function(*args)
 
 
