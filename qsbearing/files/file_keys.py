@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.files.keys import (
@@ -73,6 +74,13 @@ def thermal_numbers() -> dict[str, tuple[Key, ...]]:
     from qsbearing.files.thermal_keys import THERMAL_NUMBERS
 
     return THERMAL_NUMBERS
+
+
+@cache
+def words_of(name: str) -> str:
+    """What the number of a key is; empty where its name states it."""
+    every = chain(IN_PLACE, *NUMBERS.values())
+    return next((key.words for key in every if key.name == name and key.words), "")
 
 
 def sections() -> dict[str, tuple[str, ...]]:

@@ -43,6 +43,8 @@ class Key:
     """Which values its table accepts at all, in SI; None where that depends on others."""
     printed: str = ""
     """Which key of [bearing] stands in for it; empty: none does."""
+    words: str = ""
+    """What it is, where the name does not state it."""
 
     def si(self, value: Any) -> Any:
         """A value of the file in SI."""
@@ -68,7 +70,7 @@ def key_of(given: Input) -> Key:
     words = filter(None, (_STEMS.get(given.name, given.own_name), kind, unit.ending))
     name = ".".join((*given.part, "_".join(words)))
     printed = given.printed and f"{given.printed}_{unit.ending}"
-    return Key(name, given.name, unit.symbol, unit.size, unit.quantity, unit.zero, given.range, printed)
+    return Key(name, given.name, unit.symbol, unit.size, unit.quantity, unit.zero, given.range, printed, given.words)
 
 
 def keys_of(of: Any) -> tuple[Key, ...]:
@@ -116,7 +118,11 @@ DATA_SHEET = (
 """What it may state besides; which of the ball sets that it allows is meant."""
 SHEET_WORDS = ("maker", "rating_practice")
 """What of a data sheet tells the balls and grooves that it does not print."""
-IN_PLACE = (*(key_of(number(name)) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *DATA_SHEET)
+_OF_GROOVES = (
+    key_of(number(name, words=f"groove radius coefficient ${symbol}$"))
+    for name, symbol in zip(COEFFICIENTS, ("f_i", "f_o", "f"), strict=True)
+)
+IN_PLACE = (*_OF_GROOVES, *RACEWAYS, *PRINTED, *DATA_SHEET)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Preload)

@@ -97,6 +97,8 @@ class Input:
     is_required: bool = False
     goes_last: bool = False
     """Whether it is listed after those that do not."""
+    words: str = ""
+    """What it is, where the name does not state it."""
 
     @property
     def own_name(self) -> str:
@@ -129,6 +131,7 @@ def given_in(
     printed: str | bool = "",
     is_list: bool = False,
     goes_last: bool = False,
+    words: str = "",
 ) -> Mapping[str, Any]:
     """The metadata of a field that is given in this unit; empty: it has none. The others: see `Input`.
 
@@ -136,13 +139,13 @@ def given_in(
         printed: True: the number of the field's name.
     """
     said = {"unit": UNITS[unit], "range": range, "part": part, "printed": printed}
-    said |= {"is_list": is_list, "goes_last": goes_last}
+    said |= {"is_list": is_list, "goes_last": goes_last, "words": words}
     return MappingProxyType({_GIVEN: said})
 
 
-def number(name: str, unit: str = "", range: tuple[float, float] | None = None) -> Input:
+def number(name: str, unit: str = "", range: tuple[float, float] | None = None, words: str = "") -> Input:
     """A number that is given beside the fields of a class: a property, or an argument that no record holds."""
-    return Input(name, UNITS[unit], range)
+    return Input(name, UNITS[unit], range, words=words)
 
 
 @cache

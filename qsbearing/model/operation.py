@@ -75,7 +75,7 @@ class Operation:
         SceneError: every error, at once.
     """
 
-    speed: ArrayLike = field(default=0.0, metadata=given_in("rpm", SPEEDS))
+    speed: ArrayLike = field(default=0.0, metadata=given_in("rpm", SPEEDS, words="speed of the inner ring"))
     """Inner ring about +x [rad/s]."""
     outer_speed: ArrayLike | None = field(default=None, metadata=given_in("rpm", SPEEDS))
     """Outer ring about +x [rad/s]; None: it stands still."""

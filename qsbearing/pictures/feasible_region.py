@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import head, with_unit, without_unit, words
+from qsbearing.pictures.study.labels import head, label_of, with_unit, without_unit
 from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, logarithmic, of_results, plain
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def draw_region(x: Along, y: Along | None, shown: Sequence[Bounded], objective: 
 
             levels = MaxNLocator(9).tick_values(values.min(), values.max())
             contour_lines(axes, x.values, y.values, values, list(levels))
-            axes.plot([], [], color="black", linewidth=0.5, label=with_unit(words(each.name), each.unit))
+            axes.plot([], [], color="black", linewidth=0.5, label=with_unit(label_of(each.name).whole, each.unit))
     axes.plot([x.best], [y.best], linestyle="none", label=best, clip_on=False, zorder=5, **OPTIMUM)
     _patches(axes, bool(outside.any()), not known.all())
     handles, labels = axes.get_legend_handles_labels()
@@ -143,7 +143,7 @@ def _curves(x: Along, shown: Sequence[Bounded], title: str, best: str) -> Figure
             )  # fmt: skip
         for begin, end in spans:
             axes.axvspan(begin, end, color=FORBIDDEN, linewidth=0, zorder=0)
-        axes.set_ylabel(with_unit(words(each.name), each.unit).replace(", ", ",\n"), fontsize=8)
+        axes.set_ylabel(with_unit(label_of(each.name).whole, each.unit).replace(", ", ",\n"), fontsize=8)
         of_results(axes.yaxis, each.unit, each.values)
         there = np.isfinite(each.values)
         if there.any():
@@ -190,4 +190,4 @@ def _patches(axes: Axes, any_outside: bool, any_unsolved: bool) -> None:
 
 def _said(each: Bounded, sense: str, level: float) -> str:
     sign = {"<=": "≤", ">=": "≥"}.get(sense, sense)
-    return with_unit(f"{words(each.name)} {sign} {level:g}", each.unit, " ")
+    return with_unit(f"{label_of(each.name).whole} {sign} {level:g}", each.unit, " ")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import head, title_panel, with_unit, words
+from qsbearing.pictures.study.labels import head, label_of, title_panel, with_unit
 from qsbearing.pictures.style import figure_of_size
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def side_by_side(labels: Sequence[str], panels: Sequence[tuple[str, str, Sequenc
     for axes, (name, unit, values) in zip(grid, panels, strict=False):
         shown = np.nan_to_num(np.asarray(values, float))
         axes.barh(places, shown, color=[FIRST, *[OTHER] * (len(labels) - 1)], height=0.7)
-        title_panel(axes, with_unit(words(name), unit), PANEL)
+        title_panel(axes, with_unit(label_of(name).whole, unit), PANEL)
         axes.axvline(0.0, color="black", linewidth=0.8)
         low, high = min(0.0, shown.min()), max(0.0, shown.max())
         axes.set_xlim(low - 0.45 * (high - low) * (low < 0.0), high + 0.45 * (high - low) * (high > 0.0))

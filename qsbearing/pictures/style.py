@@ -50,11 +50,12 @@ colours, none of them a raceway's or a channel's)."""
 CHANNEL_LINES: dict[str, dict[str, Any]] = {
     "": {"color": "0.1", "linestyle": "-"},
     "axial": {"color": "0.1", "linestyle": "-"},
-    "radial_y": {"color": "#009e73", "linestyle": "--"},
-    "radial_z": {"color": "#cc79a7", "linestyle": "-."},
-    "tilt_y": {"color": "#009e73", "linestyle": ":"},
-    "tilt_z": {"color": "#cc79a7", "linestyle": (0, (5, 1))},
+    "radial y": {"color": "#009e73", "linestyle": "--"},
+    "radial z": {"color": "#cc79a7", "linestyle": "-."},
+    "tilt y": {"color": "#009e73", "linestyle": ":"},
+    "tilt z": {"color": "#cc79a7", "linestyle": (0, (5, 1))},
 }
+CHANNEL_LINES |= {f"moment {axis}": CHANNEL_LINES[f"tilt {axis}"] for axis in "yz"}
 """Colour and line of each channel of the ring; "": of a result that has none."""
 
 RED = "#b00020"

@@ -178,7 +178,7 @@ ENTRY = Reading(
     of_case=(
         Result("mean_orbital_speed", "rpm", "speed of a cage that keeps up with the balls"),
         Result("lead", "mm", "largest advance of a ball in front of its mean place in the cage"),
-        Result("lag", "mm", "likewise, behind it"),
+        Result("lag", "mm", "largest lag of a ball behind its mean place in the cage"),
         Result("excursion", "mm", "lead and lag together"),
         Result("pocket_use", words="excursion over the clearance of the pockets"),
         Result("momentum_gap", words="radial force that loads only one ring over the radial load"),

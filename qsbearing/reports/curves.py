@@ -121,7 +121,7 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
 
 def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArray) -> None:
     """Axial and radial stiffness of the cases that are solved; stiffness of shape (case, 5)."""
-    for channel, name in enumerate(("axial", "radial_y")):
+    for channel, name in enumerate(("axial", "radial y")):
         values = np.where(solved, stiffness[:, channel], np.nan) * um
         axes.plot(along, values, label=CHANNELS[channel].label, **CHANNEL_LINES[name])
     legend_within(axes)

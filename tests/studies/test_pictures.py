@@ -14,10 +14,10 @@ from qsbearing.cli import cli
 from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.pictures.study import PictureError, PictureKind, picture, select
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import head, label_curves, title_panel
+from qsbearing.pictures.study.labels import Label, head, label_curves, label_of, place_named, title_panel
 from qsbearing.pictures.study.maps import extended_below_zero
 from qsbearing.pictures.study.spread import rank_correlation
-from qsbearing.pictures.style import STYLE, figure_of_size, label_places
+from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, label_places
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -327,6 +327,36 @@ def test_lives_of_raceways_share_a_panel_and_lives_have_axes_of_powers_of_ten() 
     axes = picture(results.assign(lives), y=list(lives)).axes
     assert [each.get_yscale() for each in axes] == ["log", "log"]
     assert [line.get_color() for line in axes[0].lines] == [STYLE[side]["color"] for side in ("inner", "outer")]
+
+
+def test_a_dataset_says_what_pictures_tell_results_by() -> None:
+    swept = sweep(Study.of(document_of("b218")[0], {"speed_rpm": [0, 3000]}))
+    about = {name: swept[name].attrs for name in ("outer_load", "ring_displacement_radial_y", "balls_off_inner")}
+    assert about["outer_load"] | {"label": "contact load", "raceway": "outer"} == about["outer_load"]
+    channel = {"label": "displacement", "direction": "radial y"}
+    assert about["ring_displacement_radial_y"] | channel == about["ring_displacement_radial_y"]
+    told = {"row", "raceway", "direction", "over"}
+    assert told & {*about["balls_off_inner"]} == set()
+    place = place_named("row_2_outer_load_max")
+    assert place is not None
+    assert {name: place.attributes[name] for name in told & {*place.attributes}} == {
+        "row": 2, "raceway": "outer", "over": "max",
+    }  # fmt: skip
+
+
+def test_a_picture_reads_what_the_dataset_says_and_names_only_where_it_says_nothing() -> None:
+    place = place_named("row_2_outer_load_max")
+    assert place is not None
+    own = Label("outer contact load, maximum", "row 2", 2)
+    assert label_of("x", place.attributes) == label_of("row_2_outer_load_max") == own
+    assert label_of("row_2_outer_load_max", {"label": "mine", "direction": "tilt y"}) == Label("mine", "tilt y")
+    assert label_of("a_name_of_mine") == Label("a name of mine")
+    assert label_of("ring_load_moment_y").which in CHANNEL_LINES
+
+
+def test_the_contacts_loads_and_the_ring_s_have_panels_of_their_own(results: dict) -> None:
+    chosen = select(results["radial"], y=["inner_load", "ring_load_axial", "outer_load", "ring_load_radial_y"])
+    assert chosen.panels == (("inner_load", "outer_load"), ("ring_load_axial", "ring_load_radial_y"))
 
 
 def test_a_panel_s_title_does_not_reach_the_next_one() -> None:

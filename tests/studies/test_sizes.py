@@ -11,7 +11,7 @@ import pytest
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.solution.groups import GROUPS
 from qsbearing.model.solution.result_keys import BALL, Place, spelled
-from qsbearing.pictures.study.labels import words
+from qsbearing.pictures.study.labels import label_of
 from qsbearing.readings.asked import READINGS
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import find as search
@@ -118,7 +118,8 @@ def test_every_signed_result_of_a_solution_has_a_size(name: str) -> None:
     for known, values in seen:
         size = find(f"{name}_size", known)
         assert size is not None and find(f"{size.column}", known) == size
-        assert size.attributes["long_name"].endswith(", largest size") and words(size.name).endswith("largest size")
+        said = size.attributes["long_name"], label_of(size.name).shared
+        assert all(each.endswith(", largest size") for each in said)
         assert [each.over for each in known[name].overs] == ["max", "min", "size"]
         assert np.nanmax(np.abs(values[name])) >= np.nanmax(values[name])
 

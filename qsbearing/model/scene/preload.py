@@ -32,14 +32,14 @@ class Preload:
         SceneError: none of them, several, or one out of its range.
     """
 
-    spring: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
+    spring: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS, words="spring preload"))
     """The force of a spring, which stays what it is whatever the rings do [N]."""
-    rigid: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
+    rigid: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS, words="rigid preload"))
     """The axial load at rest and cold, before fitting [N]; the rings are then held at the axial displacement that it
     takes. Fits change the load to the mounted one."""
     axial_displacement: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS, goes_last=True))
     """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
-    mounted: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS))
+    mounted: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS, words="mounted preload"))
     """The axial load after fitting, at rest and at the reference temperature [N]; held likewise."""
 
     def __post_init__(self) -> None:

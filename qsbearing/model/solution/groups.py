@@ -15,6 +15,7 @@ from qsbearing.model.solution.result_keys import (
     DISPLACEMENT,
     LOAD,
     NODES,
+    RING,
     SIZE,
     STIFFNESS,
     Group,
@@ -52,33 +53,31 @@ BALANCE, HERTZ, NO_SLIP = "Jones 1960; Harris & Kotzalas 2006", "Hertz 1881; Joh
 SIDES = "inner", "outer"
 ANGLES = "min", "max", SIZE
 
-CONTACT_LOAD = Result("load", "N", "normal load of a contact", "Q", BALANCE, of_rows=("max",), heading="load")
-ANGLE = Result(
-    "angle", "deg", "angle of the loaded contact", r"\alpha", BALANCE, is_signed=True, of_rows=ANGLES, heading="angle"
-)
-MAX_PRESSURE = Result("max_pressure", "MPa", "pressure at the centre of the ellipse", "p_0", HERTZ, of_rows=("max",))
-FRICTION = Result("required_friction", words="coefficient that the moment Mg requires", symbol=r"\mu", source=BALANCE)
+CONTACT_LOAD = Result("load", "N", "contact load", "Q", BALANCE, of_rows=("max",), heading="load")
+ANGLE = Result("angle", "deg", "contact angle", r"\alpha", BALANCE, is_signed=True, of_rows=ANGLES, heading="angle")
+MAX_PRESSURE = Result("max_pressure", "MPa", "maximum contact pressure", "p_0", HERTZ, of_rows=("max",))
+FRICTION = Result("required_friction", words="friction coefficient that Mg requires", symbol=r"\mu", source=BALANCE)
 CONTACT = (
     CONTACT_LOAD,
     ANGLE,
-    Result("approach", "um", "negative: gap of an unloaded contact", r"\delta", HERTZ),
+    Result("approach", "um", "elastic approach (negative: a gap)", r"\delta", HERTZ),
     Result("semi_major_axis", "mm", "semi-axis of the contact ellipse, across rolling", "a", HERTZ),
     Result("semi_minor_axis", "mm", "semi-axis of the contact ellipse, along rolling", "b", HERTZ),
     MAX_PRESSURE,
     FRICTION,
 )
 SPEEDS = (
-    Result("orbital_speed", "rpm", "of the ball's centre round x", r"\omega_m", NO_SLIP, is_signed=True,
+    Result("orbital_speed", "rpm", "orbital speed of the ball's centre round x", r"\omega_m", NO_SLIP, is_signed=True,
            heading="orbit"),
-    Result("rotation_speed", "rpm", "of the ball about its axis", r"\omega_R", NO_SLIP, is_signed=True,
+    Result("rotation_speed", "rpm", "rotation speed of the ball about its axis", r"\omega_R", NO_SLIP, is_signed=True,
            heading="rotation"),
 )  # fmt: skip
 DEVIATION = Result("ball_diameter_deviation", "um", is_signed=True, heading="D - D0")
 ELSEWHERE = (DEVIATION, Result("groove_deflection", "um", is_signed=True))
 """Of balls, but not of their motion."""
 OF_BALL = (
-    Result("centrifugal_force", "N", "on the ball", "F_c", BALANCE),
-    Result("gyroscopic_moment", "N mm", "on the ball", "M_g", BALANCE, is_signed=True),
+    Result("centrifugal_force", "N", "centrifugal force on the ball", "F_c", BALANCE),
+    Result("gyroscopic_moment", "N mm", "gyroscopic moment on the ball", "M_g", BALANCE, is_signed=True),
     *SPEEDS,
     *ELSEWHERE,
 )
@@ -184,8 +183,8 @@ PRELOAD = unasked(
 )
 """Of a bearing. `in_operation` is what is carried with external loads; of a row of a set it is without them."""
 DERIVED = (
-    Result("balls_off_inner", "balls", path=_unloaded, is_column=False),
-    Result("least_loaded_azimuth", "deg", path=_least_loaded, is_column=False),
+    Result("balls_off_inner", "balls", "balls off the inner raceway", path=_unloaded, is_column=False),
+    Result("least_loaded_azimuth", "deg", "azimuth of the least loaded ball", path=_least_loaded, is_column=False),
 )
 MIDDLE = (Result("axial_from_middle", "um", "axial displacement from the middle of both grooves", is_usual=False),)
 """Of a deep-groove bearing."""
@@ -216,7 +215,6 @@ def _of_sides(results: tuple[Result, ...], prefix: str, holder: str, table: str,
     return tuple(Group(results, "", side, prefix, f"{side}{holder}", axis, (table, side)) for side in SIDES)
 
 
-RING = "ring"
 CONTACTS = _of_sides(CONTACT, "", "", "balls", BALL)
 BALLS = Group(OF_BALL, axis=BALL, table=("balls",))
 RINGS = tuple(Group(RING_STATE, prefix=f"{side}_ring", holder=f"{side}_ring", table=("rings", side)) for side in SIDES)

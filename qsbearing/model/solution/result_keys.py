@@ -110,6 +110,10 @@ class Result(NamedTuple):
     """Other names that stay."""
     heading: str = ""
     """Of a narrow column, where its words are long."""
+    raceway: str = ""
+    """Inner or outer, where it is of one and its group is of none."""
+    direction: str = ""
+    """Of one of several channels: `radial y`."""
 
     @property
     def key(self) -> str:
@@ -141,6 +145,11 @@ class Result(NamedTuple):
     @property
     def plain_name(self) -> str:
         """For people."""
+        return " ".join(filter(None, (self.raceway, self.own_words)))
+
+    @property
+    def own_words(self) -> str:
+        """For people, without its raceway."""
         return self.words or self.name.replace("_", " ")
 
     @property
@@ -152,6 +161,8 @@ class Result(NamedTuple):
 
 BALL, ROW = "ball", "row"
 """Axes that the numbers of a group may have beyond the cases."""
+RING = "ring"
+"""What stands before the names of the inner ring's channels; labels leave it out."""
 
 
 class Group(NamedTuple):
@@ -240,15 +251,31 @@ class Place(NamedTuple):
         return tuple(self._replace(over=end) for end in ends)
 
     @property
-    def attributes(self) -> dict[str, str]:
+    def raceway(self) -> str:
+        """Inner or outer, where it is of one."""
+        return self.group.raceway or self.result.raceway
+
+    @property
+    def label(self) -> str:
+        """What it is, as pictures have it: without row, raceway, direction and what is taken of the balls."""
+        group, result = self.group, self.result
+        own = "" if result.direction else result.own_words
+        before = (
+            () if group.by_words else ("" if group.before == RING else group.before, group.prefix.replace("_", " "))
+        )
+        return " ".join(filter(None, (*before, own)))
+
+    @property
+    def attributes(self) -> dict[str, Any]:
         """What a dataset says of it; what it has not is left out."""
         group, result = self.group, self.result
         words = spelled(Place(group, result, self.row)).replace("_", " ")
         if group.by_words and not self.row:
             words = ", ".join(filter(None, (result.plain_name, group.raceway)))
         words = ", ".join(filter(None, (words, SAID.get(self.over))))
-        about = {"units": result.unit, "long_name": words, "symbol": result.symbol}
-        about["source"] = result.source or group.source
+        about: dict[str, Any] = {"units": result.unit, "long_name": words, "symbol": result.symbol}
+        about |= {"source": result.source or group.source, "label": self.label, "row": self.row}
+        about |= {"raceway": self.raceway, "direction": result.direction, "over": self.over}
         return {name: value for name, value in about.items() if value}
 
     def of(self, solution: Any, readings: Any = None) -> NDArray | None:
@@ -326,7 +353,10 @@ _STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")
 
 def _channels(straight: str, turning: str, tilts: tuple[str, str] = _TILTS) -> tuple[Result, ...]:
     named = *((name, straight) for name in _STRAIGHT), *((name, turning) for name in tilts)
-    return tuple(Result(name, unit, path=str(number)) for number, (name, unit) in enumerate(named))
+    return tuple(
+        Result(name, unit, path=str(number), direction=name.replace("_", " "))
+        for number, (name, unit) in enumerate(named)
+    )
 
 
 DISPLACEMENT = _channels("um", "mrad")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from qsbearing.pictures.study.azimuth import draw_by_azimuth, draw_roses
 from qsbearing.pictures.study.indices import draw_indices
-from qsbearing.pictures.study.labels import head, key_words, value_label, words
+from qsbearing.pictures.study.labels import head, key_words, value_label, without_unit
 from qsbearing.pictures.study.lines import curves_of, draw_lines
 from qsbearing.pictures.study.maps import draw_maps
 from qsbearing.pictures.study.selection import PictureError, PictureKind, Selection, select
@@ -69,7 +69,8 @@ def _title(chosen: Selection) -> str:
     parts = [label]
     for name, value in {**scene.get("operation", {}), **scene.get("preload", {})}.items():
         if name not in chosen.results.coords and value and isinstance(value, int | float):
-            parts.append(f"{words(_without_unit(name))} {value:.6g} {name.rpartition('_')[2]}")
+            unit = name.rpartition("_")[2]
+            parts.append(f"{without_unit(name, unit)} {value:.6g} {unit}")
     for values in chosen.results.coords.values():
         if values.ndim == 0 and float(values) != 0.0:
             parts.append(f"{key_words(values)} {value_label(values, float(values))}")
@@ -78,7 +79,3 @@ def _title(chosen: Selection) -> str:
     if chosen.kind is PictureKind.LINES:
         parts.append(curves_of(chosen))
     return ", ".join(filter(None, parts))
-
-
-def _without_unit(key: str) -> str:
-    return key.rpartition("_")[0]

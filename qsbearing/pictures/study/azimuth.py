@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import key_words, label_ends, stem, title_panel, value_label, with_unit, words
+from qsbearing.pictures.study.labels import key_words, label_ends, label_in, title_panel, value_label, with_unit
 from qsbearing.pictures.study.selection import SAMPLE, PictureError, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, label_circles, legend, line_style, plain
 
@@ -38,7 +38,7 @@ def draw_by_azimuth(chosen: Selection) -> Figure:
     for axes, panel in zip(panels, names, strict=True):
         labels: list[Any] = []
         for name in panel:
-            side = stem(name)[1]
+            side = label_in(results, name).which
             style = STYLE.get(side, STYLE["inner"])
             for number in numbers:
                 point = results.isel({chosen.x: int(number)})
@@ -53,7 +53,7 @@ def draw_by_azimuth(chosen: Selection) -> Figure:
                 labels.append((around, values, text, style["color"]))
         axes.set_xticks(range(0, 361, 60))
         axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
-        heading = with_unit(words(stem(panel[0])[0]), str(results[panel[0]].attrs.get("units", "")))
+        heading = with_unit(label_in(results, panel[0]).shared, str(results[panel[0]].attrs.get("units", "")))
         title_panel(axes, heading, PANEL)
         plain(axes)
         label_ends(axes, labels)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from qsbearing.pictures.study.labels import stem, without_unit, words
+from qsbearing.pictures.study.labels import label_of, without_unit
 from qsbearing.pictures.study.selection import PictureError
 from qsbearing.pictures.style import figure_of_size, plain
 
@@ -69,6 +69,5 @@ def _panel(axes: Axes, indices: Dataset, name: str) -> None:
         )
     axes.set_xlim(0.0, 1.25)
     axes.set_xticks([0.0, 0.5, 1.0])
-    side = stem(name)[1].replace("_", " ")
-    axes.set_title(f"{side} {words(stem(name)[0])}".strip(), fontsize=9, loc="left")
+    axes.set_title(label_of(name).whole, fontsize=9, loc="left")
     plain(axes)

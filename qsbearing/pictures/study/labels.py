@@ -3,49 +3,39 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Mapping
 from functools import cache
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.groups import RING
-from qsbearing.model.solution.result_keys import SAID, Place, place_of, printed_unit, spelled
+from qsbearing.files.file_keys import words_of
+from qsbearing.model.solution.result_keys import SAID, Place, place_of, printed_unit
 from qsbearing.readings.asked import every_group
 from qsbearing.systems.sets.set_groups import OF_SHAFT, SYSTEM, groups_of_row
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from xarray import DataArray
+    from xarray import DataArray, Dataset
 
-_NAMES = {
-    "angle": "contact angle",
-    "load": "contact load",
-    "approach": "elastic approach",
-    "max_pressure": "maximum contact pressure",
-    "required_friction": "friction coefficient that Mg requires",
-    "life_basic_reference_rating_life": "basic reference rating life",
-    "life_modified_reference_rating_life": "modified reference rating life",
-    "life_basic_rating_life": "basic rating life",
-    "life_inner_life": "life of the inner raceway",
-    "life_outer_life": "life of the outer raceway",
-    "raceway_life": "life of the raceway",
-    "life_basic_duration": "basic reference rating life",
-    "life_duration": "reference life with its factors",
-    "film_film_parameter": "film parameter",
-    "balls_off_inner": "balls off the inner raceway",
-    "least_loaded_azimuth": "azimuth of the least loaded ball",
-    "speed": "speed of the inner ring",
-    "rigid": "rigid preload",
-    "mounted": "mounted preload",
-    "spring": "spring preload",
-    "free_contact_angle": "free contact angle",
-    "groove_radius_coefficient": "groove radius coefficient $f$",
-    "inner_groove_radius_coefficient": "groove radius coefficient $f_i$",
-    "outer_groove_radius_coefficient": "groove radius coefficient $f_o$",
-}
-_OF_RACEWAY = {f"life_{side}_life": ("raceway_life", side) for side in ("inner", "outer")}
+
+class Label(NamedTuple):
+    """What a result is called on a picture."""
+
+    shared: str
+    """By results on one panel."""
+    which: str = ""
+    """What tells one from another: row of a set, raceway, direction, or nothing."""
+    row: int = 0
+    """Of a set, from 1; 0: of the whole."""
+
+    @property
+    def whole(self) -> str:
+        """Of one that stands alone."""
+        return f"{self.which} {self.shared}".strip()
 
 
 @cache
@@ -58,29 +48,28 @@ def place_named(name: str) -> Place | None:
     return place if place is not None and place.name == name else None
 
 
-def stem(name: str) -> tuple[str, str]:
-    """What results on one panel share, and what tells one from another: row of a set, raceway, channel, or nothing."""
-    place = place_named(name)
-    if name in _OF_RACEWAY or place is None:
-        return _OF_RACEWAY.get(name, (name, ""))
-    group = place.group
-    if place.row:
-        return spelled(place._replace(row=0)), f"row {place.row}"
-    if group.raceway:
-        return spelled(place._replace(group=group._replace(raceway=""))), group.raceway
-    return (group.prefix, place.result.name) if group.before == RING else (name, "")
+def label_of(name: str, about: Mapping[Any, Any] = MappingProxyType({})) -> Label:
+    """Of a result.
+
+    Args:
+        name: in full; tells what it is where nothing else does.
+        about: what a dataset says of it.
+    """
+    if "label" not in about:
+        place = place_named(name)
+        if place is None:
+            return Label(name.replace("_", " "))
+        about = place.attributes
+    row, over, shared = int(about.get("row", 0)), str(about.get("over", "")), str(about["label"])
+    if over and not (over == "max" and shared.startswith(SAID[over])):
+        shared = f"{shared}, {SAID[over]}"
+    side = str(about.get("raceway") or about.get("direction", ""))
+    return Label(f"{side} {shared}".strip(), f"row {row}", row) if row else Label(shared, side)
 
 
-def words(name: str) -> str:
-    """A stem, or a whole name, in words."""
-    shared, which = stem(name)
-    if which in ("inner", "outer") and name not in _NAMES:
-        return f"{which} {words(shared)}"
-    place = place_named(name)
-    if place is not None and place.over:
-        of_one = words(spelled(place._replace(over="")))
-        return of_one if of_one.startswith("maximum") else f"{of_one}, {SAID[place.over]}"
-    return _NAMES.get(name, name.replace("_", " "))
+def label_in(results: Dataset, name: str) -> Label:
+    """Of one of these results."""
+    return label_of(name, results[name].attrs)
 
 
 def with_unit(text: str, unit: str, between: str = ", ") -> str:
@@ -99,8 +88,8 @@ def without_unit(name: str, unit: str) -> str:
     ending = unit.replace(" ", "").replace("/", "")
     for each in (f"_{ending}", f"_{unit.replace('/', '_')}", "_per_K"):
         if ending and name.endswith(each):
-            name = name.removesuffix(each)
-    return words(name)
+            return words_of(name) or name.removesuffix(each).replace("_", " ")
+    return words_of(name) or name.replace("_", " ")
 
 
 def key_heading(values: DataArray) -> str:

@@ -18,12 +18,11 @@ from qsbearing.pictures.study.labels import (
     key_heading,
     key_words,
     label_curves,
+    label_in,
     place_named,
-    stem,
     title_panel,
     value_label,
     with_unit,
-    words,
 )
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import (
@@ -88,8 +87,8 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
     labels: list[tuple[NDArray, NDArray, str, str]] = []
     numbers = range(results.sizes[chosen.other]) if chosen.other else range(1)
     for name in names:
-        which = stem(name)[1]
-        style = _style(name)
+        which = label_in(results, name).which
+        style = _style(results, name)
         for number in numbers:
             point = results.isel({chosen.other: number}) if chosen.other else results
             line, low, high = _curve(point, name, chosen.x)
@@ -107,7 +106,7 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
                 text = value_label(results[chosen.other], float(results[chosen.other].values[number]))
                 labels.append((x, line, text, style["color"]))
             if which in STYLE or len(names) > 1:
-                said = f"{which} raceway" if which in STYLE else which.replace("_", " ")
+                said = f"{which} raceway" if which in STYLE else which
                 handles.setdefault(said, drawn)
     axes.set_xlim(float(x.min()), float(x.max()))
     if np.all(x > 0.0) and np.allclose(np.diff(np.log(x)), np.diff(np.log(x))[0]) and x.size > 2 and x[-1] > 20 * x[0]:
@@ -117,9 +116,8 @@ def _panel(axes: Axes, chosen: Selection, names: tuple[str, ...]) -> dict[str, A
     unit = str(results[names[0]].attrs.get("units", ""))
     _limits(axes, unit)
     axes.set_xlabel(key_heading(results[chosen.x]), fontsize=9)
-    said = words(stem(names[0])[0])
-    if len(names) == 1 and stem(names[0])[1]:
-        said += f" ({stem(names[0])[1].replace('_', ' ')})"
+    label = label_in(results, names[0])
+    said = f"{label.shared} ({label.which})" if len(names) == 1 and label.which else label.shared
     heading = with_unit(said, unit)
     title_panel(axes, heading, PANEL)
     plain(axes)
@@ -144,11 +142,12 @@ def _mark_jumps(axes: Axes, results: Dataset, x: NDArray, line: NDArray, along: 
     return handles
 
 
-def _style(name: str) -> dict[str, Any]:
-    place, which = place_named(name), stem(name)[1]
-    if place is not None and place.row:
-        line = ROW_LINES[(place.row - 1) % len(ROW_LINES)]
+def _style(results: Dataset, name: str) -> dict[str, Any]:
+    label = label_in(results, name)
+    if label.row:
+        line = ROW_LINES[(label.row - 1) % len(ROW_LINES)]
         return {"marker": "D", **dict(zip(("color", "linestyle"), line, strict=True))}
+    which = label.which
     return STYLE[which] if which in STYLE else {"marker": "D", **CHANNEL_LINES.get(which, CHANNEL_LINES[""])}
 
 

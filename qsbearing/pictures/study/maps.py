@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.groups import FRICTION
 from qsbearing.pictures.study.contours import contour_lines
-from qsbearing.pictures.study.labels import key_heading, place_named, stem, title_panel, with_unit, words
+from qsbearing.pictures.study.labels import key_heading, label_in, place_named, title_panel, with_unit
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import GREY, SLIP, figure_of_size
 
@@ -39,11 +39,12 @@ def draw_maps(chosen: Selection) -> Figure:
 
 
 def _map(axes: Axes, chosen: Selection, name: str) -> None:
-    values, said = _one_each(chosen.results[name], words(stem(name)[0]))
+    label = label_in(chosen.results, name)
+    values, said = _one_each(chosen.results[name], label.shared)
     x, y = chosen.results[chosen.x].values, chosen.results[chosen.other].values
     z = np.ma.masked_invalid(values.transpose(chosen.other, chosen.x).values)
     unit = str(values.attrs.get("units", ""))
-    _frame(axes, chosen, with_unit(f"{stem(name)[1].replace('_', ' ')}: {said}".removeprefix(": "), unit))
+    _frame(axes, chosen, with_unit(f"{label.which}: {said}".removeprefix(": "), unit))
     if not z.count():
         axes.text(0.5, 0.5, "no solution", transform=axes.transAxes, ha="center", fontsize=8)
     elif not z.max() > z.min():

@@ -15,7 +15,7 @@ from qsbearing.files.block_statistics import blocks, varies_from_zero
 from qsbearing.model.solution.groups import CONTACT_LOAD, CONTACTS
 from qsbearing.model.solution.result_keys import SIZE, Group, Place, place_of
 from qsbearing.model.validation import alike, question
-from qsbearing.pictures.study.labels import place_named, stem
+from qsbearing.pictures.study.labels import label_in, place_named
 from qsbearing.systems.sets.set_groups import AXIAL_LOAD
 
 if TYPE_CHECKING:
@@ -143,7 +143,7 @@ def _panels(results: Dataset, kind: PictureKind, y: Sequence[str]) -> tuple[tupl
     panels: dict[str, list[str]] = {}
     for name in names:
         key = (
-            f"{stem(name)[0]} {results[name].attrs.get('units', '')}"
+            f"{label_in(results, name).shared} {results[name].attrs.get('units', '')}"
             if kind in (PictureKind.LINES, PictureKind.AZIMUTH)
             else name
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.block_statistics import blocks, histogram, quantiles
-from qsbearing.pictures.study.labels import key_words, stem, with_unit, words
+from qsbearing.pictures.study.labels import key_words, label_in, with_unit
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
 from qsbearing.pictures.style import STYLE, figure_of_size, plain
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 CORRELATED = 1 << 20
 """Samples that rank correlations are taken from, the first of a study: they are then known to 0.001."""
+LETTERS = 26
+"""Of a line of a result's label."""
 MARKED = ((0.05, "5 %"), (0.5, "median"), (0.95, "95 %"))
 
 
@@ -35,8 +38,8 @@ def draw_distributions(chosen: Selection) -> Figure:
     for axes, (name,) in zip(grid, chosen.panels, strict=False):
         numbers = partial(_numbers, chosen.results[name])
         low, *marked, high = quantiles(numbers, [0.001, *(quantile for quantile, _ in MARKED), 0.999])
-        side = stem(name)[1]
-        colour = STYLE[side]["color"] if side in STYLE else "0.35"
+        label = label_in(chosen.results, name)
+        colour = STYLE[label.which]["color"] if label.which in STYLE else "0.35"
         reach = (low, high) if high > low else (low - 0.5, low + 0.5)
         edges = np.linspace(*reach, min(60, 8 + int(chosen.results["status"].size ** 0.5 / 2)))
         axes.stairs(histogram(numbers, edges), edges, fill=True, color=colour, alpha=0.55)
@@ -46,8 +49,7 @@ def draw_distributions(chosen: Selection) -> Figure:
                 f"{at:.5g}", (at, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2), textcoords="offset points",
                 ha="center", va="bottom", fontsize=7,
             )  # fmt: skip
-        said = f"{side} {words(stem(name)[0])}".strip()
-        axes.set_xlabel(with_unit(said, str(chosen.results[name].attrs.get("units", ""))), fontsize=9)
+        axes.set_xlabel(with_unit(label.whole, str(chosen.results[name].attrs.get("units", ""))), fontsize=9)
         plain(axes)
         axes.xaxis.set_major_locator(MaxNLocator(4))
         axes.set_yticks([])
@@ -76,7 +78,7 @@ def draw_sensitivities(chosen: Selection) -> Figure:
         value = correlation[row, column]
         colour = "white" if abs(value) > 0.75 else "black"
         axes.text(column, row, f"{value:+.2f}".replace("-", "−"), ha="center", va="center", fontsize=8, color=colour)
-    said = [f"{stem(name)[1].replace('_', ' ')} {words(stem(name)[0])}".strip() for name in names]
+    said = [textwrap.fill(label_in(points, name).whole, LETTERS) for name in names]
     axes.set_yticks(range(len(names)), said, fontsize=8)
     axes.set_xticks(range(len(keys)), [key_words(chosen.results[key]).replace(" ", "\n") for key in keys], fontsize=8)
     axes.xaxis.tick_top()

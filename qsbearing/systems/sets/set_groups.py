@@ -125,7 +125,7 @@ def _of_point(solution: SetSolution, name: str) -> list[Group]:
     return [moved, grown, stiff, *shares]
 
 
-SHARES = unasked([Result(each.name, path=each.path) for each in DISPLACEMENT])
+SHARES = unasked([Result(each.name, path=each.path, direction=each.direction) for each in DISPLACEMENT])
 
 
 def _always(of: BearingSet) -> bool:
