@@ -6,6 +6,7 @@ It never refuses what the reader accepts, so a rule that [vary] or [[spectrum]] 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from enum import StrEnum
 from math import copysign, floor, inf, log10, nextafter
 from typing import Any
 
@@ -35,16 +36,17 @@ from qsbearing.files.keys import (
     required_of,
 )
 from qsbearing.files.preload_class import CLASSES
-from qsbearing.files.set_keys import RECORDS, SET_NUMBERS
+from qsbearing.files.set_keys import GRAVITY, MATRIX, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
-from qsbearing.model.described import materials_of
+from qsbearing.model.described import choices_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS, TILT_OF
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.readings.asked import READINGS
-from qsbearing.systems.sets.row import Direction
+from qsbearing.systems.sets.row import Row
+from qsbearing.systems.sets.shaft import Shaft
 
 Schema = dict[str, Any]
 DRAFT = "http://json-schema.org/draft-07/schema#"
@@ -136,20 +138,26 @@ def _thermal() -> Schema:
 def _of_set() -> dict[str, Schema]:
     """The tables around the rows of a set."""
     own = {name: _numbers(keys, name) for name, keys in SET_NUMBERS.items()}
-    stiffness = closed(own["housing_stiffness"] | {"matrix_SI": _list(_list(_NUMBER))})
-    carries = _told({"enum": [str(way) for way in Direction]}, notes().get(("rows", "carries"), ""))
-    own["rows"] |= {"carries": carries, "sprung": {"type": "boolean"}, "housing_stiffness": stiffness}
+    stiffness = closed(own["housing_stiffness"] | {MATRIX.name: _list(_list(_NUMBER))})
+    own["rows"] |= {name: _one_of(kind, "rows", name) for name, kind in choices_of(Row).items()}
+    own["rows"] |= {"housing_stiffness": stiffness}
     own["rows"] |= {name: _ref(name) for name in ("bearing", "readings", *EFFECT_TABLES)}
     for name in ("housing", "sections"):
         own[name] |= dict.fromkeys(materials_of(RECORDS[name]), _MATERIAL)
     points = {"type": "object", "patternProperties": {"_mm$": _NUMBER}, "additionalProperties": False}
-    own["shaft"] |= {name: _list(closed(own[name])) for name in ("sections", "loads", "supports", "masses")}
-    own["shaft"] |= {"gravity_m_s2": _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}
+    own["shaft"] |= {name: _list(closed(own[name])) for name in parts_of(Shaft)}
+    own["shaft"] |= {GRAVITY.name: _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}
     of_rows = {"rows": _list({"type": "integer"})}
     own["spacers"] |= of_rows | dict.fromkeys(materials_of(RECORDS["spacers"]), _MATERIAL)
     own["floating"] |= of_rows | {"preload": _ref("preload")}
     lists = {name: _list(closed(own[name])) for name in ("rows", "spacers", "floating")}
     return lists | {name: closed(own[name]) for name in ("shaft", "housing")}
+
+
+def _one_of(kind: type[StrEnum] | type[bool], table: str, name: str) -> Schema:
+    """Of a choice: one of its words, or true or false."""
+    words: Schema = {"type": "boolean"} if kind is bool else {"enum": [str(each) for each in kind]}
+    return _told(words, notes().get((table, name), ""))
 
 
 def _point() -> Schema:

@@ -21,11 +21,12 @@ from qsbearing.files.scene_file import (
     preload_of,
     wrong_in_other_tables,
 )
-from qsbearing.files.set_keys import OTHERS
+from qsbearing.files.set_keys import GRAVITY, OTHERS
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.stated import Stated, stated_in, with_own_tables
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.model.described import choices_of
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Direction, Row, placement_errors
@@ -34,7 +35,7 @@ TABLES = (*SECTIONS, *SET_TABLES)
 LISTED = ("rows", "spacers", "floating")
 """Those that are lists of tables."""
 _NUMBERS = keys_of(Row)
-_WORDS: dict[str, Any] = {"carries": as_word, "sprung": as_it_is}
+_WORDS: dict[str, Any] = {name: as_it_is if kind is bool else as_word for name, kind in choices_of(Row).items()}
 _ROW = table_model("rows", _NUMBERS, _WORDS)
 OF_OTHERS = tuple(name for name in OTHERS["rows"] if name not in _WORDS)
 """Tables within a row, which are judged as those of a scene are."""
@@ -93,7 +94,7 @@ def _is_loaded(document: dict[str, Any]) -> bool:
     """Whether anything but [operation] and [preload] loads rows: the shaft's loads or weight, springs, or lengths."""
     shaft = document.get("shaft")
     rows = document.get("rows")
-    of_shaft = isinstance(shaft, dict) and ("loads" in shaft or "gravity_m_s2" in shaft)
+    of_shaft = isinstance(shaft, dict) and ("loads" in shaft or GRAVITY.name in shaft)
     of_rows = isinstance(rows, list) and any("offset_um" in row for row in rows if isinstance(row, dict))
     groups = document.get("floating")
     of_groups = isinstance(groups, list) and any(key != "rows" for group in groups for key in group)

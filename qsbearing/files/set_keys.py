@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, keys_of, named
-from qsbearing.model.described import materials_of
+from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, key_of, keys_of, named
+from qsbearing.model.described import choices_of, lists_of, materials_of, parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import (
@@ -39,19 +39,18 @@ SET_NUMBERS = {name: keys_of(of) for name, of in RECORDS.items()}
 SET_NUMBERS["shaft"] = (*OF_SET, *SET_NUMBERS["shaft"])
 SET_NUMBERS["housing"] += DIAMETERS[1:]
 """Those that hold numbers, by their table; what surrounds a fit counts with [housing] only in a file: `stated`."""
-OTHERS = {
-    "rows": ("carries", "sprung", "housing_stiffness", "bearing", *EFFECT_TABLES, "readings"),
-    "shaft": ("gravity_m_s2", "sections", "loads", "supports", "masses", "points"),
-    "spacers": ("rows",),
-    "floating": ("rows", "preload"),
-    "housing_stiffness": ("matrix_SI",),
-}
+LISTS = {name: tuple(map(key_of, lists_of(of))) for name, of in RECORDS.items()}
+"""Those that hold lists of numbers."""
+(GRAVITY,), (MATRIX,) = LISTS["shaft"], LISTS["housing_stiffness"]
+OTHERS = {name: (*choices_of(of), *named(LISTS[name]), *parts_of(of)) for name, of in RECORDS.items()}
+OTHERS["rows"] += ("bearing", *EFFECT_TABLES, "readings")
+OTHERS["shaft"] += ("points",)
 """Those that hold anything else but materials."""
 
 
 def _section(name: str) -> tuple[str, ...]:
     """Which rows a table is about stands first."""
-    others = OTHERS.get(name, ())
+    others = OTHERS[name]
     first = others[:1] if "rows" in others else ()
     return (*first, *named(SET_NUMBERS[name]), *others[len(first) :], *materials_of(RECORDS[name]))
 

@@ -12,7 +12,7 @@ import numpy as np
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, required_of
 from qsbearing.files.scene_file import preload_of
-from qsbearing.files.set_keys import OF_SET, OTHERS, RECORDS, SET_NUMBERS
+from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import (
     Errors,
     TableModel,
@@ -42,7 +42,7 @@ _LISTED = ("section", "load", "support", "mass")
 
 def _plain(name: str) -> TableModel:
     """How a table of a set is built, what is no number taken as it is."""
-    others = (*OTHERS.get(name, ()), *materials_of(RECORDS[name]))
+    others = (*OTHERS[name], *materials_of(RECORDS[name]))
     return table_model(name, SET_NUMBERS[name], dict.fromkeys(others, as_it_is))
 
 
@@ -94,7 +94,7 @@ def surroundings_tables(
             listed = [written(each) for each in getattr(of.shaft, name)]
             tables["shaft"] |= {name: listed} if listed else {}
         if of.shaft.gravity is not None:
-            tables["shaft"]["gravity_m_s2"] = list(of.shaft.gravity)
+            tables["shaft"][GRAVITY.name] = list(of.shaft.gravity)
         if of.shaft.points:
             tables["shaft"]["points"] = {
                 f"{name}_mm": float(f"{at * 1e3:.12g}") for name, at in of.shaft.points.items()
@@ -115,7 +115,7 @@ def surroundings_tables(
 def stiffness_table(of: HousingStiffness, numbers: Callable[..., Any]) -> dict[str, Any]:
     """The table [rows.housing_stiffness]."""
     given: dict[str, Any] = numbers(SET_NUMBERS["housing_stiffness"], of)
-    return given if of.matrix is None else {"matrix_SI": np.asarray(of.matrix, float).tolist()}
+    return given if of.matrix is None else {MATRIX.name: np.asarray(of.matrix, float).tolist()}
 
 
 def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Shaft | None:
@@ -123,12 +123,12 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
     parts: dict[str, Any] = {}
     for kind in _LISTED:
         parts[NUMBERED[kind]] = tuple(_listed(table, NUMBERED[kind], f"shaft.{kind}", errors))
-    if "gravity_m_s2" in table:
+    if GRAVITY.name in table:
         refused: list[Any] = []
-        gravity = list_of(as_number)(table["gravity_m_s2"], refused)
+        gravity = list_of(as_number)(table[GRAVITY.name], refused)
         if refused or len(gravity) != 3:
-            cause = "Three numbers, along x, y and z: gravity_m_s2 = [0, -9.81, 0]"
-            errors.append(FileErrorDetail("shaft.gravity_m_s2", "is not an acceleration", cause=cause))
+            cause = f"Three numbers, along x, y and z: {GRAVITY.name} = [0, -9.81, 0]"
+            errors.append(FileErrorDetail(f"shaft.{GRAVITY.name}", "is not an acceleration", cause=cause))
         else:
             parts["gravity"] = tuple(gravity)
     points = table.get("points", {})
@@ -165,8 +165,8 @@ def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness
     if unusable:
         return None
     given: dict[str, Any] = si(SET_NUMBERS["housing_stiffness"], good)
-    if "matrix_SI" in good:
-        given["matrix"] = good["matrix_SI"]
+    if MATRIX.name in good:
+        given[MATRIX.field] = good[MATRIX.name]
     return made(partial(HousingStiffness, **given), errors)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import MISSING, Field, dataclass, fields
+from enum import StrEnum
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -75,6 +76,8 @@ UNITS = {
         Unit("J/K", "J_per_K"),
         Unit("W", "W"),
         Unit("W/K", "W_per_K"),
+        Unit("m/s2", "m_s2"),
+        Unit("SI", "SI"),
     )
 }
 """Every unit that an input is given in, by its symbol."""
@@ -118,7 +121,7 @@ class Input:
         return float(f"{(value - self.unit.zero) / self.unit.size:.12g}")
 
 
-_GIVEN, _MADE_OF = "given", "made of"
+_GIVEN, _MADE_OF, _ONE_OF, _TABLES_OF = "given", "made of", "one of", "tables of"
 A_MATERIAL: Mapping[str, Any] = MappingProxyType({_MADE_OF: True})
 """The metadata of a field that is a material, of its name or its numbers."""
 
@@ -146,6 +149,17 @@ def given_in(
 def number(name: str, unit: str = "", range: tuple[float, float] | None = None, words: str = "") -> Input:
     """A number that is given beside the fields of a class: a property, or an argument that no record holds."""
     return Input(name, UNITS[unit], range, words=words)
+
+
+def one_of(kind: type[StrEnum] | type[bool]) -> Mapping[str, Any]:
+    """The metadata of a field that is a word of these, or true or false."""
+    return MappingProxyType({_ONE_OF: kind})
+
+
+def made_of(kind: Any) -> Mapping[str, Any]:
+    """The metadata of a field that is an object of this class, or several: a table of a file, or a list of tables; of
+    `int`: numbers of rows."""
+    return MappingProxyType({_TABLES_OF: kind})
 
 
 @cache
@@ -177,5 +191,19 @@ def lists_of(of: Any) -> tuple[Input, ...]:
 
 def materials_of(of: Any) -> tuple[str, ...]:
     """The fields that are materials."""
+    return tuple(_stated(of, _MADE_OF))
+
+
+def choices_of(of: Any) -> dict[str, type[StrEnum] | type[bool]]:
+    """The fields that are a word of several, or true or false; and which."""
+    return _stated(of, _ONE_OF)
+
+
+def parts_of(of: Any) -> dict[str, Any]:
+    """The fields that are objects of another class of inputs, and the class; `int`: numbers of rows."""
+    return _stated(of, _TABLES_OF)
+
+
+def _stated(of: Any, what: str) -> dict[str, Any]:
     own = fields(of) if hasattr(of, "__dataclass_fields__") else ()
-    return tuple(each.name for each in own if _MADE_OF in each.metadata)
+    return {each.name: each.metadata[what] for each in own if what in each.metadata}

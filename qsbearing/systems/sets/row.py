@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.described import given_in
+from qsbearing.model.described import given_in, made_of, one_of
 from qsbearing.model.effects import RingEffect
 from qsbearing.model.validation import ANGLE, LENGTH, ErrorDetail, choose, within
 from qsbearing.systems.sets.shaft import HousingStiffness
@@ -44,14 +44,14 @@ class Row:
     position: ArrayLike = field(default=0.0, metadata=given_in("mm"))
     """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
     reference temperature [m]."""
-    carries: Direction = Direction.PLUS
+    carries: Direction = field(default=Direction.PLUS, metadata=one_of(Direction))
     """As a member or as its word."""
     offset: ArrayLike = field(default=0.0, metadata=given_in("um"))
     """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
     faces are ground off, or a spacer is longer. Below zero it is a gap."""
-    sprung: bool = False
+    sprung: bool = field(default=False, metadata=one_of(bool))
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
-    housing_stiffness: HousingStiffness | None = None
+    housing_stiffness: HousingStiffness | None = field(default=None, metadata=made_of(HousingStiffness))
     """Of what its outer ring sits in; None: rigid."""
     housing_radial_y: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """How far its seat in the housing is out of line with the shaft, at the balls' centres [m]; None: in line."""

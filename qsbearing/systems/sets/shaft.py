@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.described import A_MATERIAL, given_in
+from qsbearing.model.described import A_MATERIAL, given_in, made_of
 from qsbearing.model.effects.ring_expansion_errors import temperature_errors
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.scene.preload import Preload
@@ -136,7 +136,7 @@ class HousingStiffness:
     """[N/m]"""
     tilt: float | None = field(default=None, metadata=given_in("kN m/rad"))
     """[N m/rad]"""
-    matrix: ArrayLike | None = None
+    matrix: ArrayLike | None = field(default=None, metadata=given_in("SI", is_list=True))
     """In place of the three, shape (5, 5), in the order x, y, z, tilt y, tilt z of the shaft's axes."""
 
     def __post_init__(self) -> None:
@@ -213,7 +213,7 @@ class Spacer:
         SceneError: every error, at once.
     """
 
-    rows: tuple[int, int]
+    rows: tuple[int, int] = field(metadata=made_of(int))
     """The two rows, which count from 1."""
     inner_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """[m]; None: there is none, the shaft parts the rows."""
@@ -248,11 +248,11 @@ class FloatingGroup:
         SceneError: a force that is no number.
     """
 
-    rows: tuple[int, ...]
+    rows: tuple[int, ...] = field(metadata=made_of(int))
     """They count from 1."""
     spring: ArrayLike = field(default=0.0, metadata=given_in("N"))
     """Force of a spring on the sleeve, in +x [N]; it stays what it is. 0: the group floats."""
-    preload: Preload | None = None
+    preload: Preload | None = field(default=None, metadata=made_of(Preload))
     """That of its rows against each other; None: the set's."""
 
     def __post_init__(self) -> None:
@@ -271,19 +271,19 @@ class Shaft:
         SceneError: every error, at once.
     """
 
-    sections: tuple[ShaftSection, ...] = ()
+    sections: tuple[ShaftSection, ...] = field(default=(), metadata=made_of(ShaftSection))
     start: float = field(default=0.0, metadata=given_in("mm"))
     """Where the first section begins [m]."""
-    loads: tuple[ShaftLoad, ...] = ()
-    supports: tuple[ShaftSupport, ...] = ()
+    loads: tuple[ShaftLoad, ...] = field(default=(), metadata=made_of(ShaftLoad))
+    supports: tuple[ShaftSupport, ...] = field(default=(), metadata=made_of(ShaftSupport))
     points: Mapping[str, float] = field(default_factory=dict)
     """Positions [m] at which deflection and stiffness are asked, by their names, such as the tool's."""
     temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
     """[K]; None: the reference temperature."""
     reference_temperature: float = field(default=REFERENCE_TEMPERATURE, metadata=given_in("C"))
     """At which all lengths and diameters hold [K]."""
-    masses: tuple[ShaftMass, ...] = ()
-    gravity: tuple[float, float, float] | None = None
+    masses: tuple[ShaftMass, ...] = field(default=(), metadata=made_of(ShaftMass))
+    gravity: tuple[float, float, float] | None = field(default=None, metadata=given_in("m/s2", is_list=True))
     """Its acceleration along x, y, z [m/s^2]; None: nothing has weight."""
 
     def __post_init__(self) -> None:
