@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NotRequired, TypedDict, cast
 
 from fem_check.book.case import EVIDENCE, Case, CaseResult, plain
-from fem_check.rows.record import RowRecord
+from fem_check.rows.record import RowRecord, entries_of
 from fem_check.running import records_store
 
 
@@ -45,12 +45,9 @@ class BookRecord(RunRecord):
     picture: dict[str, Any]
 
 
-RUN = ("provenance", "seconds", "cpu_seconds", "peak_memory_MB")
-"""What every run changes."""
-FIELDS = (
-    "case", "title", "kind", "kind_text", "question", "verdict", "summary", "inputs", "missing", "sources", "fitted",
-    "predicted", "chosen_after_seeing", "does_not_show", "rows", "points", "picture", *RUN,
-)  # fmt: skip
+RUN, FIELDS = entries_of(RunRecord), entries_of(BookRecord)
+AS_WRITTEN = "inputs", "missing", "sources", "fitted", "predicted", "chosen_after_seeing", "does_not_show"
+"""What a record takes from the case's texts as it is."""
 
 
 def record(case: Case, result: CaseResult, run: RunRecord) -> BookRecord:
@@ -70,7 +67,7 @@ def record(case: Case, result: CaseResult, run: RunRecord) -> BookRecord:
         "question": texts["question"],
         "verdict": result.verdict,
         "summary": result.summary,
-        **{name: texts[name] for name in FIELDS[7:14]},
+        **{name: texts[name] for name in AS_WRITTEN},
         **({"counter_example": True} if texts["counter_example"] else {}),
         "rows": [plain(row.as_dict()) for row in result.rows],
         "points": plain(result.points),

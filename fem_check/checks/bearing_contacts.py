@@ -15,7 +15,7 @@ from math import degrees
 import numpy as np
 
 import qsbearing
-from fem_check.checks import solution_contacts, true_geometry
+from fem_check.checks import solution_contacts
 from fem_check.independent import references
 from fem_check.independent.contact_problem import QUANTITIES, ContactProblem
 from fem_check.independent.drawing import BearingDrawing
@@ -30,6 +30,7 @@ from fem_check.meshing import MeshError
 from fem_check.product import problems
 from fem_check.product.scenes import (
     SolvedPoint,
+    ball_count,
     beyond_thrust,
     drawing_at_rest,
     load,
@@ -43,6 +44,7 @@ from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.rows.record import NO_MESH, MeshRecord
 from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
+from fem_check.solids.true_study import ring_doubt
 
 ELEMENTS = {MeshLevel.QUICK: (3, 4, 5), MeshLevel.RELEASE: (4, 6, 8)}
 """Of true bodies, per semi-axis."""
@@ -129,7 +131,7 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
     """The contact of the true bodies over Hertz at its own angle, on a sequence of meshes; or why there is none."""
     angle, pressed = round(contact.reported("angle"), 6), float(f"{contact.reported('load'):.5g}")
     groove = contact.drawing.groove(contact.race, angle)
-    balls = int(np.asarray(contact.solution.scene.bearing.ball_count).ravel()[0])
+    balls = ball_count(contact.solution.scene)
 
     def solved(mesh_load: float) -> tuple[CondensedContact, list[list[dict[str, float]]]]:
         profile = profile_of(contact, mesh_load)
@@ -145,7 +147,7 @@ def true_bodies(contact: Heaviest, elements: Sequence[int], progress: Progress) 
     except (MeshError, ContactError, np.linalg.LinAlgError) as problem:
         return str(problem)
     values = {}
-    assumed = true_geometry.ring_doubt(contact.solution.scene, contact.source, groove, pressed)
+    assumed = ring_doubt(contact.solution.scene, contact.source, groove, pressed)
     for name in READ:
         # The bodies' size moves the approach alone; of the ellipse the ratio to a parabola keeps the mesh's error out.
         ratios = [true[name] / (1.0 if name == "approach" else parabola[name]) for true, parabola in pairs]

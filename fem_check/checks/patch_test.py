@@ -18,6 +18,7 @@ from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Fi
 from fem_check.rows.record import MeshRecord
 from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.tetrahedral_body import TetrahedralBody
+from fem_check.solids.true_study import contacts
 
 POISSON = 0.3
 # Rounding in a solve with 1e3 unknowns; a wrong Jacobian or quadrature weight shows at 1e-2 or more.
@@ -109,7 +110,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
                 "rounding",
             )
         )
-    contact = true_geometry.contacts(EXAMPLE, *true_geometry.LOADS[MeshLevel.QUICK][0][:2], (3,))[0]
+    contact = contacts(EXAMPLE, *true_geometry.LOADS[MeshLevel.QUICK][0][:2], (3,))[0]
     for name in ("ball", "ring"):
         rows.append(
             AgreementRow(

@@ -39,7 +39,7 @@ from fem_check.product.scenes import (
     solve_set,
     solved,
 )
-from fem_check.product.solution_equilibrium import equilibrium_rows, of_arrays
+from fem_check.product.solution_equilibrium import compared_arrays, equilibrium_rows
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.row_text import span
 
@@ -214,7 +214,7 @@ def clearance_rows(drawing: BearingDrawing) -> Iterator[AgreementRow]:
         ("free contact angle of a clearance", "rad", bearing.free_contact_angle, drawing.free_contact_angle),
         ("diametral clearance of a free contact angle", "m", bearing.diametral_clearance, clearance),
     ):
-        yield of_arrays(drawing.name, quantity, unit, np.asarray(computed), np.asarray(expected))
+        yield compared_arrays(drawing.name, quantity, unit, np.asarray(computed), np.asarray(expected))
 
 
 def catalogue_rows() -> Iterator[AgreementRow]:

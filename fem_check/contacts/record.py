@@ -16,6 +16,7 @@ from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.independent.contact_problem import Array, ElasticConstants
 from fem_check.independent.groove import RACES
 from fem_check.independent.references import ellipse
+from fem_check.product.scenes import ball_count
 from fem_check.rows.record import CheckRecord
 
 
@@ -107,7 +108,7 @@ def _bearing(contact: Chosen) -> BearingRecord:
     lengths = ("ball_diameter", "pitch_diameter", *(f"{race}_groove_radius" for race in RACES))
     made = {
         "name": contact.groove.name,
-        "ball_count": round(float(np.ravel(bearing.ball_count)[0])),
+        "ball_count": ball_count(contact.bearing),
         **{f"{name}_mm": 1e3 * float(np.ravel(getattr(bearing, name))[0]) for name in lengths},
         "free_contact_angle_deg": degrees(float(np.ravel(bearing.free_contact_angle)[0])),
         "ball_material": _material(bearing.ball_material.name, contact.groove.ball),

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, TypedDict, cast
 
 from fem_check.rows.agreement import MeshLevel
+from fem_check.rows.record import entries_of
 from fem_check.running import records_store
 
 
@@ -69,7 +70,7 @@ class CostRecord(TypedDict):
     provenance: dict[str, Any]
 
 
-FIELDS = ("level", "made_by", "machine", "contact", "ellipticity", "solver", "meshes", "closed_forms", "seconds")
+FIELDS = entries_of(CostRecord)
 
 
 def path_of(level: str, records: Path) -> Path:

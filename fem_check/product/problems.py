@@ -17,7 +17,7 @@ from fem_check.independent import quasi_static
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.equilibrium import BalanceTerms, BallRow
 from fem_check.independent.quasi_static import CHANNELS, BalanceProblem, Placed, alone
-from fem_check.product.scenes import axial_growth, drawing_at_rest, drawing_of, heat_strains
+from fem_check.product.scenes import axial_growth, ball_count, drawing_at_rest, drawing_of, heat_strains
 
 LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 DISPLACEMENTS = ("axial_displacement", "radial_displacement_y", "radial_displacement_z", "tilt_y", "tilt_z")
@@ -122,7 +122,7 @@ def row_of(scene: qsbearing.Scene, name: str) -> BallRow:
         hertz_form=str(scene.hertz_form),
         pitch_circle_lever=scene.tilt_lever is qsbearing.TiltLever.PITCH_CIRCLE,
     )  # fmt: skip
-    count = round(_number(scene.bearing.ball_count))
+    count = ball_count(scene)
     row = BallRow(
         drawing=drawing_of(scene, name),
         model=model,

@@ -306,9 +306,9 @@ def operating_points(source: str) -> dict[str, qsbearing.Scene]:
     }
 
 
-def ball_count(scene: str) -> int:
-    """Number of balls of a scene's bearing."""
-    return int(np.asarray(load_scene(scene).bearing.ball_count).ravel()[0])
+def ball_count(scene: qsbearing.Scene) -> int:
+    """Number of balls of a scene's bearing, of several cases the first's."""
+    return round(float(np.ravel(scene.bearing.ball_count)[0]))
 
 
 @lru_cache(maxsize=8)

@@ -55,7 +55,7 @@ def equilibrium_rows(
     def row(
         quantity: str, unit: str, got: Any, expected: Any, scale: float, tolerance: float = TOLERANCE
     ) -> AgreementRow:
-        return of_arrays(label, quantity, unit, np.asarray(got), np.asarray(expected), scale, tolerance)
+        return compared_arrays(label, quantity, unit, np.asarray(got), np.asarray(expected), scale, tolerance)
 
     moved = equilibrium.shaft[: len(displacement)] * lengths
     yield row("displacement, tilts at the groove centres", "m", displacement * lengths, moved, max(largest, approaches))
@@ -86,7 +86,7 @@ def ball_rows(
     """The balls of one row."""
 
     def row(quantity: str, unit: str, got: Any, expected: Any, scale: float = 0.0) -> AgreementRow:
-        return of_arrays(label, quantity, unit, np.nan_to_num(np.asarray(got)), np.asarray(expected), scale)
+        return compared_arrays(label, quantity, unit, np.nan_to_num(np.asarray(got)), np.asarray(expected), scale)
 
     inner, outer = solution.inner, solution.outer
     yield row("contact load", "N", [inner.load, outer.load], [state.q_i, state.q_o])
@@ -120,7 +120,7 @@ def ball_rows(
         yield row("required friction", "1", reported, required)
 
 
-def of_arrays(
+def compared_arrays(
     label: str,
     quantity: str,
     unit: str,

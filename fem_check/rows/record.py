@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NotRequired, TypedDict
+from typing import Any, NotRequired, TypedDict, get_origin, get_type_hints
 
 Record = dict[str, Any]
 """A record of any kind, as read: of a check, a case of the book, a campaign, a benchmark."""
@@ -61,6 +61,12 @@ class CheckRecord(TypedDict):
     provenance: dict[str, Any]
     notes: list[str]
     pictures: dict[str, Any]
+
+
+def entries_of(record: Any) -> tuple[str, ...]:
+    """What every record of this TypedDict has, in its order."""
+    named = get_type_hints(record, include_extras=True)
+    return tuple(name for name, kind in named.items() if get_origin(kind) is not NotRequired)
 
 
 def computed_value(row: RowRecord) -> float:

@@ -14,12 +14,12 @@ from typing import Any, cast
 from fem_check import meshing
 from fem_check.product.scenes import RING_OPTIONS
 from fem_check.rows.agreement import EXAMPLE, Check, Findings, MeshLevel
-from fem_check.rows.record import CheckRecord
+from fem_check.rows.record import CheckRecord, entries_of
 from qsbearing import __version__
 from qsbearing.results import provenance
 
 FOLDER = Path(__file__).parents[1] / "records"
-FIELDS = ("check", "level", "scene", "verdict", "seconds", "peak_memory_MB", "mesh", "solver", "versions", "rows")
+FIELDS = entries_of(CheckRecord)
 
 
 PACKAGES = ("scikit-fem", "meshio", "rslab", "gmsh")

@@ -118,7 +118,7 @@ def sector_bearing(scene_name: str) -> SectorBearing:
         SceneProblemError: the scene has no single bearing, or cannot be read.
     """
     scene = load_scene(scene_name)
-    return SectorBearing(drawing_of(scene, scene_name), ball_count(scene_name), ring_sections(scene, scene_name))
+    return SectorBearing(drawing_of(scene, scene_name), ball_count(scene), ring_sections(scene, scene_name))
 
 
 def model(

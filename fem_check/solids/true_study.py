@@ -6,13 +6,11 @@ from dataclasses import dataclass, replace
 from math import degrees
 from typing import Any
 
-import numpy as np
-
 import qsbearing
 from fem_check.independent import finite_bodies
 from fem_check.independent.groove import RACES, BallInGroove
 from fem_check.independent.references import hertz
-from fem_check.product.scenes import drawing_at_rest, groove_contact, load_scene, ring_sections
+from fem_check.product.scenes import ball_count, drawing_at_rest, groove_contact, load_scene, ring_sections
 from fem_check.rows import convergence
 from fem_check.rows.agreement import Progress
 from fem_check.solids.true_contact import CondensedContact, TrueContact, loaded_angle, room
@@ -105,14 +103,14 @@ def meshed(
     profile = ring_sections(bearing, source).profile(
         drawing_at_rest(bearing, source), groove.race_name, room(groove, load)
     )
-    balls = round(float(np.asarray(bearing.bearing.ball_count).ravel()[0]))
+    balls = ball_count(bearing)
     return [TrueContact(groove, balls, load, count, profile) for count in elements]
 
 
 def ring_doubt(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float) -> float:
     """Of the approach over Hertz's, how far it may be off where dimensions of the ring are assumed."""
     sections, drawing, needs = ring_sections(bearing, source), drawing_at_rest(bearing, source), room(groove, load)
-    balls = round(float(np.asarray(bearing.bearing.ball_count).ravel()[0]))
+    balls = ball_count(bearing)
     usual = sections.profile(drawing, groove.race_name, needs)
     others = sections.alternatives(drawing, groove.race_name, needs)
     return finite_bodies.ring_doubt(groove, balls, usual, others, load) / hertz(groove.problem(load)).approach

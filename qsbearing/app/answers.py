@@ -25,7 +25,7 @@ from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
 from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
@@ -45,8 +45,6 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 Tables = dict[str, Any]
 Answer = dict[str, Any]
-TOLERANCE = 0.01
-"""The relative change above which an effect is said to be needed."""
 SECTION = "section"
 """The picture that comes with the key results."""
 KEPT = 4
@@ -161,7 +159,8 @@ def detailed(document: Tables, label: str) -> Answer:
 def effects(document: Tables, label: str) -> Answer:
     """What each effect and choice changes, found by solving with and without it, and whether it is needed."""
     of = _named(document, label)
-    rows = (explain_set(of, TOLERANCE) if isinstance(of, BearingSet) else explain(of, TOLERANCE, ON_PAGE))[1]
+    accuracy = DEFAULT_ACCURACY
+    rows = (explain_set(of, accuracy) if isinstance(of, BearingSet) else explain(of, accuracy, ON_PAGE))[1]
     records = []
     for row in rows:
         changes = {quantity: row.change(quantity) for quantity in QUANTITIES}

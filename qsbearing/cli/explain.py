@@ -11,6 +11,7 @@ import click
 
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,7 +31,7 @@ HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
 @click.option(
     "--tolerance",
     type=float,
-    default=0.01,
+    default=DEFAULT_ACCURACY,
     show_default=True,
     help="Relative change below which an effect is not needed.",
 )

@@ -28,6 +28,7 @@ from qsbearing.files.table_checks import (
     choice_fields,
     did_you_mean,
     flattened,
+    lacking,
     list_of,
     made,
     material,
@@ -152,7 +153,7 @@ def ring_effect(
         return None
     later = [key.field for key in EFFECT_TABLES[name] if key.name in balance_keys]
     needed = named(required_of(RING_EFFECTS[name]))
-    missing = [key for key in needed if key not in {*good, *unusable, *balance_keys}]
+    missing = lacking(needed, good, unusable, balance_keys)
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
     numbers_si: dict[str, Any] = dict.fromkeys(later)
     numbers_si |= si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, required_of
+from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, named, required_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import (
@@ -19,6 +19,7 @@ from qsbearing.files.table_checks import (
     as_it_is,
     as_number,
     checked,
+    lacking,
     list_of,
     made,
     material,
@@ -182,8 +183,8 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
         at, before = f"{path} {number}", len(errors)
         good, unusable = checked(model, at, table, errors)
         given: dict[str, Any] = si(keys, good)
-        lacking = [key.name for key in required_of(make) if key.name not in good and key.name not in unusable]
-        errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in lacking]
+        missing = lacking(named(required_of(make)), good, unusable)
+        errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in missing]
         given |= _bodies(make, at, good, errors)
         if "rows" in model.checks:
             rows = good.get("rows")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from enum import StrEnum
 from functools import partial
 from math import isfinite, isnan, nan
@@ -199,13 +199,21 @@ def made(make: Callable[[], Made], errors: Errors) -> Made | None:
         return None
 
 
+def lacking(names: Iterable[str], *present: Collection[str]) -> list[str]:
+    """Which of these keys a table has not.
+
+    Args:
+        present: those that can be used, those that cannot, and what else stands for one.
+    """
+    return [name for name in names if not any(name in each for each in present)]
+
+
 def material(path: str, value: Any, errors: Errors) -> Material:
     """A material by its name or its table; NaN stands for what there is not."""
     unknown = Material(nan, nan, nan)
     if isinstance(value, dict):
         good, unusable = checked(_MATERIAL, path, value, errors)
-        missing = [name for name in named(_NEEDED) if name not in good and name not in unusable]
-        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
+        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in lacking(named(_NEEDED), good, unusable)]
         return Material(**vars(unknown) | si(MATERIAL, good))
     if value is None:
         return unknown

@@ -7,9 +7,19 @@ from math import nan
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.keys import required_of
+from qsbearing.files.keys import named, required_of
 from qsbearing.files.readings_table import OIL_TEMPERATURE
-from qsbearing.files.table_checks import Errors, as_whole_number, as_word, checked, list_of, made, si, table_model
+from qsbearing.files.table_checks import (
+    Errors,
+    as_whole_number,
+    as_word,
+    checked,
+    lacking,
+    list_of,
+    made,
+    si,
+    table_model,
+)
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
 
@@ -93,7 +103,7 @@ def _nodes(table: dict[str, Any]) -> set[str]:
 
 def _oil(table: Any, errors: Errors) -> OilFlow | None:
     good, unusable = checked(_OIL, "thermal.oil", table, errors)
-    missing = [key.name for key in required_of(OilFlow) if key.name not in good and key.name not in unusable]
+    missing = lacking(named(required_of(OilFlow)), good, unusable)
     errors += [FileErrorDetail(f"thermal.oil.{name}", "missing", detail="a flow of oil needs it") for name in missing]
     return None if missing or unusable else OilFlow(**si(OIL, good))
 
@@ -108,7 +118,7 @@ def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
     for number, table in enumerate(tables, 1):
         path = f"thermal.{CONDUCTANCES} {number}"
         good, unusable = checked(_CONDUCTANCE, path, table, errors)
-        missing = [name for name in ("between", "W_per_K") if name not in good and name not in unusable]
+        missing = lacking(("between", "W_per_K"), good, unusable)
         errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
         if not missing and not unusable:
             ends = tuple(good["between"])

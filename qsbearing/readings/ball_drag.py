@@ -11,6 +11,9 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.readings.ball_motion import orbital_speed
 from qsbearing.readings.bearing_numbers import BearingNumbers
 
+DRAG_COEFFICIENTS = 0.0, 10.0
+"""What cd may be."""
+
 
 def _speed(solution: Solution) -> NDArray:
     """Of the balls' centres on the pitch circle [m/s]."""

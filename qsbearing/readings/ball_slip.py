@@ -34,7 +34,7 @@ from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import rpm
 from qsbearing.model.validation import DENSITY, FORCE, RATIO, ErrorDetail, within
-from qsbearing.readings.ball_drag import drag_force
+from qsbearing.readings.ball_drag import DRAG_COEFFICIENTS, drag_force
 from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
@@ -96,7 +96,7 @@ class SlipArguments:
         errors = within("friction_coefficient", self.friction_coefficient, RATIO, *COEFFICIENTS)
         errors += both_or_neither(
             {
-                "drag_coefficient": (self.drag_coefficient, RATIO, 0.0, 10.0),
+                "drag_coefficient": (self.drag_coefficient, RATIO, *DRAG_COEFFICIENTS),
                 "least_oil_share": (self.least_oil_share, RATIO, *SHARES),
                 "most_oil_share": (self.most_oil_share, RATIO, *SHARES),
             },

@@ -21,7 +21,7 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import DENSITY, RATIO, ErrorDetail, within
-from qsbearing.readings.ball_drag import drag_power
+from qsbearing.readings.ball_drag import DRAG_COEFFICIENTS, drag_power
 from qsbearing.readings.ball_motion import (
     AXIS,
     MOTION,
@@ -104,7 +104,7 @@ class FrictionArguments:
             errors += within("hysteresis_loss", self.hysteresis_loss, RATIO, *PARTS)
         return errors + both_or_neither(
             {
-                "drag_coefficient": (self.drag_coefficient, RATIO, 0.0, 10.0),
+                "drag_coefficient": (self.drag_coefficient, RATIO, *DRAG_COEFFICIENTS),
                 "fluid_density": (self.fluid_density, DENSITY, 0.0, 2e3),
             },
             "Drag needs both; leave both out for none",

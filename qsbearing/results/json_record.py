@@ -215,7 +215,12 @@ def numbers_of(
 
 def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
     """As `numbers_of`; each None where none is called for."""
-    return numbers_of(group, *of) or {each.in_record: None for each in group.results}
+    return numbers_of(group, *of) or no_numbers(group)
+
+
+def no_numbers(group: Group) -> dict[str, None]:
+    """Of each None."""
+    return {each.in_record: None for each in group.results}
 
 
 def tables_of(groups: Iterable[Group], solution: SetSolution) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from qsbearing.results.json_record import (
     choices,
     how_it_ended,
     motion_and_stiffness,
+    no_numbers,
     numbers_or_none,
     record,
     thermal,
@@ -30,9 +31,6 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
 """What a row's own record would only repeat."""
-
-
-LIVES = [each.entry for each in SYSTEM.results]
 
 
 def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
@@ -61,7 +59,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),
         "shaft": shaft_record(solution) if solved else None,
-        **(numbers_or_none(SYSTEM, solution, (), 0, readings) if solved else dict.fromkeys(LIVES)),
+        **(numbers_or_none(SYSTEM, solution, (), 0, readings) if solved else no_numbers(SYSTEM)),
         "thermal": thermal(solution),
         "rows": rows,
     }

@@ -25,6 +25,7 @@ from fem_check.product.scenes import RING_OPTIONS, drawing_at_rest, ring_section
 from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel
 from fem_check.solids import tetrahedra
 from fem_check.solids.true_contact import TrueContact
+from fem_check.solids.true_study import contacts
 
 # Name, kind, balls, D, dm [mm], groove radii over D, free angle [deg], balls, bore, outside diameter, width [mm].
 # Dimensions of their kind and size; grooves where no catalogue prints them are usual ones.
@@ -218,7 +219,7 @@ def test_where_gmsh_fails_the_next_remedy_is_tried(tmp_path, monkeypatch):
         generated(model)
 
     monkeypatch.setattr(tetrahedra, "_generate", fails_first)
-    contact = true_geometry.contacts("b218", "inner", 2000.0, (2,))[0]
+    contact = contacts("b218", "inner", 2000.0, (2,))[0]
     monkeypatch.setattr(meshing, "cache_folder", lambda: tmp_path)
     assert contact.mesh("ring").tetrahedra.shape[1] > 1000 and len(tried) == 2
     monkeypatch.setattr(tetrahedra, "REMEDIES", tetrahedra.REMEDIES[:1])

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from fem_check import meshing
-from fem_check.checks import true_geometry
 from fem_check.elements import elastic_body, fields
 from fem_check.elements.element_family import SERENDIPITY
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.mechanics import half_space_contact
 from fem_check.product.scenes import groove_contact
+from fem_check.solids.true_study import contacts
 
 STEEL = ElasticConstants(208e9, 0.3)
 
@@ -30,7 +30,7 @@ def block(study):
 
 @pytest.fixture(scope="module")
 def bodies():
-    contact = true_geometry.contacts("b218", "inner", 2000.0, (3,))[0]
+    contact = contacts("b218", "inner", 2000.0, (3,))[0]
     exact = references.hertz(contact.groove.problem(2000.0))
     x, y = contact.frame.basis.points
     inside = 1.0 - (x / exact.semi_major_axis) ** 2 - (y / exact.semi_minor_axis) ** 2

@@ -18,6 +18,7 @@ from fem_check.rows.agreement import MeshLevel
 from fem_check.solids import bodies, contact_block, true_contact, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
+from fem_check.solids.true_study import TrueContactStudy, contacts
 
 needs_gmsh = pytest.mark.skipif(meshing.gmsh_problem() is not None, reason=str(meshing.gmsh_problem()))
 STEEL = ElasticConstants(208e9, 0.3)
@@ -26,7 +27,7 @@ LOAD = 2000.0
 
 @pytest.fixture(scope="module")
 def contact() -> TrueContact:
-    return true_geometry.contacts("b218", "inner", LOAD, (3,))[0]
+    return contacts("b218", "inner", LOAD, (3,))[0]
 
 
 @pytest.fixture(scope="module")
@@ -55,9 +56,7 @@ def test_what_the_bodies_add_to_both_approaches_is_no_part_of_the_gap_s(bodies):
     half_spaces = {"approach": 1.008, "semi_major_axis": 0.98}
     parabola = [{"approach": 1.0 + bodies, "semi_major_axis": 1.0}] * 3
     exact_gap = [half_spaces | {"approach": half_spaces["approach"] + bodies}] * 3
-    solved = true_geometry.TrueContactStudy(
-        groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, ""
-    )
+    solved = TrueContactStudy(groove_contact("b218", "inner"), LOAD, parabola, exact_gap, [], [], [], 0, "")
     for name, expected in half_spaces.items():
         assert solved.ratio("exact_gap", "parabola", name)[0] == pytest.approx(expected, rel=1e-12)
 
@@ -99,7 +98,7 @@ def test_scatter_of_the_approach_is_pooled_over_the_loads():
     # Meshes of one load that chance has brought together say nothing of their scatter.
     def solved(*parts):
         exact_gap = [{"approach": 1.0 + part} for part in parts]
-        return true_geometry.TrueContactStudy(
+        return TrueContactStudy(
             groove_contact("b218", "inner"), LOAD, [{"approach": 1.0}] * 3, exact_gap, [], [], [], 0, ""
         )
 
@@ -118,7 +117,7 @@ def test_the_equator_s_uncertainty_holds_the_direction_of_the_forces():
     small = true_geometry.lean(groove, 158.1139)
     assert true_geometry.lean(groove, 5000.0) == pytest.approx(10.0 * small, rel=1e-4)
     parabola, exact = ([dict.fromkeys(true_contact.READ, value)] * 3 for value in (1.0, 1.01))
-    solved = true_geometry.TrueContactStudy(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
+    solved = TrueContactStudy(groove, 5000.0, parabola, exact, exact, [(1.0003, 1.0)] * 3, [], 0, "")
     equator = next(row for row in true_geometry.gap_rows(solved) if row.quantity == "equator moves out")
     assert equator.uncertainty_percent > 0.03 > equator.deviation_percent - 1e-9
 

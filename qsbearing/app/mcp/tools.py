@@ -21,7 +21,7 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.scene_file import document_of, text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables, tables_of
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.whole import whole_record, with_input
 from qsbearing.studies.chooser.choose_set import solve_any
@@ -64,7 +64,7 @@ class Tools:
         record = with_input(of, whole_record(solution, all_taken(solution)))
         return _told(record, balls)
 
-    def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01) -> Answer:
+    def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = DEFAULT_ACCURACY) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
         is needed: whether it changes a result by more than the tolerance."""
         return explained(self._one(scene), tolerance).record

@@ -211,13 +211,18 @@ def friction_takes_thrust(scene: qs.Scene) -> bool:
         return qs.solve(replace(scene, operation=replace(scene.operation, axial_load=load)))
 
     low, high = 1.0, 2.0
-    while not under(high).converged.all() and high < MOST_THRUST:
+    while not (last := under(high)).converged.all():
         low, high = high, 2.0 * high
+        if high > 2.0 * MOST_THRUST:
+            return False
     while high > (1.0 + FALLING) * low:
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if under(middle).converged.all() else (middle, high)
-    last = under(high)
-    if not last.converged.all() or any(bad.any() for bad in findings(last.scene, last).failed().values()):
+        tried = under(middle)
+        if tried.converged.all():
+            high, last = middle, tried
+        else:
+            low = middle
+    if any(bad.any() for bad in findings(last.scene, last).failed().values()):
         return False
     asked = [np.nanmax(np.asarray(side.required_friction)) for side in (last.inner, last.outer)]
     return bool(max(asked) > WITHOUT_LOAD)
