@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.result_names import find, why_unknown
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.result_keys import Place
@@ -19,7 +20,7 @@ from qsbearing.results.readings_record import all_taken
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
 from qsbearing.studies.remarked import Look, look, looked_at, may_solve, together
-from qsbearing.studies.results import find, known_results, read, why_unknown
+from qsbearing.studies.results import known_results, read
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet

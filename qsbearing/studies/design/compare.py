@@ -17,6 +17,7 @@ from qsbearing.files import catalogue, paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.keys import BEARING, MATERIALS, OPERATION, PRELOAD, Key, keys_of, required_of
+from qsbearing.files.result_names import find as find_result
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
@@ -31,7 +32,6 @@ from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import MAIN
-from qsbearing.studies.results import find as find_result
 from qsbearing.studies.results import known_results, read
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.numbers import plain
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.result_names import find as find_result
+from qsbearing.files.result_names import why_unknown
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.scene.scene import Scene
@@ -24,8 +26,6 @@ from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
 from qsbearing.studies.design.wanted import Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.results import find as find_result
-from qsbearing.studies.results import why_unknown
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
 from qsbearing.studies.study import read as read_source
