@@ -13,7 +13,7 @@ import click
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.scene import load_scene_or_set, solve
+from qsbearing.cli.scene import answers_to_required, load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -257,7 +257,7 @@ def _output(
     from qsbearing.results.whole import of_fits, whole_record
 
     readings = all_taken(solution)
-    required = _required(solution, readings)
+    required = answers_to_required(solution, readings)
 
     def shown() -> list[Block]:
         said = [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
@@ -270,21 +270,6 @@ def _output(
 
     whole = record or partial(whole_record, solution, readings)
     return RunOutput(solution, asked, whole, shown, partial(columns, solution, readings), readings, required)
-
-
-def _required(solution: Any, readings: Any) -> list[Answer]:
-    """The answers to what is required; ends with what is wrong with a name that only the solution tells."""
-    from qsbearing.model.solution.changes import asked
-    from qsbearing.model.validation import SceneError
-
-    if not asked(solution).require:
-        return []
-    from qsbearing.results.requirements import required_answers
-
-    try:
-        return required_answers(solution, readings)
-    except SceneError as error:
-        refuse(str(error))
 
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:

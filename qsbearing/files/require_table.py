@@ -16,16 +16,16 @@ from numpy.typing import NDArray
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import REQUIRE
 from qsbearing.files.readings_table import asked_readings
-from qsbearing.files.result_names import places_of, why_unknown
+from qsbearing.files.result_names import AZIMUTH, places_of, why_unknown
 from qsbearing.files.stated import Stated
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.requirement import Requirement, requirements_of
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.groups import STEADY
-from qsbearing.model.solution.limit import Limit, ending
-from qsbearing.model.solution.result_keys import Group, Path, Place, printed_unit, value_at
-from qsbearing.readings.asked import LUBRICANT, every_group
+from qsbearing.model.solution.limit import Limit, ending, spare
+from qsbearing.model.solution.result_keys import Group, Path, Place, Result, printed_unit, value_at
+from qsbearing.readings.asked import LUBRICANT, every_group, take_asked
 from qsbearing.systems.heat.heat_groups import groups_of_heat
 from qsbearing.systems.sets.set_groups import (
     OF_SHAFT,
@@ -49,7 +49,8 @@ class Known(NamedTuple):
 
     def places(self, name: str) -> tuple[Place, ...]:
         """What a name means."""
-        return places_of(name, self.groups, self.of_rows, self.rows)
+        places = places_of(name, self.groups, self.of_rows, self.rows)
+        return tuple(each for each in places if each.row <= self.rows)
 
     @property
     def by_name(self) -> dict[str, Place]:
@@ -100,7 +101,7 @@ def limits_named(required: Iterable[Requirement], known: Known, path: str = REQU
 
 def _problem(name: str, places: tuple[Place, ...], known: Known) -> tuple[str, str] | None:
     if any(place.result.is_azimuth for place in places):
-        return "is a place around the bearing, of which none is more than another", "Limit a load or an angle there"
+        return AZIMUTH, "Limit a load or an angle there"
     if places or not known.is_all:
         return None
     parts = name.replace(".", "_").split("_")
@@ -124,6 +125,28 @@ def required_limits(solution: Any) -> list[Limit]:
         return limits
     shares = np.asarray(of.readings["spectrum"]["time_share"], float)
     return [each._replace(places=tuple(_under(shares, place) for place in each.places)) for each in limits]
+
+
+def _least_spare(solution: Any) -> NDArray:
+    limits = required_limits(solution)
+    has_readings = any(place.group.reading for each in limits for place in each.places)
+    rows = getattr(solution, "rows", None)
+    readings: Any = None
+    if has_readings:
+        readings = take_asked(solution) if rows is None else [take_asked(row) for row in rows]
+    return spare(solution, limits, readings)
+
+
+def _requires(of: Any) -> bool:
+    return bool(of.require)
+
+
+SPARE = Group(
+    (Result("requirements_margin", words="least part of a required limit that is to spare", path=_least_spare),),
+    is_asked=_requires, by_words=True,
+)  # fmt: skip
+"""Of a scene or set that requires something, as a result of its own: negative where a requirement is not met, NaN where
+one is open."""
 
 
 class UnderSpectrum(NamedTuple):

@@ -10,6 +10,8 @@ from qsbearing.model.validation import alike, question
 from qsbearing.readings.asked import every_group
 from qsbearing.systems.sets.set_groups import SYSTEM, groups_of_row
 
+AZIMUTH = "is a place around the bearing, of which none is more than another"
+"""What is wrong with a limit of one."""
 Known = Mapping[str, Place]
 """Results by their names; of those that each ball has, in a row of a set those of all its balls."""
 
@@ -53,11 +55,25 @@ def _of_raceway(name: str, groups: Iterable[Group], of_rows: Iterable[Group]) ->
     return None if place is None else place._replace(group=without[place.group])
 
 
+def find_all(name: str, known: Known) -> tuple[Place, ...]:
+    """Likewise of either raceway and of each row, where the name leaves them out."""
+    groups = list({id(each.group): each.group for each in known.values() if not each.row}.values())
+    of_rows = list({id(each.group): each.group for each in known.values() if each.row}.values())
+    rows = max((each.row for each in known.values()), default=0)
+    places = places_of(name, groups, of_rows, rows)
+    return tuple(each for each in places if {each.name, each._replace(over="").name, *_over(each)} & known.keys())
+
+
+def _over(place: Place) -> tuple[str, ...]:
+    """Names of all that one number of all balls is known by."""
+    return tuple(each.name for each in place._replace(over="").overs)
+
+
 def reading_of(name: str) -> str:
     """The reading that a result's name belongs to, spelled as for `find`; empty where it is none of a reading."""
     every = every_group()
-    place = place_of(name, [*every, SYSTEM], groups_of_row(every))
-    return "" if place is None else place.group.reading
+    places = places_of(name, [*every, SYSTEM], groups_of_row(every))
+    return places[0].group.reading if places else ""
 
 
 def why_unknown(name: str, known: Known, is_listed: bool = True) -> tuple[str, str]:

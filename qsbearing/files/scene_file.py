@@ -213,7 +213,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
         if name in (*SECTIONS, "tolerance", REQUIRE, *OTHER_TABLES) or (name == "housing" and value is not None):
             continue
         if isinstance(value, dict):
-            meant = alike(name, SECTIONS)
+            meant = alike(name, (*SECTIONS, REQUIRE))
             if name in EFFECT_SECTIONS:
                 meant = [f"effects.{name}"]
             if name in reading_tables():

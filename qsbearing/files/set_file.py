@@ -119,7 +119,7 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             continue
         if isinstance(value, dict | list):
             known = f"A set has [[rows]], {', '.join(f'[{table}]' for table in TABLES if table != 'rows')}"
-            meant = [f"[[{each}]]" if each in LISTED else f"[{each}]" for each in alike(name, TABLES)]
+            meant = [f"[[{each}]]" if each in LISTED else f"[{each}]" for each in alike(name, (*TABLES, REQUIRE))]
             cause = question(meant) or known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:

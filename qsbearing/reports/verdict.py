@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 
-from qsbearing.documents.model import Callout
+from qsbearing.documents.model import Block, Callout
 from qsbearing.model.solution.limit import Answer, State
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.remark import Remark, row_name
 from qsbearing.remarks.wording import capital, listed
-from qsbearing.results.requirements import headline, numbers_of
+from qsbearing.results.requirements import blocks, headline, numbers_of
 
 THEN = {
     Severity.WRONG_MODEL: "Read the warnings before using any number.",
@@ -52,6 +53,15 @@ def verdict(
     is_bad = any(each.unless is None for each in beyond) or worst is Severity.WRONG_MODEL or State.NOT_MET in states
     is_good = not beyond and not doubts and worst is Severity.GOOD_TO_KNOW and states <= {State.MET}
     return Callout(text, "fail" if is_bad else "pass" if is_good else "warning")
+
+
+def of_requirements(required: Sequence[Answer], solution: Any) -> list[Block]:
+    """The answers to what is required alone, with their verdict; nothing where nothing is required."""
+    if not required:
+        return []
+    states = {each.state for each in required}
+    status = "fail" if State.NOT_MET in states else "warning" if State.OPEN in states else "pass"
+    return [Callout(headline(required), status), *blocks(required, solution)[1:]]
 
 
 def unless(answer: Answer) -> str:

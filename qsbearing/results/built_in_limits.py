@@ -256,7 +256,7 @@ BUILT_IN = (
         _preload,
     ),
     BuiltIn(
-        "speed",
+        "thermal speed limit",
         "with more friction the preload runs away, or the limit of temperature is reached, at less",
         "[thermal], of one operating point",
         _runaway,

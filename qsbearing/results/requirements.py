@@ -6,11 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qsbearing.documents.model import Badge, Block, Paragraph, Table
+from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.changes import asked
-from qsbearing.model.solution.limit import Answer, Limit, Reason, State, answers
+from qsbearing.model.solution.limit import MET, Answer, Limit, Reason, State, answers
 from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.remarks.wording import listed
 from qsbearing.results.built_in_limits import WITHOUT_LIMIT, built_in_answers, not_checked
 
 if TYPE_CHECKING:
@@ -74,14 +75,17 @@ def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool 
 # In words
 
 
-def asked_for(of: Limit, bound: float | None = None) -> str:
-    """A limit as tables have it: "≤ 1700".
+SIGNS = {"<=": "≤", ">=": "≥"}
 
-    Args:
-        bound: of the one that decides, where each ball has its own.
-    """
-    value = float(of.value) if bound is None or math.isnan(bound) else bound  # type: ignore[arg-type]
-    return f"{'≤' if of.sense == '<=' else '≥'} {_short(value)}"
+
+def asked_for(of: Limit) -> str:
+    """A requirement as tables have it: "≤ 1700"."""
+    return f"{SIGNS[of.sense]} {_short(float(of.value))}"  # type: ignore[arg-type]
+
+
+def as_badge(answer: Answer) -> Badge:
+    """The answer as a word with its colour."""
+    return Badge(verdict(answer), COLOURS[answer.state])
 
 
 def name_of(answer: Answer) -> str:
@@ -113,6 +117,8 @@ def verdict(answer: Answer) -> str:
     """The answer, with how much of the limit there is to spare."""
     if math.isnan(answer.value) or answer.state is State.OPEN:
         return str(answer.state)
+    if answer.state is State.MET and answer.spare < MET:
+        return "met, nothing to spare"
     if not abs(answer.spare) <= FAR:
         return f"{answer.state}, by far"
     part = f"{plain(100.0 * abs(answer.spare), '.2g')} %"
@@ -168,10 +174,8 @@ def blocks(required: Sequence[Answer], solution: Any) -> list[Block]:
     rows = []
     for each in required:
         value, bound = numbers_of(each)
-        sense = "≤" if each.limit.sense == "<=" else "≥"
-        asked_bound = _short(float(each.limit.value)) if math.isnan(each.bound) else bound  # type: ignore[arg-type]
-        row = [name_of(each), value, f"{sense} {asked_bound}", printed_unit(each.limit.unit)]
-        row += [Badge(verdict(each), COLOURS[each.state])]  # type: ignore[list-item]
+        asked_bound = asked_for(each.limit) if math.isnan(each.bound) else f"{SIGNS[each.limit.sense]} {bound}"
+        row: list[Cell] = [name_of(each), value, asked_bound, printed_unit(each.limit.unit), as_badge(each)]
         row += [whose(each)] * has_whose + [each.limit.source] * has_source
         rows.append(row)
     table = Table(heading, rows, f"lrrll{'l' * has_whose}{'l' * has_source}", "Requirements")
@@ -181,12 +185,11 @@ def blocks(required: Sequence[Answer], solution: Any) -> list[Block]:
 
 
 def unchecked(of: Answered) -> str:
-    """What was not checked, by name, in a sentence."""
-    names = [f"{name} (needs {needs})" for name, needs in of.not_checked.items() if needs]
+    """What was not checked, by name, in a sentence or two."""
     required = " ".join(each.limit.name for each in of.required)
     others = [each for each in WITHOUT_LIMIT if each.partition(" ")[0] not in required]
-    parts = [f"Not checked: {', '.join(names)}." if names else ""]
-    parts += [f"Without a limit of this program, and not required: {', '.join(others)}." if others else ""]
+    parts = [f"Not checked, for want of input: {listed(of.not_checked)}." if of.not_checked else ""]
+    parts += [f"Not required, and without a limit of its own: {listed(others)}." if others else ""]
     return " ".join(filter(None, parts))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.require_table import SPARE
 from qsbearing.files.result_names import find, why_unknown
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import CHOICES, Scene
@@ -185,7 +186,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points, ever
     elif every or points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet):
         kept = [each for each in known.values() if every or each.is_usual]
     else:
-        kept = [find(name, known) for name in MAIN]
+        kept = [find(name, known) for name in (*MAIN, *(each.name for each in SPARE.results))]
     return Plan(study, tuple(each for each in kept if isinstance(each, Place)), ball_axis, chosen)
 
 

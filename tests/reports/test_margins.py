@@ -111,7 +111,7 @@ def every_answer() -> dict[str, Answer]:
     readings = {"overrun": shoulders, "ball_slip": {"friction_coefficient": 0.07} | oil}
     found = of(turning, preload=preload, ring_effects=fits, readings=readings, **BALLS)
     hot = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000}))
-    return found | {"speed": named(hot)["speed"]}
+    return found | {"thermal speed limit": named(hot)["thermal speed limit"]}
 
 
 def estimates(answer: Answer) -> list[float]:
@@ -141,7 +141,7 @@ def test_every_limit_is_taken_on_its_safe_side(what: str) -> None:
 
 def test_a_speed_is_judged_with_the_friction_of_the_whole_bearing() -> None:
     """Sliding in the contacts is a lower bound of the heat; its own limit is told as what low friction would allow."""
-    margin = every_answer()["speed"]
+    margin = every_answer()["thermal speed limit"]
     state = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000})).thermal
     assert state is not None and state.whole_bearing is not None and state.whole_bearing.state is not None
     ends = [each.speeds.end.factor * 8000.0 for each in (state, state.whole_bearing.state)]  # type: ignore[union-attr]
@@ -158,7 +158,7 @@ def test_a_speed_that_only_a_lower_bound_of_the_heat_judges_does_not_pass() -> N
     bare = {key: value for key, value in BEARING.items() if key not in ("bore_diameter_mm", "outside_diameter_mm")}
     effects = {key: value for key, value in EFFECTS.items() if key != "ring_expansion"}
     hot = qs.solve(scene(bearing=bare, effects=effects, thermal=COOL, operation={"speed_rpm": 500}))
-    margin = named(hot)["speed"]
+    margin = named(hot)["thermal speed limit"]
     assert margin.used < 1.0
     shown = verdict([margin], [])
     assert shown.status == "warning" and "lower bound of the heat" in shown.text

@@ -23,6 +23,10 @@ class Origin(StrEnum):
     MAKER = "maker"
 
 
+MET = 1e-6
+"""A limit is met to this part of its value: what a search for it leaves, far below what a drawing states."""
+
+
 class Estimate(NamedTuple):
     """Another number for the same limit, farther from the safe side."""
 
@@ -143,6 +147,26 @@ def answers(solution: Any, limits: Iterable[Limit], readings: Any = None) -> lis
     return [_answer(solution, each, readings) for each in limits]
 
 
+def spare(solution: Any, limits: Iterable[Limit], readings: Any = None) -> NDArray:
+    """The least part of any limit that is to spare, case by case; negative beyond one, NaN where one is open.
+
+    Args:
+        limits: of numbers that all balls have together, as `ending` makes them.
+        readings: as for `answers`.
+    """
+    least = np.full(solution.shape, np.inf)
+    for limit in limits:
+        for place in limit.places:
+            values = place.of(solution, readings)
+            if values is None:
+                return np.full(solution.shape, np.nan)
+            margin = limit.value - values if limit.sense == "<=" else values - limit.value
+            with np.errstate(divide="ignore", invalid="ignore"):
+                part = margin / np.abs(np.asarray(limit.value, float))
+            least = np.minimum(least, np.where(np.abs(part) <= MET, 0.0, part))
+    return np.where(solution.converged, least, np.nan)
+
+
 def _answer(solution: Any, limit: Limit, readings: Any) -> Answer:
     """That of the worst place; not met where one is not, else open where one is."""
     every = [_at(solution, limit, place, readings) for place in limit.places]
@@ -170,7 +194,7 @@ def _at(solution: Any, limit: Limit, place: Place, readings: Any) -> Answer:
         return none
     answer = Answer(
         limit,
-        State.NOT_MET if beyond[index] > 0.0 else State.MET,
+        State.NOT_MET if beyond[index] > MET * abs(bounds[index]) else State.MET,
         float(values[index]),
         float(bounds[index]),
         place,
