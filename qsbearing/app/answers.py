@@ -37,6 +37,8 @@ from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.results.requirements import blocks as requirement_blocks
+from qsbearing.results.requirements import required_answers
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set
@@ -81,8 +83,9 @@ def shown(document: Tables) -> Answer:
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, key results of the bearing or of the shaft and each row, remarks, of a bearing the section,
-    the names of the pictures to ask for, and the effects with whether they can be switched."""
+    """How the case ended, key results of the bearing or of the shaft and each row, the answers to what is required,
+    remarks, of a bearing the section, the names of the pictures to ask for, and the effects with whether they can be
+    switched."""
     solution = _solution(document, label)
     readings, is_solved = all_taken(solution), bool(solution.converged)
     key: list[KeyResult] = []
@@ -102,6 +105,7 @@ def solved(document: Tables, label: str) -> Answer:
         "is_solved": is_solved,
         "key": _plain(key),
         "rows": rows,
+        "requirements": part(requirement_blocks(required_answers(solution, readings), solution)),
         "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),
         "picture": picture,
         "pictures": pictures,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from qsbearing.files.file_keys import find, spelled
+from qsbearing.files.file_keys import REQUIRE, find, spelled
 from qsbearing.files.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
@@ -44,7 +44,8 @@ def fields(document: dict[str, Any]) -> list[FieldOfPage]:
 
 
 def _is_shown(document: dict[str, Any], path: Path) -> bool:
-    return not is_set(document) or any(path[: len(table)] == table for table in OF_SET)
+    """Limits of results are the file's: the page answers them."""
+    return path[0] != REQUIRE and (not is_set(document) or any(path[: len(table)] == table for table in OF_SET))
 
 
 def _leaves(table: Any, before: Path = ()) -> Iterator[tuple[Path, Any]]:

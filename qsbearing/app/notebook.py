@@ -11,6 +11,7 @@ import numpy as np
 from qsbearing import pictures
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.files.result_names import find
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.columns import scene_numbers
 from qsbearing.model.solution.solution import Solution
@@ -22,7 +23,7 @@ from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.tables import digits_of
 from qsbearing.studies.chunk import MAIN
-from qsbearing.studies.results import find, known_results, read
+from qsbearing.studies.results import known_results, read
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 from qsbearing.studies.variables import Axis

@@ -13,7 +13,7 @@ from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
 
 if TYPE_CHECKING:
-    from qsbearing.documents.model import Block
+    from qsbearing.documents.model import Block, Cell
     from qsbearing.studies.design.compare import Compared, Comparison
 
 PICTURED = (
@@ -30,7 +30,9 @@ BESIDE = 2
 @click.command(short_help="Compare several bearings under the same loads.")
 @click.argument("scenes", nargs=-1, required=True)
 @click.option(
-    "--at", metavar="SCENE", help="A scene whose operation, preload, effects and readings are used for all bearings."
+    "--at",
+    metavar="SCENE",
+    help="A scene whose operation, preload, effects, readings and requirements are used for all bearings.",
 )
 @click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
 @click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
@@ -73,6 +75,7 @@ def _tables(comparison: Comparison) -> list[Block]:
 
     given = [(name, f"{value:.7g}", printed_unit(unit)) for name, value, unit in comparison.conditions]
     parts: list[Block] = [Table(("key", "value", "unit"), given, "lrl", f"Operating point of {comparison.job}")]
+    parts = [*_requirements(comparison), *parts]
     others = range(1, len(comparison.labels))
     blocks = [[0, *others[start : start + BESIDE]] for start in range(0, len(others), BESIDE)]
     at = f"Results at the operating point of {comparison.job}"
@@ -87,6 +90,32 @@ def _tables(comparison: Comparison) -> list[Block]:
     return [*parts, Paragraph(note, is_apart=True), *remarks.blocks(comparison.remarks, is_apart=True)]
 
 
+def _requirements(comparison: Comparison) -> list[Block]:
+    """Who meets what; nothing where the job requires nothing."""
+    from qsbearing.documents.model import Table
+    from qsbearing.model.solution.result_keys import printed_unit
+    from qsbearing.results.requirements import as_badge, asked_for, name_of
+
+    if not comparison.required:
+        return []
+    rows: list[tuple[Cell, ...]] = [
+        (
+            name_of(each[0]),
+            f"{asked_for(each[0].limit)} {printed_unit(each[0].limit.unit)}".rstrip(),
+            *map(as_badge, each),
+        )
+        for each in comparison.required
+    ]
+    return [
+        Table(
+            ("required", "asked", *comparison.labels),
+            rows,
+            caption="Requirements",
+            align="ll" + "l" * len(comparison.labels),
+        )
+    ]
+
+
 def _cell(line: Compared, number: int) -> str:
     from qsbearing.pictures.side_by_side import MARKED
 
@@ -96,13 +125,18 @@ def _cell(line: Compared, number: int) -> str:
 
 
 def _columns(comparison: Comparison) -> dict[str, list[object]]:
+    from qsbearing.results.requirements import asked_for
+
     lines = (*comparison.inputs, *comparison.results)
     columns: dict[str, list[object]] = {
         "quantity": ["status", *(line.name for line in lines)],
         "unit": ["", *(line.unit for line in lines)],
     }
+    columns["quantity"] += [f"{each[0].limit.name} {asked_for(each[0].limit)}" for each in comparison.required]
+    columns["unit"] += [each[0].limit.unit for each in comparison.required]
     for i, label in enumerate(comparison.labels):
-        columns[label] = [comparison.statuses[i], *(line.values[i] for line in lines)]
+        own = [str(each[i].state) for each in comparison.required]
+        columns[label] = [comparison.statuses[i], *(line.values[i] for line in lines), *own]
     return columns
 
 

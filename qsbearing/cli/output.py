@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
     from qsbearing.systems.sets.bearing_set import BearingSet
 
-SOLVED, UNSOLVED, BAD_INPUT = 0, 1, 2
+SOLVED, UNSOLVED, BAD_INPUT, NOT_MET = 0, 1, 2, 3
 
 
 def refuse(message: str) -> NoReturn:

@@ -7,13 +7,13 @@ import re
 import shlex
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from qsbearing.cli.files import BOXES, check_installed, fill, folder
-from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
-from qsbearing.cli.scene import load_scene_or_set, solve
+from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_wrote, refuse
+from qsbearing.cli.scene import answers_to_required, load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,7 +39,8 @@ def report(scene: str, out: str) -> None:
     It contains key results and warnings, the input, assumptions, the effects that are simulated or left out and why,
     results with pictures, readings, curves around the operating point, and the evidence that applies.
 
-    Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input.
+    Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input, 3 written, but a requirement of the file's
+    [require] is not met.
     """
     from pathlib import Path
 
@@ -51,7 +52,9 @@ def report(scene: str, out: str) -> None:
     name = (path.stem if is_file(path) else scene).lower()
     page = Path(out) / f"{name}_report.html"
     _refuse_another(page, path)
-    make = _maker(asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
+    solution = _solved(asked)
+    required = answers_to_required(solution)
+    make = _maker(solution, asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -64,6 +67,8 @@ def report(scene: str, out: str) -> None:
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
     fill(forms, lambda: replace(make(), made_from=made_from))
     print_wrote(forms)
+    if any(each.state == "not met" for each in required):
+        sys.exit(NOT_MET)
 
 
 def _from_folder(path: Path, folder: Path) -> str:
@@ -92,8 +97,8 @@ def _refuse_another(page: Path, path: Path) -> None:
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 
 
-def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
-    """What makes the document of a scene or set; ends with the exit code where it has no solution."""
+def _solved(asked: Scene | BearingSet) -> Any:
+    """Its solution; ends with the exit code where it has none."""
     from qsbearing.remarks.of_solution import message
 
     solution = solve(asked)
@@ -101,6 +106,11 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
         first = int(solution.converged.argmin())
         note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
         sys.exit(UNSOLVED)
+    return solution
+
+
+def _maker(solution: Any, asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
+    """What makes the document of a scene or set."""
     from qsbearing.reports.of_any import document_of_any
 
     return lambda: document_of_any(solution, asked, source, command)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import sys
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
-from qsbearing.cli.output import UNSOLVED, note, print_result, print_table, refuse, refuse_all
+from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.scene import load_scene_or_set, solve
+from qsbearing.cli.scene import answers_to_required, load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
     from qsbearing.documents.model import Block
     from qsbearing.model.scene.scene import Scene
+    from qsbearing.model.solution.limit import Answer
     from qsbearing.model.solution.solution import Solution
     from qsbearing.systems.sets.bearing_set import BearingSet
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -87,7 +89,9 @@ def run(
     operating points with shares of time, which give one life. The result of --json (.json) or of `qsbearing sweep`
     (.nc) is solved again from the input that it holds; for a sweep this is the scene of its first point.
 
-    Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input.
+    A file's [require] says what results must keep; the answers stand first. What cannot be judged is open.
+
+    Exit codes: 0 solved, 1 no equilibrium or not converged, 2 bad input, 3 a requirement is not met.
     """
     if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
@@ -129,6 +133,8 @@ def run(
         write_files(writers, make)
         if model is not None:
             note("\n".join([f"{model.count} attributes written into {into}", *model.notes]))
+        if any(each.state == "not met" for each in outcome.required):
+            sys.exit(NOT_MET)
 
 
 NO_PICTURE = "--plot: a picture shows a single operating point, not a spectrum; --csv writes every ball of every point"
@@ -161,6 +167,8 @@ class RunOutput(NamedTuple):
     columns: Callable[[], dict[str, NDArray]]
     readings: Any
     """What the input asks to be read off; of a set a list, by row."""
+    required: list[Answer]
+    """The answers to what the input requires."""
 
     @property
     def lacks(self) -> str:
@@ -201,8 +209,6 @@ def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
 
 def _of_data_sheet(scene: Scene) -> RunOutput:
     """Results as ranges; in JSON beside those of the set whose ratings fit best."""
-    from dataclasses import replace
-
     from qsbearing.results.json_record import record
     from qsbearing.results.readings_record import Readings, all_columns, taken
     from qsbearing.studies import inferred
@@ -251,12 +257,19 @@ def _output(
     from qsbearing.results.whole import of_fits, whole_record
 
     readings = all_taken(solution)
+    required = answers_to_required(solution, readings)
 
     def shown() -> list[Block]:
-        return [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
+        said = [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
+        if not required:
+            return said
+        from qsbearing.results.requirements import blocks as answers
+
+        first, *rest = said
+        return [*answers(required, solution), replace(first, is_apart=True), *rest]
 
     whole = record or partial(whole_record, solution, readings)
-    return RunOutput(solution, asked, whole, shown, partial(columns, solution, readings), readings)
+    return RunOutput(solution, asked, whole, shown, partial(columns, solution, readings), readings, required)
 
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:

@@ -13,6 +13,7 @@ from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
+    from qsbearing.model.solution.limit import Answer
     from qsbearing.model.validation import SceneError
     from qsbearing.systems.sets.bearing_set import BearingSet
 
@@ -98,6 +99,26 @@ def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
 
     with solving():
         return choose.solve(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
+
+
+def answers_to_required(solution: Any, readings: Any = None) -> list[Answer]:
+    """The answers to what its scene or set requires; ends with what is wrong with a name that only the solution tells.
+
+    Args:
+        readings: where they are taken already.
+    """
+    from qsbearing.model.solution.changes import asked
+    from qsbearing.model.validation import SceneError
+
+    if not asked(solution).require:
+        return []
+    from qsbearing.results.readings_record import all_taken
+    from qsbearing.results.requirements import required_answers
+
+    try:
+        return required_answers(solution, all_taken(solution) if readings is None else readings)
+    except SceneError as error:
+        refuse(str(error))
 
 
 @contextmanager

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 REPORT = "report"
 """The table that says what a design report is about and for whom."""
+REQUIRE = "require"
+"""The table of limits that results must keep, under their names."""
 ORIGIN = "rexs"
 """The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 OTHER_TABLES = {

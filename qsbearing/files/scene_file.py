@@ -13,7 +13,7 @@ from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
-from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_tables
 from qsbearing.files.keys import (
     EFFECT_SECTIONS,
     MAKES_SET,
@@ -26,7 +26,7 @@ from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
-from qsbearing.files.stated import stated_in
+from qsbearing.files.stated import Stated, stated_in
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
@@ -40,12 +40,14 @@ from qsbearing.files.table_checks import (
 from qsbearing.files.toml import read_toml
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.preload import Preload, axial_channel_errors
+from qsbearing.model.scene.requirement import Requirement
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import SceneError, alike, printable, question
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
 
+ONE_OF_LIST = "Choose one of those that the data sheet allows: ball_set = 1 in [bearing], or its own numbers"
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
 _OPERATION = table_model("operation", OPERATION)
@@ -145,19 +147,35 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors, balance_keys, stated)
+    document, required = with_required(document, errors, balance_keys, stated)
     readings = asked_readings(document, errors, balance_keys, stated)
+    if required and bearing is not None and bearing.inferred is not None:
+        errors.append(FileErrorDetail(f"[{REQUIRE}]", "is not answered for a list of bearings", cause=ONE_OF_LIST))
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
-        scene = Scene(bearing, operation, preload=preload, **effects, readings=readings, thermal=thermal)
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "require": required}
+        scene = Scene(bearing, operation, preload=preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
     wrong = errors_in_scene(scene, balance_keys)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene
+
+
+def with_required(
+    document: dict[str, Any], errors: Errors, balance_keys: frozenset[str], stated: Stated
+) -> tuple[dict[str, Any], tuple[Requirement, ...]]:
+    """What the tables of a scene or set require of results; the tables ask for the readings that this takes."""
+    if document.get(REQUIRE) is None:
+        return document, ()
+    from qsbearing.files import require_table  # loaded only where something is required
+
+    required = require_table.required_in(document, errors)
+    return require_table.with_readings(document, required, balance_keys, stated), required
 
 
 def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, frozenset[str]]:
@@ -192,10 +210,10 @@ def is_there(path: Path) -> bool:
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
     errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*SECTIONS, "tolerance", *OTHER_TABLES) or (name == "housing" and value is not None):
+        if name in (*SECTIONS, "tolerance", REQUIRE, *OTHER_TABLES) or (name == "housing" and value is not None):
             continue
         if isinstance(value, dict):
-            meant = alike(name, SECTIONS)
+            meant = alike(name, (*SECTIONS, REQUIRE))
             if name in EFFECT_SECTIONS:
                 meant = [f"effects.{name}"]
             if name in reading_tables():

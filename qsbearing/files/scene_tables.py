@@ -13,7 +13,7 @@ from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import entry_of, is_in_radians, label_of
 from qsbearing.files.data_sheet_table import sheet_tables
 from qsbearing.files.effects_table import AUTO
-from qsbearing.files.file_keys import reading_keys, reading_tables
+from qsbearing.files.file_keys import REQUIRE, reading_keys, reading_tables
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
@@ -36,6 +36,7 @@ from qsbearing.model.described import choices_of, materials_of
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS
+from qsbearing.model.scene.requirement import requirement_table
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -79,6 +80,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     if of.preload is not None:
         tables["preload"] = _numbers(PRELOAD, of.preload)
     tables |= _effects(of) | {"readings": _readings(of.readings)}
+    tables |= {REQUIRE: requirement_table(of.require)} if of.require else {}
     tables = _at_points(tables.get("spectrum"), tables)
     if of.thermal is None:
         return tables

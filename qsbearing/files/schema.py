@@ -12,7 +12,7 @@ from typing import Any
 
 from qsbearing.files import catalogue, thermal_keys
 from qsbearing.files.effects_table import AUTO, BALL_EFFECTS
-from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, reading_keys, reading_tables
+from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_keys, reading_tables
 from qsbearing.files.fits import CLASS, FITTED, classes, names
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
@@ -43,6 +43,7 @@ from qsbearing.model.described import choices_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS, TILT_OF
+from qsbearing.model.scene.requirement import ENDS, SENSES, SOURCE
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.readings.asked import READINGS
 from qsbearing.systems.sets.row import Row
@@ -83,6 +84,7 @@ def scene_schema() -> Schema:
         "tolerance": _NUMBER | {"exclusiveMinimum": 0, "maximum": 1},
         "readings": _ref("readings"),
         "thermal": _thermal(),
+        REQUIRE: _required(),
         REPORT: closed(dict.fromkeys(OTHER_TABLES[REPORT], _WORD)),
         ORIGIN: closed({key: {"not": {"type": "null"}} for key in OTHER_TABLES[ORIGIN]}),
         **_of_set(),
@@ -90,6 +92,14 @@ def scene_schema() -> Schema:
     }
     head = {"$schema": DRAFT, "title": "qsbearing: a scene, a set or a study", "definitions": definitions}
     return {**head, **closed(tables), "allOf": _rules()}
+
+
+def _required() -> Schema:
+    """Limits under the names of results; points in a name that is not quoted make tables within tables."""
+    ends = _told(closed({**dict.fromkeys(ENDS, _NUMBER), SOURCE: _WORD}), "At least, at most, and whose limit it is")
+    bound = {"type": "string", "pattern": rf"^\s*({'|'.join(SENSES)})"}
+    each = {"anyOf": [_told(bound, 'As ">= 45" or "<= 2000"'), ends, {"type": "object"}]}
+    return {"type": "object", "description": "What results must keep", "additionalProperties": each}
 
 
 def _bearing() -> Schema:

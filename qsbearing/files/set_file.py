@@ -10,7 +10,7 @@ from typing import Any
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
-from qsbearing.files.file_keys import OTHER_TABLES
+from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
 from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
@@ -19,6 +19,7 @@ from qsbearing.files.scene_file import (
     heated,
     operation_of,
     preload_of,
+    with_required,
     wrong_in_other_tables,
 )
 from qsbearing.files.set_keys import GRAVITY, OTHERS
@@ -67,6 +68,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     thermal, balance_keys = heated(document, errors)
     document, stated = with_own_tables(document), stated_in(document, errors)
     _find_unknown_tables(document, errors)
+    document, required = with_required(document, errors, balance_keys, stated)
     common = bearing_of(document, "", errors) if "bearing" in document else None
     has_common = document.get("bearing") is not None
     rows = _rows(document, common, has_common, errors, balance_keys, stated)
@@ -80,11 +82,15 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if errors or operation is None:
         raise SceneFileError(file, errors)
     try:
-        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label, **around}
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label, **around, "require": required}
         of = BearingSet(tuple(rows), operation, preload, **effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
     wrong = _errors_of_readings(of, balance_keys)
+    if required:
+        from qsbearing.files.require_table import name_errors
+
+        wrong += name_errors(of)
     if wrong:
         raise SceneFileError(file, wrong)
     return of
@@ -110,11 +116,11 @@ def _translated(error: ErrorDetail) -> FileErrorDetail:
 def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
     errors += wrong_in_other_tables(document)
     for name, value in list(document.items()):
-        if name in (*TABLES, "tolerance", *OTHER_TABLES):
+        if name in (*TABLES, "tolerance", REQUIRE, *OTHER_TABLES):
             continue
         if isinstance(value, dict | list):
             known = f"A set has [[rows]], {', '.join(f'[{table}]' for table in TABLES if table != 'rows')}"
-            meant = [f"[[{each}]]" if each in LISTED else f"[{each}]" for each in alike(name, TABLES)]
+            meant = [f"[[{each}]]" if each in LISTED else f"[{each}]" for each in alike(name, (*TABLES, REQUIRE))]
             cause = question(meant) or known
             errors.append(FileErrorDetail(f"[{name}]", "unknown table", cause=cause))
         else:

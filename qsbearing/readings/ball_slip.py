@@ -38,7 +38,7 @@ from qsbearing.readings.ball_drag import DRAG_COEFFICIENTS, drag_force
 from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
-from qsbearing.readings.lubricant import OIL_DENSITY
+from qsbearing.readings.lubricant import OIL_DENSITY, OilState
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "required_friction"), (*AXIS, "gyroscopic_moment")
@@ -88,8 +88,16 @@ class SlipArguments:
     drag_coefficient: ArrayLike | None = field(default=None, metadata=given_in())
     least_oil_share: ArrayLike | None = field(default=None, metadata=given_in(range=SHARES))
     most_oil_share: ArrayLike | None = field(default=None, metadata=given_in(range=SHARES))
-    oil_density: ArrayLike = field(default=OIL_DENSITY, metadata=given_in("kg/m3"))
+    oil_density: ArrayLike | None = field(default=None, metadata=given_in("kg/m3"))
     minimum_load_factor: ArrayLike | None = field(default=None, metadata=given_in("N", FACTORS))
+    oil: OilState | None = None
+
+    @property
+    def density(self) -> ArrayLike:
+        """Of the oil: as given here, else of the lubricant, else of an oil of which nothing is said [kg/m^3]."""
+        if self.oil_density is None:
+            return OIL_DENSITY if self.oil is None or self.oil.density is None else self.oil.density
+        return self.oil_density
 
     def errors(self, bearing: BallBearing | None) -> list[ErrorDetail]:
         """Everything out of range, and what drag needs besides."""
@@ -102,7 +110,7 @@ class SlipArguments:
             },
             "Drag needs all three; leave all out for none",
         )
-        errors += within("oil_density", self.oil_density, DENSITY, 500.0, 2e3)
+        errors += within("oil_density", self.density, DENSITY, 500.0, 2e3)
         least, most = self.least_oil_share, self.most_oil_share
         if not errors and least is not None and most is not None and np.any(np.asarray(least) > np.asarray(most)):
             errors.append(ErrorDetail("least_oil_share", "is above most_oil_share", cause="Swap the two"))
@@ -120,7 +128,8 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
         drag_coefficient: cd of a ball between its neighbours, with
         least_oil_share: of the space that the balls go through, and
         most_oil_share: all three, or none.
-        oil_density: [kg/m^3].
+        oil_density: [kg/m^3]; None: that of
+        oil: the lubricant at its temperature; without one 870 kg/m^3.
         minimum_load_factor: a maker's A, the least axial load at 1000 rpm [N].
 
     Raises:
@@ -164,7 +173,7 @@ def _drag(
     at_load = most_drag(mu[..., None], 1.0, parallel)
     held = np.where(touches, at_load * inner.load, 0.0).sum(axis=-1)
     # Of oil alone; its share is a factor.
-    drag = drag_force(solution, np.asarray(cd, float), np.asarray(given.oil_density, float))
+    drag = drag_force(solution, np.asarray(cd, float), np.asarray(given.density, float))
     used = _ratio(np.nansum(drag, axis=-1), held)
     load = np.where(touches, np.abs(inner.sine * drag) / at_load, 0.0).sum(axis=-1)
     solved = np.where(np.asarray(solution.converged), 1.0, np.nan)
@@ -213,5 +222,5 @@ ENTRY = Reading(
     ),
     of_contact=(Result("friction_used", words="friction for the gyroscopic moment over mu Q"),),
     scope="Balls roll as raceway control has them: a balance of friction itself is not computed. Oil of "
-    f"{OIL_DENSITY:g} kg/m³ is assumed where this reading is given no density.",
+    f"{OIL_DENSITY:g} kg/m³ is assumed where neither this reading nor the lubricant has a density.",
 )

@@ -84,6 +84,8 @@ class OilState:
     """beta, the logarithmic fall of viscosity with temperature [1/K], and"""
     thermal_conductivity: ArrayLike | None = None
     """k [W/(m K)]; without both a film is not reduced by the heat of its inlet."""
+    density: ArrayLike | None = None
+    """rho there [kg/m^3]; None: not known."""
 
 
 @dataclass(frozen=True)
@@ -165,12 +167,12 @@ class Lubricant:
         """
         raise_if_any(within("temperature", temperature, KELVIN, 200.0, 600.0, "is not an oil temperature in kelvin"))
         nu = self.kinematic_viscosity(temperature)
-        eta = nu * (
-            np.asarray(self.density, float) - DENSITY_SLOPE * (np.asarray(temperature, float) - FREEZING - 15.0)
-        )
+        warmer = np.asarray(temperature, float) - FREEZING - 15.0
+        rho = np.asarray(self.density, float) - DENSITY_SLOPE * warmer
+        eta = nu * rho
         xi = estimated_pressure_viscosity(eta) if self.pressure_viscosity is None else self.pressure_viscosity
         k = thermal_conductivity(temperature, self.density)
-        return OilState(eta, xi, nu, self.pressure_viscosity is None, self.temperature_viscosity(temperature), k)
+        return OilState(eta, xi, nu, self.pressure_viscosity is None, self.temperature_viscosity(temperature), k, rho)
 
 
 def thermal_conductivity(temperature: ArrayLike, density: ArrayLike) -> NDArray:

@@ -13,11 +13,11 @@ from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results
-from qsbearing.reports.margins import margins
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
+from qsbearing.results.requirements import answered
 from qsbearing.studies.chooser.explain import explain
 
 
@@ -54,7 +54,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
         f"{capital(bearing)}. {point}.",
         head(
             report_of,
-            margins(solution, readings),
+            answered(solution, readings),
             every_remark(solution, readings),
             [key_results(solution, readings)],
             [*effects.is_right(rows, tolerance), evidence.in_short(checks)],

@@ -3,47 +3,73 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Section
+from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Picture, Section
 from qsbearing.files.file_keys import OTHER_TABLES, REPORT
+from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
 from qsbearing.pictures.margins import margins as draw_margins
 from qsbearing.remarks.remark import Remark
 from qsbearing.remarks.wording import capital
-from qsbearing.reports.margins import Margin, answer
+from qsbearing.reports.verdict import text_of, verdict
 from qsbearing.results import provenance
 from qsbearing.results.remarks import blocks
+from qsbearing.results.requirements import Answered, name_of, unchecked
+from qsbearing.results.requirements import blocks as requirement_blocks
+
+if TYPE_CHECKING:
+    from qsbearing.systems.sets.set_solution import SetSolution
 
 
 def head(
     report: Mapping[str, str],
-    limits: Sequence[Margin],
+    limits: Answered,
     said: Sequence[Remark],
     results: Sequence[Block],
     rest: Sequence[Block],
-    solution: Solution | None = None,
+    solution: Solution | SetSolution,
 ) -> list[Block]:
     """Page 1.
 
     Args:
         report: the file's table [report]: document, customer and author, as far as it has them.
-        limits: how close the case is to each limit.
+        limits: how the case answers each limit.
         said: all remarks.
         results: the key results.
         rest: whether the model is right, and by what evidence.
-        solution: of a single bearing, whose ball loads stand beside the margins.
+        solution: of a single bearing the ball loads stand beside the margins.
     """
-    bars = [(each.what, each.used, each.text) for each in limits]
-    drawn = picture(
-        draw_margins(bars, solution),
-        "; ".join(f"{each.what} {each.text}" for each in limits),
-        "How much of each limit is used: " + "; ".join(f"{each.what}: {each.source}" for each in limits),
-    )
     shown = blocks(said) or [Callout("No warnings.")]
     people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
-    return [*([Facts(people)] if people else []), answer(limits, said), drawn, *results, *shown, *rest]
+    opening = verdict(limits.built_in, said, limits.required, getattr(asked(solution), "rows", ()))
+    required = requirement_blocks(limits.required, solution)[1:]
+    return [
+        *([Facts(people)] if people else []),
+        opening,
+        *required,
+        _drawn(limits, solution),
+        Paragraph(unchecked(limits)),
+        *results,
+        *shown,
+        *rest,
+    ]
+
+
+def _drawn(limits: Answered, solution: Solution | SetSolution) -> Picture:
+    """How much of each limit is used."""
+    every = [each for each in (*limits.required, *limits.built_in) if np.isfinite(each.value)]
+    bars = [(name_of(each), each.used, text_of(each)) for each in every]
+    sources = "; ".join(f"{each.limit.name}: {each.limit.source or 'required'}" for each in every)
+    return picture(
+        draw_margins(bars, solution if isinstance(solution, Solution) else None),
+        "; ".join(f"{name} {text}" for name, _, text in bars),
+        f"How much of each limit is used: {sources}",
+    )
 
 
 def made_with(message: str, command: str) -> Section:

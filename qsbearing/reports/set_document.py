@@ -16,11 +16,11 @@ from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.front import head, made_with
 from qsbearing.reports.key_results import key_results_of_set
-from qsbearing.reports.margins import margins_of_set
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
+from qsbearing.results.requirements import answered
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -54,10 +54,11 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         _summary(solution),
         head(
             report_of,
-            margins_of_set(solution, readings),
+            answered(solution, readings),
             every_remark(solution, readings),
             key_results_of_set(solution, readings),
             [*effects.is_right(effect_rows, DEFAULT_ACCURACY), evidence.in_short(checks)],
+            solution,
         ),
     )
 

@@ -17,7 +17,9 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.reports import document as of_scene
 from qsbearing.reports import set_document
+from qsbearing.reports.verdict import of_requirements
 from qsbearing.results.readings_record import all_taken, taken
+from qsbearing.results.requirements import required_answers
 from qsbearing.results.set_spectrum_report import set_spectrum_result
 from qsbearing.results.spectrum_report import spectrum_result
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -42,13 +44,13 @@ def document(
     """
     if isinstance(solution, SetSolution):
         readings = all_taken(solution)
-        blocks = set_spectrum_result(solution, readings)
+        blocks, required = set_spectrum_result(solution, readings), required_answers(solution, readings)
     else:
         readings = [taken(solution)]
-        blocks = spectrum_result(solution, readings[0])
+        blocks, required = spectrum_result(solution, readings[0]), required_answers(solution, readings[0])
     damage = np.max([np.nan_to_num(each["spectrum"].damage_share) for each in readings], axis=0)
     worst = int(np.argmax(damage))
-    point = point_of(asked, worst)
+    point = point_of(replace(asked, require=()), worst)  # what is required holds of all points
     solved = solve(point)
     whole = (
         of_scene.document(solved, point, source, command)
@@ -66,7 +68,16 @@ def document(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[*whole.head[:first], *lives, *points, Paragraph(which), *whole.head[first:second], *warned, *rest],
+        head=[
+            *whole.head[:first],
+            *of_requirements(required, solution),
+            *lives,
+            *points,
+            Paragraph(which),
+            *whole.head[first:second],
+            *warned,
+            *rest,
+        ],
     )
 
 

@@ -22,7 +22,10 @@ def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, A
     Args:
         readings: as `readings_record.all_taken` gives them.
     """
+    from qsbearing.results import requirements  # loaded only where all of a solution is told
+
     record = _record_of(solution)(solution, readings)
+    record |= requirements.record(requirements.answered(solution, readings, is_thorough=False), solution)
     return record | (of_fits("fits_record", solution) or {})
 
 

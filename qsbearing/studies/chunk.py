@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.require_table import SPARE
+from qsbearing.files.result_names import find, why_unknown
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.result_keys import Place
@@ -19,7 +21,7 @@ from qsbearing.results.readings_record import all_taken
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.points import Points
 from qsbearing.studies.remarked import Look, look, looked_at, may_solve, together
-from qsbearing.studies.results import find, known_results, read, why_unknown
+from qsbearing.studies.results import known_results, read
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -184,7 +186,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points, ever
     elif every or points.count * ball_axis <= ALL_UP_TO or isinstance(scene, BearingSet):
         kept = [each for each in known.values() if every or each.is_usual]
     else:
-        kept = [find(name, known) for name in MAIN]
+        kept = [find(name, known) for name in (*MAIN, *(each.name for each in SPARE.results))]
     return Plan(study, tuple(each for each in kept if isinstance(each, Place)), ball_axis, chosen)
 
 

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from itertools import chain
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.files.require_table import SPARE
 from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.groups import GROUPS, STEADY, unasked
-from qsbearing.model.solution.result_keys import OVER, Group, Place, place_of, printed_unit, spelled
+from qsbearing.model.solution.result_keys import Group, Place, reduced
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import alike, question
-from qsbearing.readings.asked import READINGS, every_group, take_asked
+from qsbearing.readings.asked import READINGS, take_asked
 from qsbearing.systems.heat.heat_groups import groups_of_heat
-from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_row, groups_of_set, of_bearing
+from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, SYSTEM, groups_of_set, of_bearing
 from qsbearing.systems.sets.set_solution import SetSolution
-
-Known = Mapping[str, Place]
-"""Results by their names; of those that each ball has, in a row of a set those of all its balls."""
-
 
 OF_BEARING = of_bearing(GROUPS)
 """What a row has as any bearing has it."""
@@ -29,9 +25,8 @@ OF_BEARING = of_bearing(GROUPS)
 
 def known_results(solution: Solution | SetSolution) -> dict[str, Place]:
     """Every result that this solution has, by its name; of a set those first that most readers look for."""
-    if isinstance(solution, SetSolution):
-        return {each.name: each for each in _of_set(solution)}
-    return {each.name: each for each in _of_bearing(solution)}
+    every = _of_set(solution) if isinstance(solution, SetSolution) else _of_bearing(solution)
+    return {each.name: each for each in chain(every, _there([SPARE], solution, {}))}
 
 
 def _of_bearing(solution: Solution) -> Iterator[Place]:
@@ -73,61 +68,6 @@ def _rank(place: Place) -> int:
     return 1 if place.group == OF_SHAFT[-1] else 2
 
 
-def find(name: str, known: Known) -> Place | None:
-    """The result of a name, as `place_of` reads it; of one that each ball has also its maximum, minimum or, where its
-    sign is a direction, its largest size. None: there is none."""
-    groups: dict[int, Group] = {id(each.group): each.group for each in known.values() if not each.row}
-    of_rows: dict[int, Group] = {id(each.group): each.group for each in known.values() if each.row}
-    place = place_of(name, groups.values(), of_rows.values())
-    if place is None:
-        return None
-    return place if place.name in known or place._replace(over="").name in known else None
-
-
-def reading_of(name: str) -> str:
-    """The reading that a result's name belongs to, spelled as for `find`; empty where it is none of a reading."""
-    every = every_group()
-    place = place_of(name, [*every, SYSTEM], groups_of_row(every))
-    return "" if place is None else place.group.reading
-
-
-def why_unknown(name: str, known: Known) -> tuple[str, str]:
-    """What is wrong with a name that no result of a scene or set has, and what is likely meant."""
-    plain = name.replace(".", "_")
-    parts = plain.split("_")
-    stems = (find("_".join(parts[:count]), known) for count in range(len(parts) - 1, 0, -1))
-    stem = next((each for each in stems if each is not None), None)
-    if stem is not None:
-        return "is in another unit", f"It is in {printed_unit(stem.unit)}: write {stem.column}"
-    of_row = next((each for each in known.values() if each.row and plain in _without_row(each)), None)
-    if of_row is not None:
-        return "is a result of each row", f"Such as {of_row.name}"
-    place = place_of(plain, every_group())
-    if place is not None and not place.group.reading:
-        return "is not called for by this scene", "Name in [effects] the effect that it belongs to"
-    if reading := reading_of(name):
-        cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
-        return "is not called for by this scene", cause
-    every = _usual_names(known)
-    near = alike(plain, every)
-    meant = [each for each in near if not any(each.startswith(f"{other}_") for other in near)]
-    names = dict.fromkeys(each.name for each in every.values())
-    there = f"There are {', '.join(names)}; with _max, _min or, where a sign is a direction, _size for all balls of one"
-    return "is not a result", question(meant) or there
-
-
-def _without_row(place: Place) -> tuple[str, str]:
-    """A row's result as if it were a bearing's own; and without its raceway, as of either."""
-    whole = place._replace(row=0)
-    return spelled(whole), spelled(whole._replace(group=place.group._replace(raceway="")))
-
-
-def _usual_names(known: Known) -> dict[str, Place]:
-    """Results that are kept unasked, by their names and those of their columns."""
-    usual = [one for each in known.values() if each.is_usual for one in (each, *each.overs)]
-    return {name: each for each in usual for name in (each.column, each.name)}
-
-
 def read(solution: Solution | SetSolution, places: Iterable[Place], taken: Any = None) -> dict[str, NDArray]:
     """The values of these results over the cases, and the balls of those that each ball has; by their names.
 
@@ -144,7 +84,7 @@ def read(solution: Solution | SetSolution, places: Iterable[Place], taken: Any =
             numbers = whole.of(solution, taken)
             read_once[whole.name] = np.full(solution.shape, np.nan) if numbers is None else numbers
         numbers = read_once[whole.name]
-        values[place.name] = OVER[place.over](numbers, axis=-1) if place.over else numbers
+        values[place.name] = reduced(place.over, numbers, whole.is_per_ball) if place.over else numbers
     return values
 
 

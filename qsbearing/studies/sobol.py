@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.model.compiler.threads import thread_count
-from qsbearing.model.solution.result_keys import OVER, SIZE
+from qsbearing.model.solution.result_keys import MAX, SIZE, reduced
 from qsbearing.model.validation import check_kind
 from qsbearing.studies import keys as known_keys
 from qsbearing.studies.chunk import MAIN, Plan, plan_of, solve_points
@@ -142,8 +142,8 @@ def _solved(plan: Plan, values: dict[str, NDArray], looks: list[Look]) -> NDArra
         looks.append(chunk.remarks)
         for row, result in enumerate(plan.results):
             numbers = chunk.results[result.name]
-            over = OVER[SIZE if result.result.is_signed else "max"]
-            out[row, part] = over(numbers, axis=1) if result.is_per_ball else numbers
+            over = SIZE if result.result.is_signed else MAX
+            out[row, part] = reduced(over, numbers, True) if result.is_per_ball else numbers
     return out
 
 

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.preload_class import with_preload_class
+from qsbearing.files.result_names import reading_of
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.toml import check_tables
 from qsbearing.model.above import Plotted
@@ -22,7 +23,6 @@ from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
 from qsbearing.studies import keys
-from qsbearing.studies.results import reading_of
 from qsbearing.studies.variables import (
     DISTRIBUTIONS,
     RANGE_KEYS,

@@ -139,6 +139,17 @@ def test_a_switch_leaves_all_other_tables() -> None:
     assert after == hot["document"] and "thermal" in after
 
 
+def test_the_page_answers_what_the_file_requires(scene: dict[str, Any]) -> None:
+    """Its limits are no fields of the page, and stay in what is saved."""
+    assert answers.solved(**scene)["requirements"] == ""
+    text = answers.saved(**scene)["text"] + '\n[require]\nmax_pressure = "<= 1"\n"life.duration_h" = ">= 1"\n'
+    opened = answers.opened(text, "7210C_hybrid")
+    assert not [field for field in opened["fields"] if field["path"][0] == "require"]
+    told = answers.solved(opened["document"], "7210C_hybrid")["requirements"]
+    assert "1 of 2 requirements met; 1 not met." in told and "not met, by far" in told
+    assert "[require.max_pressure]" in answers.saved(opened["document"], "")["text"]
+
+
 def test_a_case_without_solution_says_why(address: str, scene: dict[str, Any]) -> None:
     scene["document"]["operation"]["axial_load_N"] = -900.0
     told = asked(address, "solve", scene)[1]

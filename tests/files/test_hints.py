@@ -12,11 +12,12 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.result_names import why_unknown
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.unknown_key import _tables, suggest
 from qsbearing.model.validation import MOST_ALIKE, SceneError, alike, question
 from qsbearing.studies import keys
-from qsbearing.studies.results import known_results, why_unknown
+from qsbearing.studies.results import known_results
 from tests.qsbearing.source_text import trees
 
 ROOT = Path(qs.__file__).parent

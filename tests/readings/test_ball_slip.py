@@ -10,6 +10,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.readings import ball_slip, friction
+from qsbearing.readings.asked import take_asked
 from tests.qsbearing.scenes import solved, turning
 
 OIL = {"drag_coefficient": 1.5, "least_oil_share": 0.02, "most_oil_share": 0.2}
@@ -47,6 +48,21 @@ def test_drag_by_hand() -> None:
     # The same force as in the reading of friction, at the same density.
     power = friction(solution, 0.07, drag_coefficient=1.5, fluid_density=180.0).drag_power[0]
     assert power == pytest.approx(0.2 * force * orbit * 62.63e-3, rel=1e-10)
+
+
+def test_the_oil_is_that_of_the_lubricant() -> None:
+    """At its temperature, 0.7 kg/m3 less per kelvin above 15 °C; the reading's own density goes before it."""
+    share = {"drag_coefficient": 1.5, "least_oil_share": 0.02, "most_oil_share": 0.2, "friction_coefficient": 0.07}
+    warm = {"iso_viscosity_grade": 32.0, "oil_temperature": 343.15}
+
+    def used(lubricant: dict[str, float] | None, **own: float) -> float:
+        readings = {"ball_slip": share | own} | ({"lubricant": lubricant} if lubricant else {})
+        slip = take_asked(qs.solve(replace(solved(B218).scene, readings=readings)))["ball_slip"]
+        return float(slip.most_drag_used)
+
+    assert used(warm | {"oil_density": 900.0}) == pytest.approx((900.0 - 0.7 * 55.0) / 870.0 * used(None), rel=1e-12)
+    assert used(warm) == pytest.approx((870.0 - 0.7 * 55.0) / 870.0 * used(None), rel=1e-12)
+    assert used(warm, oil_density=900.0) == pytest.approx(900.0 / 870.0 * used(None), rel=1e-12)
 
 
 def test_at_rest_nothing_is_used() -> None:

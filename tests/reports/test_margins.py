@@ -11,10 +11,12 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
+from qsbearing.model.solution.limit import Answer, State
 from qsbearing.pictures import margins as picture
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
-from qsbearing.reports.margins import LIMITS, Margin, answer, margins, margins_of_set
+from qsbearing.reports.verdict import verdict
+from qsbearing.results.built_in_limits import BUILT_IN, built_in_answers
 from tests.systems.heat.spindle import BEARING, EFFECTS, scene, tables
 
 B218 = qs.load_scene("B218").bearing
@@ -24,10 +26,18 @@ BALLS: dict[str, Any] = {
 }
 
 
-def of(operation: qs.Operation, **other: Any) -> dict[str, Margin]:
-    """Margins of a scene by their names."""
-    solution = qs.solve(qs.Scene(B218, operation, **other))
-    return {each.what: each for each in margins(solution, take_asked(solution))}
+def of(operation: qs.Operation, **other: Any) -> dict[str, Answer]:
+    """Answers of a scene to the limits that hold anyway, by their names."""
+    return named(qs.solve(qs.Scene(B218, operation, **other)))
+
+
+def named(solution: qs.Solution) -> dict[str, Answer]:
+    return {each.limit.name: each for each in built_in_answers(solution, take_asked(solution))}
+
+
+def with_value(answer: Answer, value: float) -> Answer:
+    """The same, had it been this number."""
+    return answer._replace(value=value, state=State.NOT_MET if value > answer.bound else State.MET)
 
 
 def test_each_limit_is_compared_with_its_number() -> None:
@@ -41,7 +51,7 @@ def test_each_limit_is_compared_with_its_number() -> None:
     friction = max(side.required_friction.max() for side in (solution.inner, solution.outer))
     assert found["friction coefficient"].used == pytest.approx(friction / 0.06, rel=1e-12)
     given = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.05))
-    assert of(operation, **(BALLS | {"ball_effects": given}))["friction coefficient"].limit == 0.05
+    assert of(operation, **(BALLS | {"ball_effects": given}))["friction coefficient"].bound == 0.05
     assert list(of(replace(operation, speed=0.0))) == ["contact pressure"]
 
 
@@ -59,8 +69,9 @@ def test_the_row_that_is_closest_stands_for_its_set() -> None:
     rows = (qs.Row(B218, 0.0, "+x"), qs.Row(B218, 60 * qs.mm, "-x"))
     operation = qs.Operation(speed=0.0, axial_load=3_000.0)
     solution = qs.solve_set(qs.BearingSet(rows, operation, preload=qs.Preload(rigid=1_500.0)))
-    found = {each.what: each for each in margins_of_set(solution, [{}, {}])}
-    assert found["contact pressure"].row.startswith("row 1")
+    found = {each.limit.name: each for each in built_in_answers(solution, [{}, {}])}
+    assert found["contact pressure"].worst.row == 1 and found["contact pressure"].worst.raceway == "inner"
+    assert "of row 1 (B218, carries +x), " in verdict([found["contact pressure"]], [], rows=solution.set.rows).text
     assert found["contact pressure"].value == pytest.approx(solution.rows[0].inner.max_pressure.max() / 1e6)
     assert found["preload"].value == pytest.approx(1_500.0)
     assert found["preload"].used == pytest.approx(1.0 / 3.0)
@@ -69,8 +80,8 @@ def test_the_row_that_is_closest_stands_for_its_set() -> None:
 @pytest.mark.parametrize(
     ("load", "said", "status", "words"),
     [
-        (20_000.0, (), "pass", ("Within every known limit; the closest is contact pressure", "%)")),
-        (20_000.0, ("balls_sparse",), "warning", ("Within every known limit", "Check the data")),
+        (20_000.0, (), "pass", ("Within every limit that was checked; the closest is contact pressure", "%)")),
+        (20_000.0, ("balls_sparse",), "warning", ("Within every limit that was checked", "Check the data")),
         (20_000.0, ("stiffness_undetermined",), "fail", ("The model does not describe this case.",)),
         (2e6, (), "fail", ("Contact pressure", "beyond the limit.")),
     ],
@@ -79,7 +90,7 @@ def test_the_answer_follows_from_margins_and_remarks(
     load: float, said: tuple[str, ...], status: str, words: tuple[str, ...]
 ) -> None:
     found = list(of(qs.Operation(axial_load=load)).values())
-    shown = answer(found, [remark(code) for code in said])
+    shown = verdict(found, [remark(code) for code in said])
     assert shown.status == status
     for each in words:
         assert each in shown.text
@@ -90,7 +101,7 @@ COOL = tables()["thermal"] | {"limit_temperature_C": 60.0}
 
 
 @cache
-def every_margin() -> dict[str, Margin]:
+def every_answer() -> dict[str, Answer]:
     """One of each limit: of contacts and shoulders, of balls at speed, of fits, of a preload, of heat."""
     shoulders = {"inner_shoulder_diameter": 118 * qs.mm, "outer_shoulder_diameter": 131 * qs.mm}
     fits = (qs.RingExpansion(0.09, 0.16, shaft_interference=20 * qs.um),)
@@ -100,45 +111,56 @@ def every_margin() -> dict[str, Margin]:
     readings = {"overrun": shoulders, "ball_slip": {"friction_coefficient": 0.07} | oil}
     found = of(turning, preload=preload, ring_effects=fits, readings=readings, **BALLS)
     hot = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000}))
-    return found | {each.what: each for each in margins(hot, {}) if each.what == "speed"}
+    return found | {"thermal speed limit": named(hot)["thermal speed limit"]}
 
 
-@pytest.mark.parametrize("what", LIMITS)
+def estimates(answer: Answer) -> list[float]:
+    return [answer.bound, *(each.value for each in answer.limit.others)]
+
+
+@pytest.mark.parametrize("what", [each.name for each in BUILT_IN])
 def test_every_limit_is_taken_on_its_safe_side(what: str) -> None:
     """The smallest of its estimates; beyond it no case passes, and beyond all of them it fails."""
-    found = every_margin()
-    assert set(found) == set(LIMITS), "a limit that no case of this test has, or one that says nothing of its side"
-    margin, limits = found[what], [each.value for each in found[what].estimates]
-    assert margin.limit == min(limits) > 0.0 and margin.used == margin.value / min(limits)
-    assert answer([replace(margin, value=0.99 * min(limits))], []).status == "pass"
-    beyond = answer([replace(margin, value=1.01 * max(limits))], [])
+    found = every_answer()
+    assert set(found) == {each.name for each in BUILT_IN}, "a limit that no case of this test has"
+    answer, limits = found[what], estimates(found[what])
+    assert answer.bound == min(limits) > 0.0
+    if answer.limit.sense == ">=":
+        assert answer.used == answer.bound / answer.value
+        assert answer._replace(value=0.99 * answer.bound).used > 1.0 > answer._replace(value=1.01 * answer.bound).used
+        return
+    assert answer.used == answer.value / min(limits)
+    assert verdict([with_value(answer, 0.99 * min(limits))], []).status == "pass"
+    beyond = verdict([with_value(answer, 1.01 * max(limits))], [])
     assert beyond.status == "fail" and "unless" not in beyond.text
     if len(limits) > 1:
-        between = answer([replace(margin, value=0.5 * (min(limits) + max(limits)))], [])
+        between = verdict([with_value(answer, 0.5 * (min(limits) + max(limits)))], [])
         assert between.status == "warning" and "beyond the limit, unless" in between.text
         assert "friction" in between.text
 
 
 def test_a_speed_is_judged_with_the_friction_of_the_whole_bearing() -> None:
     """Sliding in the contacts is a lower bound of the heat; its own limit is told as what low friction would allow."""
-    margin = every_margin()["speed"]
+    margin = every_answer()["thermal speed limit"]
     state = qs.solve(scene(thermal=COOL, operation={"speed_rpm": 8000})).thermal
     assert state is not None and state.whole_bearing is not None and state.whole_bearing.state is not None
     ends = [each.speeds.end.factor * 8000.0 for each in (state, state.whole_bearing.state)]  # type: ignore[union-attr]
     assert ends[1] < 0.8 * ends[0]
-    assert [each.value for each in margin.estimates] == pytest.approx(ends, rel=1e-9)
-    assert margin.limit == pytest.approx(ends[1], rel=1e-9) and "palmgren" in margin.source
-    between = replace(margin, value=0.5 * sum(ends))
-    assert f"contacts alone (the limit is then {ends[0]:.0f} rpm)" in answer([between], []).text
+    assert sorted(estimates(margin)) == pytest.approx(sorted(ends), rel=1e-9)
+    assert margin.bound == pytest.approx(ends[1], rel=1e-9) and "palmgren" in margin.limit.source
+    between = with_value(margin, 0.5 * sum(ends))
+    assert f"contacts alone (the limit is then {ends[0]:,.0f} rpm)".replace(",", "") in verdict(
+        [between], []
+    ).text.replace(",", "")
 
 
 def test_a_speed_that_only_a_lower_bound_of_the_heat_judges_does_not_pass() -> None:
     bare = {key: value for key, value in BEARING.items() if key not in ("bore_diameter_mm", "outside_diameter_mm")}
     effects = {key: value for key, value in EFFECTS.items() if key != "ring_expansion"}
     hot = qs.solve(scene(bearing=bare, effects=effects, thermal=COOL, operation={"speed_rpm": 500}))
-    (margin,) = (each for each in margins(hot, {}) if each.what == "speed")
+    margin = named(hot)["thermal speed limit"]
     assert margin.used < 1.0
-    shown = answer([margin], [])
+    shown = verdict([margin], [])
     assert shown.status == "warning" and "lower bound of the heat" in shown.text
 
 

@@ -13,12 +13,13 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files import paths
+from qsbearing.files.result_names import find
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
 from qsbearing.reports.spectrum import point_of
 from qsbearing.studies import keys
 from qsbearing.studies.design.point_table import solve_table
-from qsbearing.studies.results import find, known_results, read
+from qsbearing.studies.results import known_results, read
 from qsbearing.studies.scenes import scenes_of_points
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from qsbearing.files.result_names import find
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.solution.groups import GROUPS
 from qsbearing.model.solution.result_keys import BALL, Place, spelled
@@ -16,7 +17,7 @@ from qsbearing.readings.asked import READINGS
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import find as search
 from qsbearing.studies.design.shown import record
-from qsbearing.studies.results import find, known_results, read
+from qsbearing.studies.results import known_results, read
 from qsbearing.studies.sobol import sobol_indices
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep

@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.result_names import reading_of
 from qsbearing.files.scene_file import document_of, scene_of
 from qsbearing.studies import chunk as chunks
 from qsbearing.studies import dataset, keys, points
 from qsbearing.studies import sweep as sweeping
 from qsbearing.studies.points import Points
-from qsbearing.studies.results import reading_of
 from qsbearing.studies.store import Store
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep

@@ -4,7 +4,7 @@ const $ = id => document.getElementById(id);
 const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
 const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
 const OF_ROW = ["section", "angles", "loads", "ellipses"];  // of a set
-const MAIN = ["section", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
+const MAIN = ["section", "requirements", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 const NOT_YET = "not yet solved";
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
 let shown = null, found = null, pinned = null;  // the input of the results on the page; these; those to compare with
@@ -219,6 +219,8 @@ function results() {
   $("name").textContent = (!isSet() && now.document.bearing?.name) || now.label || "Bearing";
   Object.assign($("section"), {innerHTML: found.picture});
   for (const id of PICTURES) if (id !== "section" && !found.pictures.includes(id)) $(id).replaceChildren();
+  $("requirements").innerHTML = found.requirements;
+  $("requirements").hidden = !found.requirements;
   $("warnings").innerHTML = found.warnings;
   $("boxes").replaceChildren(...found.effects.map(switchOf));
   row = Math.min(row, Math.max(found.rows.length - 1, 0));

@@ -36,6 +36,7 @@ from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.elastic_seats import seat_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, axial_channel_errors
+from qsbearing.model.scene.requirement import Requirement, read_requirements
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import (
     RATIO,
@@ -93,6 +94,9 @@ class Scene(InNotebooks):
     """Of the balls, for their motion; only the ball effects ask for it."""
     thermal: Any = None
     """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
+    require: tuple[Requirement, ...] = field(default=(), compare=False)
+    """What results must keep; a table as that of a file, {"inner.max_pressure_MPa": "<= 1700"}, becomes this. No solve
+    looks at it."""
 
     def __post_init__(self) -> None:
         errors = []
@@ -101,6 +105,7 @@ class Scene(InNotebooks):
                 choice, wrong = choose(name, getattr(self, name), choices)
                 object.__setattr__(self, name, choice)
                 errors += wrong
+        errors += read_requirements(self)
         errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
         if self.preload is not None:
             errors += _preload_errors(self.preload, self.operation)

@@ -184,9 +184,19 @@ PRELOAD = unasked(
 """Of a bearing. `in_operation` is what is carried with external loads; of a row of a set it is without them."""
 DERIVED = (
     Result("balls_off_inner", "balls", "balls off the inner raceway", path=_unloaded, is_column=False),
-    Result("least_loaded_azimuth", "deg", "azimuth of the least loaded ball", path=_least_loaded, is_column=False),
+    Result(
+        "least_loaded_azimuth",
+        "deg",
+        "azimuth of the least loaded ball",
+        path=_least_loaded,
+        is_azimuth=True,
+        is_column=False,
+    ),
 )
-MIDDLE = (Result("axial_from_middle", "um", "axial displacement from the middle of both grooves", is_usual=False),)
+MIDDLE = (
+    Result("axial_from_middle", "um", "axial displacement from the middle of both grooves", is_signed=True,
+           is_usual=False),
+)  # fmt: skip
 """Of a deep-groove bearing."""
 SHARE = (
     Result(
@@ -198,7 +208,7 @@ SHARE = (
     ),
 )
 CONTROLS = (Result("inner_raceway_controls", path=_control, is_column=False),)
-AZIMUTH = (Result("azimuth", "deg", is_column=False),)
+AZIMUTH = (Result("azimuth", "deg", is_azimuth=True, is_column=False),)
 TEMPERATURE = (Result("temperature", "C", path="value", is_usual=False, is_column=False),)
 BODIES = "inner_ring", "outer_ring", "shaft", "housing", "balls"
 """With a temperature of their own."""

@@ -98,6 +98,8 @@ class Result(NamedTuple):
     """What the number is divided by; that of the unit, where nothing else is said."""
     is_signed: bool = False
     """Whether its sign is a direction, so that the largest of several is the one of the largest size."""
+    is_azimuth: bool = False
+    """Whether it is a place around the bearing, of which none is more than another."""
     is_usual: bool = True
     """Whether a study keeps it unasked: not what takes a further solve, nor what follows from others."""
     is_column: bool = True
@@ -200,11 +202,28 @@ def _largest_size(values: NDArray, axis: int) -> NDArray:
     return np.asarray(np.fmax.reduce(np.abs(values), axis=axis))
 
 
-SIZE = "size"
-OVER: dict[str, Callable[..., Any]] = {"max": np.fmax.reduce, "min": np.fmin.reduce, SIZE: _largest_size}
+def _least_size(values: NDArray, axis: int) -> NDArray:
+    return np.asarray(np.fmin.reduce(np.abs(values), axis=axis))
+
+
+MAX, MIN, SIZE, LEAST_SIZE = "max", "min", "size", "least_size"
+OVER: dict[str, Callable[..., Any]] = {
+    MAX: np.fmax.reduce,
+    MIN: np.fmin.reduce,
+    SIZE: _largest_size,
+    LEAST_SIZE: _least_size,
+}
 """With these after its name, the maximum or minimum over the balls of a result that each ball has; of one whose sign is
-a direction also the largest size."""
-SAID = {"max": "maximum", "min": "minimum", SIZE: "largest size"}
+a direction also the largest and the smallest size."""
+SAID = {MAX: "maximum", MIN: "minimum", SIZE: "largest size", LEAST_SIZE: "smallest size"}
+SIZES = SIZE, LEAST_SIZE
+
+
+def reduced(over: str, values: NDArray, is_per_ball: bool) -> NDArray:
+    """Over the balls, where each has its own; one number for all has its size, and is its own maximum and minimum."""
+    if is_per_ball:
+        return np.asarray(OVER[over](values, axis=-1))
+    return np.abs(values) if over in SIZES else values
 
 
 class Place(NamedTuple):
@@ -215,7 +234,7 @@ class Place(NamedTuple):
     row: int = 0
     """Of a set, from 1; 0: of the whole."""
     over: str = ""
-    """The balls: one of `OVER`; empty: each has its own, or there is one for all."""
+    """One of `OVER`; empty: each ball has its own, or there is one for all."""
 
     @property
     def name(self) -> str:
@@ -247,7 +266,7 @@ class Place(NamedTuple):
     @property
     def overs(self) -> tuple[Place, ...]:
         """The places of one number of all balls, where each ball has its own."""
-        ends = (end for end in OVER if self.is_per_ball and (self.result.is_signed or end != SIZE))
+        ends = (end for end in (MAX, MIN, SIZE) if self.is_per_ball and (self.result.is_signed or end != SIZE))
         return tuple(self._replace(over=end) for end in ends)
 
     @property
@@ -264,6 +283,13 @@ class Place(NamedTuple):
             () if group.by_words else ("" if group.before == RING else group.before, group.prefix.replace("_", " "))
         )
         return " ".join(filter(None, (*before, own)))
+
+    @property
+    def endings(self) -> tuple[Place, ...]:
+        """Likewise, and all others that a name may state: of one number for all whose sign is a direction its size."""
+        if not self.result.is_signed:
+            return self.overs
+        return tuple(self._replace(over=end) for end in OVER) if not self.over else ()
 
     @property
     def attributes(self) -> dict[str, Any]:
@@ -291,10 +317,10 @@ class Place(NamedTuple):
         if values is None:
             return None
         if group.axis == ROW:
-            return np.asarray(values[..., self.row - 1])
-        if group.axis == BALL:
-            return np.asarray(OVER[self.over](values, axis=-1)) if self.over else values
-        return np.broadcast_to(values, whole.shape)
+            values = np.asarray(values[..., self.row - 1])
+        if self.over:
+            values = reduced(self.over, values, group.axis == BALL)
+        return values if self.is_per_ball else np.broadcast_to(values, whole.shape)
 
 
 IN_FULL, WITHOUT_BEFORE, WITHOUT_READING = range(3)
@@ -336,7 +362,7 @@ def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) 
     row = (whole_number(number) or 0) if first == ROW else 0
     whole = [Place(group, each, row) for group in (of_rows if row else groups) for each in group.results]
     near = [each for each in whole if each.result.name in name]
-    near += [over for each in near for over in each.overs]
+    near += [ending for each in near for ending in each.endings]
     for left_out in (IN_FULL, WITHOUT_BEFORE):
         for each in near:
             if name in (spelled(each, False, left_out), spelled(each, True, left_out)):
@@ -351,16 +377,18 @@ def place_of(text: str, groups: Iterable[Group], of_rows: Iterable[Group] = ()) 
 _STRAIGHT, _TILTS = ("axial", "radial_y", "radial_z"), ("tilt_y", "tilt_z")
 
 
-def _channels(straight: str, turning: str, tilts: tuple[str, str] = _TILTS) -> tuple[Result, ...]:
+def _channels(
+    straight: str, turning: str, tilts: tuple[str, str] = _TILTS, is_signed: bool = False
+) -> tuple[Result, ...]:
     named = *((name, straight) for name in _STRAIGHT), *((name, turning) for name in tilts)
     return tuple(
-        Result(name, unit, path=str(number), direction=name.replace("_", " "))
+        Result(name, unit, path=str(number), direction=name.replace("_", " "), is_signed=is_signed)
         for number, (name, unit) in enumerate(named)
     )
 
 
-DISPLACEMENT = _channels("um", "mrad")
-LOAD = _channels("N", "N m", ("moment_y", "moment_z"))
+DISPLACEMENT = _channels("um", "mrad", is_signed=True)
+LOAD = _channels("N", "N m", ("moment_y", "moment_z"), is_signed=True)
 STIFFNESS = _channels("N/um", "N m/mrad")
 """Of the five channels: numbers along the last axis of an array."""
 

@@ -15,23 +15,26 @@ import numpy as np
 
 from qsbearing.files import catalogue, paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
-from qsbearing.files.file_keys import OTHER_TABLES
+from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
 from qsbearing.files.keys import BEARING, MATERIALS, OPERATION, PRELOAD, Key, keys_of, required_of
+from qsbearing.files.result_names import find as find_result
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.material import Material
 from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.limit import Answer
 from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Remark, remark
 from qsbearing.remarks.wording import listed
+from qsbearing.results.readings_record import all_taken
 from qsbearing.results.remarks import every_remark
+from qsbearing.results.requirements import required_answers
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import MAIN
-from qsbearing.studies.results import find as find_result
 from qsbearing.studies.results import known_results, read
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -39,7 +42,7 @@ from qsbearing.systems.sets.shaft import ShaftLoad
 
 MOST = 20
 """Bearings: of more no table is read."""
-OF_JOB = ("operation", "effects", "tolerance", "readings")
+OF_JOB = ("operation", "effects", "tolerance", "readings", REQUIRE)
 """What a set takes from the job; its shaft, the loads on it and its preload are its own."""
 NOT_SOLVED = ("vary", "study", *OTHER_TABLES)
 """Tables that say nothing of a bearing or its job."""
@@ -84,6 +87,16 @@ class Comparison:
     """Tables of each bearing's file that say otherwise than the job."""
 
     @cached_property
+    def required(self) -> list[tuple[Answer, ...]]:
+        """Each requirement of the job, as every bearing answers it.
+
+        Raises:
+            SceneError: a name that no result of a bearing has.
+        """
+        of_each = [required_answers(solution, all_taken(solution)) for solution in self.solutions]
+        return list(zip(*of_each, strict=True))
+
+    @cached_property
     def remarks(self) -> list[Remark]:
         """What there is to beware of in the results of each bearing."""
         of_solutions = [every_remark(solution) for solution in self.solutions]
@@ -109,8 +122,9 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
     Args:
         sources: scenes by file, catalogue name, or tables; only the bearing of each is used, of a set all but its
             operation, effects and readings.
-        at: a scene file, or tables, whose operation, preload, effects and readings are used for all bearings, its own
-            bearing left out; None: the first source. If it is a set, each bearing in turn is that of its rows.
+        at: a scene file, or tables, whose operation, preload, effects, readings and requirements are used for all
+            bearings, its own bearing left out; None: the first source. If it is a set, each bearing in turn is that of
+            its rows.
 
     Raises:
         SceneFileError: everything that is wrong with any of them, at once.

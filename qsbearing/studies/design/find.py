@@ -15,17 +15,18 @@ from numpy.typing import NDArray
 
 from qsbearing.documents.numbers import plain
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.result_names import AZIMUTH, find_all, why_unknown
+from qsbearing.files.result_names import find as find_result
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.result_keys import SIZE, Place
+from qsbearing.model.solution.limit import MET, ending
+from qsbearing.model.solution.result_keys import MAX, MIN, SIZE, Place
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import Plan, plan_of, solve_points
-from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
-from qsbearing.studies.design.wanted import Wanted, wanted
+from qsbearing.studies.design.optimum import Best, NoResultError, search, violations
+from qsbearing.studies.design.wanted import Condition, Wanted, wanted
 from qsbearing.studies.points import CHUNK, Points
-from qsbearing.studies.results import find as find_result
-from qsbearing.studies.results import why_unknown
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
 from qsbearing.studies.study import read as read_source
@@ -92,9 +93,10 @@ def find(
     """Find values of a scene's keys that meet goals and limits.
 
     A sample over all ranges finds the regions of good points, and SLSQP of scipy refines the best of them. Of a result
-    of each ball the worst ball counts: for `<=`, a goal and `minimise` the maximum, or the largest size where the sign
-    is a direction (`_size`); for `>=` and `maximise` the minimum. Without a result to minimise or maximise, the point
-    with the largest margin to its limits is found.
+    of each ball the worst ball counts: for `<=`, a goal and `minimise` the maximum, for `>=` and `maximise` the
+    minimum; limits of a result whose sign is a direction are those of its size, but for negative ones. A name that
+    leaves out row or raceway holds for each. What the scene's [require] says counts as limits. Without a result to
+    minimise or maximise, the point with the largest margin to its limits is found.
 
     Args:
         source: a scene or set: its file, catalogue name, tables, or the object.
@@ -223,33 +225,55 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
 
 
 def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Place, ...]]:
-    """The conditions by the results' full names, those of all balls with an ending of `OVER`; a plan that keeps
-    these alone.
+    """The conditions by the results' full names, those of all balls with an ending of `OVER`, those of several rows or
+    raceways one by one; a plan that keeps these alone.
 
     Raises:
-        SceneFileError: names that no result has.
+        SceneFileError: names that no result has, or that cannot be limited.
     """
     known = {result.name: result for result in plan.results}
     errors: list[FileErrorDetail] = []
-    full: list[Place] = []
-    for name in asked.names:
-        result = find_result(name, known)
-        if result is None:
-            problem, cause = why_unknown(name, known)
-            errors.append(FileErrorDetail(name, problem, cause=cause))
-        else:
-            full.append(result)
+    conditions: list[Condition] = []
+    kept: list[Place] = []
+    left: tuple[str, ...] = ()
+    negative = {each.name for each in (*asked.conditions, *asked.required) if each.value < 0.0}
+    for each in (*asked.conditions, *asked.required):
+        places = _places(each, each.name in negative, known)
+        if not places and each in asked.required:
+            left += (str(each),)
+            continue
+        errors += _limit_errors(each, places, known)
+        conditions += [each._replace(name=place.name) for place in places]
+        kept += places
+    if asked.objective and (objective := find_result(asked.objective, known)) is not None:
+        end = MIN if asked.is_maximised else SIZE if objective.result.is_signed else MAX
+        kept.append(objective._replace(over=end) if objective.is_per_ball else objective)
+    elif asked.objective:
+        problem, cause = why_unknown(asked.objective, known)
+        errors.append(FileErrorDetail(asked.objective, problem, cause=cause))
     if errors:
         raise SceneFileError(plan.study.file, errors)
-    senses = [each.sense for each in asked.conditions] + [">=" if asked.is_maximised else "<="]
-    kept: list[Place] = []
-    for result, sense in zip(full, senses, strict=False):
-        ending = "min" if sense == ">=" else SIZE if result.result.is_signed else "max"
-        kept.append(result._replace(over=ending) if result.is_per_ball else result)
-    conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(asked.conditions))
-    objective = kept[-1].name if asked.objective else ""
-    named = replace(asked, conditions=conditions, objective=objective)
+    named = replace(asked, conditions=tuple(conditions), objective=kept[-1].name if asked.objective else "", open=left)
+    if not named.names:
+        raise SceneFileError(plan.study.file, [FileErrorDetail("[require]", "nothing in it can be searched for")])
     return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
+
+
+def _places(of: Condition, is_algebraic: bool, known: Mapping[str, Place]) -> list[Place]:
+    """The results that a goal or limit looks at: a goal at all balls as an upper limit does, at others as they are."""
+    places = find_all(of.name, known)
+    if of.sense != "=":
+        return [ending(place, of.sense, is_algebraic) for place in places]
+    return [ending(place, "<=") if place.is_per_ball else place for place in places]
+
+
+def _limit_errors(of: Condition, places: list[Place], known: Mapping[str, Place]) -> list[FileErrorDetail]:
+    if not places:
+        problem, cause = why_unknown(of.name, known)
+        return [FileErrorDetail(of.name, problem, cause=cause)]
+    if of.sense != "=" and any(place.result.is_azimuth for place in places):
+        return [FileErrorDetail(of.name, AZIMUTH, cause="Limit a load or an angle there")]
+    return []
 
 
 def _evaluated(plan: Plan, kept: tuple[Place, ...], names: tuple[str, ...], values: NDArray) -> NDArray:

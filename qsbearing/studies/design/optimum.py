@@ -14,14 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.limit import MET
 from qsbearing.studies.design.wanted import Variable, Wanted
 
 Evaluate = Callable[[NDArray], NDArray]
 """Values of the variables, shape (point, variable), to results, shape (point, result); NaN where there is none."""
 Progress = Callable[[int, int], object]
 
-MET = 1e-6
-"""A condition is met to this part of its value: what the search leaves, far below what a drawing states."""
 APART = 0.15
 """Between two starts, in the unit cube (chosen: a few starts a basin)."""
 STARTS, CHOICES = 4, 8

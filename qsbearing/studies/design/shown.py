@@ -8,7 +8,7 @@ import numpy as np
 
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.model.solution.result_keys import SIZE, printed_unit
+from qsbearing.model.solution.result_keys import BALL, LEAST_SIZE, SIZE, printed_unit
 from qsbearing.model.version import __version__
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import blocks, every_remark, remarks_record
@@ -52,10 +52,11 @@ def _at_one_point(outcome: Found) -> str:
 
 def sizes(outcome: Found) -> list[str]:
     """What counts of results whose sign is a direction."""
+    whose = {SIZE: ", of the ball where it is largest", LEAST_SIZE: ", of the ball where it is smallest"}
     return [
-        f"{each.name}: the size of {each._replace(over='').name}, of the ball where it is largest"
+        f"{each.name}: the size of {each._replace(over='').name}{whose[each.over] * (each.group.axis == BALL)}"
         for each in dict.fromkeys(outcome.places)
-        if each.over == SIZE
+        if each.over in whose
     ]
 
 
@@ -86,6 +87,7 @@ def tables(outcome: Found) -> list[Block]:
     lines += [f"{each}." for each in sizes(outcome)]
     lines += [f"Binding: {each}" for each in outcome.binding]
     lines += [f"Not met: {each}" for each in outcome.failed]
+    lines += [f"Open, not searched for: {each} (`qsbearing run` says why)" for each in outcome.wanted.open]
     more = outcome.evaluations - outcome.sampled
     lines.append(
         f"{outcome.sampled:,} points over all ranges and {more:,} near the best ones, {duration(outcome.seconds)}"
@@ -112,6 +114,7 @@ def record(outcome: Found) -> dict[str, Any]:
         "sizes": sizes(outcome),
         "binding": list(outcome.binding),
         "failed": list(outcome.failed),
+        "open": list(outcome.wanted.open),
         **remarks_record(found_remarks(outcome)),
         "ranges": {key: list(ends) for key, ends in outcome.ranges.items()},
         "feasible_share": outcome.feasible_share,

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from math import ceil, floor, isfinite
+from math import ceil, floor
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_keys import REQUIRE
 from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
-from qsbearing.model.validation import comma_advice
+from qsbearing.model.scene.requirement import Requirement, finite_number, requirements_of
 from qsbearing.studies import keys
 
 MOST_VARIABLES = 6
@@ -50,16 +51,8 @@ class Variable:
         return tuple(dict.fromkeys(float(value) for value in self.at(spread)))
 
 
-@dataclass(frozen=True)
-class Condition:
-    """A goal (=) or a limit (<=, >=) of a result, in the result's unit."""
-
-    name: str
-    sense: str
-    value: float
-
-    def __str__(self) -> str:
-        return f"{self.name} {self.sense} {self.value:g}"
+Condition = Requirement
+"""A goal (=) or a limit (<=, >=) of a result, in the result's unit."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +64,10 @@ class Wanted:
     objective: str = ""
     """The result to make small or large; empty: none."""
     is_maximised: bool = False
+    required: tuple[Condition, ...] = ()
+    """What the scene itself requires, as it is written; what of it can be searched for is among the conditions."""
+    open: tuple[str, ...] = ()
+    """What is left of it: of results that the scene does not have."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -93,7 +90,7 @@ def wanted(
         vary: for each key "LOW:HIGH", "LOW:HIGH:log" or (LOW, HIGH), or the values to choose from: "A,B,C" or a list.
         goals, limits: "NAME=VALUE", "NAME<=VALUE" or "NAME>=VALUE".
         file: what to call it in errors.
-        document: the tables of the scene that it is asked of.
+        document: the tables of the scene that it is asked of, whose [require] counts as limits.
 
     Raises:
         SceneFileError: everything that is wrong with it, at once.
@@ -122,12 +119,14 @@ def wanted(
                 "maximise", "is given together with minimise", maximise, cause="Keep one, and limit the other"
             )
         )
-    if not conditions and not objective:
+    required, _ = requirements_of((document or {}).get(REQUIRE, {}))  # what is wrong with it, the scene says
+    if not conditions and not objective and not required:
         cause = "Give a goal, a limit, or a result to minimise or maximise"
         errors.append(FileErrorDetail("goal", "nothing is asked for", cause=cause))
     if errors:
         raise SceneFileError(file, errors)
-    return Wanted(tuple(variables.values()), tuple(filter(None, conditions)), objective.strip(), bool(maximise))
+    given = tuple(filter(None, conditions))
+    return Wanted(tuple(variables.values()), given, objective.strip(), bool(maximise), required)
 
 
 def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
@@ -142,12 +141,12 @@ def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
         low, high, *rest = given.split(":")
         if rest not in ([], ["log"]):
             raise ValueError(f"is not a range. Write {RANGE}: a search chooses its points itself")
-        ends, is_log = (_number(low), _number(high)), bool(rest)
+        ends, is_log = (finite_number(low), finite_number(high)), bool(rest)
     elif isinstance(given, tuple) and len(given) == 2:
-        ends = (_number(given[0]), _number(given[1]))
+        ends = (finite_number(given[0]), finite_number(given[1]))
     else:
         parts = given.split(",") if isinstance(given, str) else np.ravel(given).tolist()
-        values = sorted(map(_number, parts))
+        values = sorted(map(finite_number, parts))
         if len(set(values)) < max(2, len(values)):
             raise ValueError("needs at least two different values to choose from, or a range LOW:HIGH")
         return Variable(key.name, values[0], values[-1], values=tuple(values))
@@ -178,19 +177,7 @@ def _condition(kind: str, text: str, senses: tuple[str, ...], errors: list[FileE
         if sense not in senses:
             other = "limit" if kind == "goal" else "goal"
             raise ValueError(f"is a {other}: a {kind} is {form}")
-        return Condition(name, sense, _number(value))
+        return Condition(name, sense, finite_number(value))
     except ValueError as error:
         errors.append(FileErrorDetail(kind, str(error), text))
         return None
-
-
-def _number(given: Any) -> float:
-    try:
-        value = float(given)
-    except (TypeError, ValueError):
-        advice = comma_advice(given)
-        cause = f". {advice}" if advice else ""
-        raise ValueError(f"{str(given).strip()!r} is not a number{cause}") from None
-    if isinstance(given, bool) or not isfinite(value):
-        raise ValueError(f"{given} is not a finite number")
-    return value

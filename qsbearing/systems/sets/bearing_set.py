@@ -23,6 +23,7 @@ from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
+from qsbearing.model.scene.requirement import Requirement, read_requirements
 from qsbearing.model.scene.scene import CHOICES, Scene, tolerance_errors
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
@@ -91,6 +92,8 @@ class BearingSet(InNotebooks):
     floating: tuple[FloatingGroup, ...] = ()
     tolerance: float | None = None
     """As `Scene.tolerance`: `qs.solve_set` chooses the effects."""
+    require: tuple[Requirement, ...] = field(default=(), compare=False)
+    """As `Scene.require`."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.rows, tuple) or not self.rows or not all(isinstance(row, Row) for row in self.rows):
@@ -98,7 +101,8 @@ class BearingSet(InNotebooks):
         numbers = _number_errors(self)
         # Whether a preload has rows to press against is known only once groups name rows that there are.
         preload = [] if numbers else _preload_errors(self)
-        raise_if_any([*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)])
+        errors = [*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)]
+        raise_if_any(errors + read_requirements(self))
         rows = (
             row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
             for row in self.rows

@@ -5,14 +5,26 @@ A row also has whatever a bearing has (`GROUPS`, and its readings'); rows count 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.solution.groups import OF_PRELOAD, channels, unasked
-from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, ROW, STIFFNESS, Group, Result, in_name
+from qsbearing.model.solution.result_keys import (
+    DISPLACEMENT,
+    LOAD,
+    ROW,
+    STIFFNESS,
+    Group,
+    Path,
+    Result,
+    in_name,
+    value_at,
+)
+from qsbearing.systems.sets.bearing_set import places_on_shaft
 from qsbearing.systems.sets.system_life import system_life
 
 if TYPE_CHECKING:
@@ -67,11 +79,11 @@ SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=
 class OfAllRows(NamedTuple):
     """The life that all rows survive together [h], from the readings of each; None unless each has its own."""
 
-    duration: str
+    duration: Path
 
     def __call__(self, readings: Sequence[dict[str, Any]]) -> NDArray | None:
         """Of the cases."""
-        lives = [getattr(of_row["life"], self.duration) for of_row in readings or () if "life" in of_row]
+        lives = [value_at(self.duration, of_row["life"]) for of_row in readings or () if "life" in of_row]
         if not lives or len(lives) < len(readings):
             return None
         hours = Result("duration", "h", path="")
@@ -99,21 +111,32 @@ class OfSupport(NamedTuple):
         return np.asarray(solution.support_loads[..., self.number, :])
 
 
-GROWTH = Result("axial_growth", "um")
+GROWTH = Result("axial_growth", "um", is_signed=True)
 
 
 def groups_of_set(solution: SetSolution) -> list[Group]:
     """Of a set's shaft, the points and supports of this, and places along it; the lives of all rows are `SYSTEM`."""
-    shaft = solution.set.shaft
+    has_points = solution.set.shaft is not None
+    parts = {name: tuple(point.shares) for name, point in solution.points.items()} if has_points else {}
+    return groups_of_shaft(solution.set, parts)
+
+
+def groups_of_shaft(of: BearingSet, parts: Mapping[str, Iterable[str]] = MappingProxyType({})) -> list[Group]:
+    """Likewise, before anything is solved.
+
+    Args:
+        parts: what the deflection at each point is shared out to.
+    """
+    shaft = of.shaft
     if shaft is None:
         return [*OF_SHAFT, SLIDE]
-    points = [group for name in shaft.points for group in _of_point(solution, name)]
-    line = [group for name in solution.line for group in _of_line(name)]
+    points = [group for name in shaft.points for group in _of_point(name, parts.get(name, ()))]
+    line = [group for name in places_on_shaft(of) for group in _of_line(name)]
     supports = [_of_support(number) for number in range(len(shaft.supports))]
     return [*OF_SHAFT, *points, SLIDE, *line, *supports]
 
 
-def _of_point(solution: SetSolution, name: str) -> list[Group]:
+def _of_point(name: str, parts: Iterable[str]) -> list[Group]:
     table, of = ("shaft", "points", name), ("points", name)
     moved = Group(
         DISPLACEMENT, prefix=f"{name}_displacement", holder=(*of, "displacement"), table=(*table, "displacement")
@@ -121,8 +144,7 @@ def _of_point(solution: SetSolution, name: str) -> list[Group]:
     kind = "effective_stiffness"
     stiff = Group(STIFFNESS, prefix=f"{name}_{kind}", holder=(*of, kind), table=(*table, kind))
     grown = Group((GROWTH,), prefix=name, holder=of, table=table)
-    shares = [_of_part(name, part) for part in solution.points[name].shares]
-    return [moved, grown, stiff, *shares]
+    return [moved, grown, stiff, *(_of_part(name, part) for part in parts)]
 
 
 SHARES = unasked([Result(each.name, path=each.path, direction=each.direction) for each in DISPLACEMENT])

@@ -1,0 +1,243 @@
+"""How a solution answers its limits, those that are required and those that hold anyway: as plain data and in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
+from qsbearing.documents.numbers import plain
+from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.limit import MET, Answer, Limit, Reason, State, answers
+from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.remarks.wording import listed
+from qsbearing.results.built_in_limits import WITHOUT_LIMIT, built_in_answers, not_checked
+
+if TYPE_CHECKING:
+    from qsbearing.model.solution.solution import Solution
+    from qsbearing.systems.sets.set_solution import SetSolution
+
+SENTENCES = {
+    "not_called_for": "the scene does not call for it: name in [effects] what it belongs to",
+    "arguments_missing": "give [readings.{reading}] what it is computed from{missing}",
+    "not_solved": "a case has no solution",
+    "no_number": "it has no number here",
+    "estimate": "{what} {is_are} not in the model and may change {quantity} by {percent} %, more than is to spare",
+}
+"""Why a limit is open, by `limit.OPEN`."""
+COLOURS = {State.MET: "pass", State.NOT_MET: "fail", State.OPEN: "finding"}
+DIGITS = range(4, 12)
+
+
+class Answered(NamedTuple):
+    """All answers of a solution."""
+
+    required: list[Answer]
+    """To what its scene or set requires."""
+    built_in: list[Answer]
+    """To the limits that hold anyway."""
+
+    @property
+    def is_missed(self) -> bool:
+        """Whether a requirement is not met."""
+        return any(each.state is State.NOT_MET for each in self.required)
+
+    @property
+    def not_checked(self) -> dict[str, str]:
+        """Limits that nothing answers, and what each needs."""
+        return not_checked(self.built_in)
+
+
+def required_answers(solution: Solution | SetSolution, readings: Any) -> list[Answer]:
+    """Those to what its scene or set requires; nothing is loaded where that is nothing.
+
+    Raises:
+        SceneError: a requirement on what is no result.
+    """
+    if not asked(solution).require:
+        return []
+    from qsbearing.files.require_table import required_limits
+
+    return answers(solution, required_limits(solution), readings)
+
+
+def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> Answered:
+    """All of them.
+
+    Args:
+        readings: as `readings_record.all_taken` gives them.
+        is_thorough: whether also limits that take many further solves.
+    """
+    return Answered(required_answers(solution, readings), built_in_answers(solution, readings, is_thorough))
+
+
+# In words
+
+
+SIGNS = {"<=": "≤", ">=": "≥"}
+
+
+def asked_for(of: Limit) -> str:
+    """A requirement as tables have it: "≤ 1700"."""
+    return f"{SIGNS[of.sense]} {_short(float(of.value))}"  # type: ignore[arg-type]
+
+
+def as_badge(answer: Answer) -> Badge:
+    """The answer as a word with its colour."""
+    return Badge(verdict(answer), COLOURS[answer.state])
+
+
+def name_of(answer: Answer) -> str:
+    """What is limited, as whoever limits it calls it; of what its sign does not count."""
+    return f"size of {answer.limit.name}" * answer.limit.is_of_sizes or answer.limit.name
+
+
+def numbers_of(answer: Answer) -> tuple[str, str]:
+    """The number and its limit, in so many digits that they differ where one is beyond the other."""
+    for digits in DIGITS:
+        value, bound = (_short(each, digits) for each in (answer.value, answer.bound))
+        if value != bound or answer.value == answer.bound:
+            break
+    return value, bound
+
+
+def whose(answer: Answer) -> str:
+    """Whose number decides; empty where there is nothing to tell apart."""
+    worst = answer.worst
+    parts = [f"row {worst.row}"] if worst.row else []
+    parts += [f"{worst.raceway} raceway"] if worst.raceway else []
+    if worst.azimuth_deg is not None:
+        parts.append(f"ball {worst.ball} at {plain(worst.azimuth_deg, '.4g')}°")
+    parts += [f"point {worst.point}"] if worst.point else []
+    return ", ".join(parts)
+
+
+def verdict(answer: Answer) -> str:
+    """The answer, with how much of the limit there is to spare."""
+    if math.isnan(answer.value) or answer.state is State.OPEN:
+        return str(answer.state)
+    if answer.state is State.MET and answer.spare < MET:
+        return "met, nothing to spare"
+    if not abs(answer.spare) <= FAR:
+        return f"{answer.state}, by far"
+    part = f"{plain(100.0 * abs(answer.spare), '.2g')} %"
+    return f"met, {part} to spare" if answer.state is State.MET else f"not met, {part} beyond"
+
+
+FAR = 1.0
+"""Of a limit: what is farther from it needs no number."""
+
+
+def why_open(answer: Answer, solution: Any) -> str:
+    """What is missing, as a sentence without its end; empty where nothing is."""
+    reason = answer.reason
+    if reason is None:
+        return ""
+    values = dict(reason.values)
+    if reason.code == "arguments_missing":
+        values["missing"] = _missing(reason, solution)
+    return SENTENCES[reason.code].format_map(values)
+
+
+def _missing(reason: Reason, solution: Any) -> str:
+    """Which arguments a reading lacks, by their keys."""
+    from qsbearing.files.file_errors import translate
+    from qsbearing.readings.asked import LUBRICANT, asked_errors
+
+    of, name = asked(solution), reason.values["reading"]
+    oil = {each: given for each, given in of.readings.items() if each == LUBRICANT}
+    scene = of if not hasattr(of, "rows") else of.turning_scene(0)
+    path, errors = f"readings.{name}", [translate(each) for each in asked_errors({**oil, name: {}}, scene)]
+    lacks = [each.problem if each.key == path else each.key.removeprefix(f"{path}.") for each in errors]
+    return f" ({', '.join(lacks)})" if lacks else ""
+
+
+def headline(required: Sequence[Answer]) -> str:
+    """How many are met, in a sentence."""
+    count = {state: sum(each.state is state for each in required) for state in State}
+    met = f"{count[State.MET]} of {len(required)} requirements met"
+    if count[State.MET] == len(required):
+        met = "The requirement is met" if len(required) == 1 else f"All {len(required)} requirements are met"
+    others = [f"{count[State.NOT_MET]} not met"] if count[State.NOT_MET] else []
+    others += [f"{count[State.OPEN]} open"] if count[State.OPEN] else []
+    return "; ".join([met, *others]) + "."
+
+
+def blocks(required: Sequence[Answer], solution: Any) -> list[Block]:
+    """The answers to what is required, the one table that a designer looks for; nothing where nothing is required."""
+    if not required:
+        return []
+    has_whose = any(whose(each) for each in required)
+    has_source = any(each.limit.source for each in required)
+    heading = ["required", "found", "asked", "unit", "answer", *["of"] * has_whose, *["source"] * has_source]
+    rows = []
+    for each in required:
+        value, bound = numbers_of(each)
+        asked_bound = asked_for(each.limit) if math.isnan(each.bound) else f"{SIGNS[each.limit.sense]} {bound}"
+        row: list[Cell] = [name_of(each), value, asked_bound, printed_unit(each.limit.unit), as_badge(each)]
+        row += [whose(each)] * has_whose + [each.limit.source] * has_source
+        rows.append(row)
+    table = Table(heading, rows, f"lrrll{'l' * has_whose}{'l' * has_source}", "Requirements")
+    open_ones = [each for each in required if each.reason is not None]
+    said = [f"Open: {name_of(each)}: {why_open(each, solution)}." for each in open_ones]
+    return [Paragraph(headline(required)), table, *map(Paragraph, dict.fromkeys(said))]
+
+
+def unchecked(of: Answered) -> str:
+    """What was not checked, by name, in a sentence or two."""
+    required = " ".join(each.limit.name for each in of.required)
+    others = [each for each in WITHOUT_LIMIT if each.partition(" ")[0] not in required]
+    parts = [f"Not checked, for want of input: {listed(of.not_checked)}." if of.not_checked else ""]
+    parts += [f"Not required, and without a limit of its own: {listed(others)}." if others else ""]
+    return " ".join(filter(None, parts))
+
+
+# As plain data
+
+
+def record(of: Answered, solution: Any) -> dict[str, Any]:
+    """As `run --json` has them: what is required first; then what was not checked, and what that needs."""
+    every = [_record(each, solution) for each in (*of.required, *of.built_in)]
+    return {"requirements": every, "not_checked": [{"name": name, "needs": x} for name, x in of.not_checked.items()]}
+
+
+def _record(answer: Answer, solution: Any) -> dict[str, Any]:
+    limit, worst, place = answer.limit, answer.worst, answer.place
+    counted = ("row", "point")
+    of = {name: value for name, value in worst._asdict().items() if value not in ("", None)}
+    of = {name: value for name, value in of.items() if value or name not in counted}
+    bound = answer.bound if math.isfinite(answer.bound) else _number(limit.value)
+    return {
+        "name": limit.name,
+        "result": place.column,
+        "sense": limit.sense,
+        "limit": bound,
+        "unit": place.unit,
+        "found": _number(answer.value),
+        "answer": str(answer.state),
+        "margin": _number(answer.margin),
+        "margin_percent": _number(100.0 * answer.spare),
+        "size": limit.is_of_sizes,
+        "of": of,
+        "reason": None if answer.reason is None else {"code": answer.reason.code, "values": answer.reason.values},
+        "text": why_open(answer, solution) or verdict(answer),
+        "source": limit.source,
+        "origin": str(limit.origin),
+    }
+
+
+def _number(value: Any) -> float | None:
+    return float(value) if _is_scalar(value) and math.isfinite(value) else None
+
+
+def _is_scalar(value: Any) -> bool:
+    return getattr(value, "ndim", 0) == 0
+
+
+def _short(value: float, digits: int = 4) -> str:
+    """A dash where there is no number."""
+    if not math.isfinite(value):
+        return "-" if math.isnan(value) else "∞"
+    whole = digits == DIGITS[0] and abs(value) >= 10.0**digits
+    return f"{value:,.0f}" if whole else plain(value, f".{digits}g")
