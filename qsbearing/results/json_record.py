@@ -147,10 +147,10 @@ def choice_record(solution: Any, index: CasePlace) -> dict[str, Any]:
 
 def choices(scene: Scene) -> dict[str, str | None]:
     """The scene's choices among several models, in the words of its file; None where nothing asks."""
-    gyroscopic = scene.gyroscopic_moment
+    gyroscopic, is_moved = scene.gyroscopic_moment, scene.raceway_control == "friction"
     return {
         "raceway_control": None if scene.raceway_control is None else str(scene.raceway_control),
-        "moment_shares": None if gyroscopic is None else str(gyroscopic.moment_shares),
+        "moment_shares": None if gyroscopic is None or is_moved else str(gyroscopic.moment_shares),
         "hertz_angle": str(scene.hertz_angle),
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),

@@ -314,7 +314,9 @@ def stiffness_matrix_table(record: dict[str, Any]) -> Table:
     heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
     matrix, rows = record["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
-        cells = [digits(matrix[i][j] * sizes[j], 0.0) for j in range(5)]
+        cells = [
+            digits(None if each is None else each * size, 0.0) for each, size in zip(matrix[i], sizes, strict=True)
+        ]
         rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
     return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load (row) per displacement (column)")
 
