@@ -62,6 +62,11 @@ def message(solution: Solution, index: Index = None) -> str:
         if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
             return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
+    if solution.friction is not None and np.ravel(solution.friction.skids)[k]:
+        return (
+            "Not converged: balls skid. Drag against their orbits is larger than the friction that drives them, "
+            "mu Qi (1 + cos(ai - ao)): give a larger load, or less drag."
+        )
     if status == Status.NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
     if not iterations:

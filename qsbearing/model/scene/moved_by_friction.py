@@ -44,6 +44,12 @@ def _choice_errors(scene: Any) -> list[ErrorDetail]:
             problem = "is a hypothesis, and friction moves the balls"
             cause = "Leave it out: how contacts share the moment is a result"
             errors.append(ErrorDetail("moment_shares", problem, str(moment.moment_shares), cause=cause))
+    given = scene.readings.get("friction", {}).get("friction_coefficient")
+    mu = (scene.traction or Traction()).coefficient
+    if given is not None and np.any(np.asarray(given) != np.asarray(mu)):
+        cause = f"Give {mu:g} in both" if np.ndim(mu) == 0 else "Give one in both"
+        problem = "is not that which moves the balls"
+        errors.append(ErrorDetail("readings.friction.friction_coefficient", problem, cause=cause))
     if scene.tolerance is not None:
         cause = "Name the effects, or choose them under a hypothesis of raceway control"
         errors.append(ErrorDetail("tolerance", "is given, but friction knows no effects to choose", cause=cause))

@@ -67,6 +67,8 @@ class ContactFriction:
     """Of the ball's surface at the centre of a flat contact, along t [m/s]."""
     slip_along: NDArray
     """The same along y."""
+    told_heat: NDArray | None
+    """The same; None under the linear law, of which it means nothing."""
     friction_use: NDArray
     """|F|/(mu Q): 1 where all of the contact slides one way, 0 where slips of both ways balance; the linear law has no
     bound, and so no number."""
@@ -157,8 +159,41 @@ class FrictionMotion:
         """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right."""
         required = self.start.outer.required_friction
         assert required is not None
+        which = spanned(self.start.shape, self.inside.shape)
+        required = required.reshape(-1, required.shape[-1])[which].reshape(self.orbital_speed.shape)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(self.friction_coefficient[..., None] / required)
+
+    @property
+    def skids(self) -> NDArray:
+        """Whether a case has no solution and, with outer control's loads and motion, drag is larger than what drives
+        the balls; (*cases)."""
+        start, shape, cases, laws = self.start, self.inside.shape, self.inside.cases, self.inside.laws
+        which = spanned(start.shape, shape)
+        load, parallel, orbit = (
+            each.reshape(-1, each.shape[-1])[which]
+            for each in (start.inner.load, np.cos(start.inner.angle - start.outer.angle), start.orbital_speed)
+        )
+        speed = orbit / cases["speed"][:, None] * 0.5 * cases["pitch_diameter"][:, None]
+        drag = (laws["drag_force"][:, None] + laws["drag_factor"][:, None] * speed**2) * cases["force"][:, None]
+        most = most_drag(laws["friction_coefficient"][:, None], load, parallel)
+        is_solved = self.inside.results["status"] == CONVERGED
+        return np.asarray(~is_solved & (np.nansum(drag - most, axis=-1) > 0.0)).reshape(shape)
+
+    @property
+    def least_skid_margin(self) -> NDArray:
+        """Of all balls, (*cases)."""
+        return np.asarray(np.fmin.reduce(self.skid_margin, axis=-1))
+
+    @property
+    def least_gyroscopic_margin(self) -> NDArray:
+        """Of all balls, (*cases)."""
+        return np.asarray(np.fmin.reduce(self.gyroscopic_margin, axis=-1))
+
+    @property
+    def told_heat(self) -> NDArray | None:
+        """`heat`; None under the linear law, of which it means nothing."""
+        return None if self.inner.told_heat is None else self.heat
 
     @property
     def heat(self) -> NDArray:
@@ -256,7 +291,8 @@ def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound
         values["angle"] = shaped(np.arctan2(sign * of_side[..., kernel.SINE], sign * of_side[..., kernel.COSINE]))
         with np.errstate(divide="ignore", invalid="ignore"):
             use = np.hypot(values["traction"], values["sideways"]) / (bound[..., None] * values["load"])
-        return ContactFriction(**values, friction_use=use)
+        told = None if np.isnan(bound).all() else values["heat"]
+        return ContactFriction(**values, told_heat=told, friction_use=use)
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
     orbits = shaped(orbit)

@@ -20,6 +20,7 @@ from qsbearing.model.solution.result_keys import (
     Group,
     Result,
 )
+from qsbearing.model.solution.traction_groups import TRACTION_GROUPS
 
 
 class SolvedScene(Solved, Protocol):
@@ -27,6 +28,7 @@ class SolvedScene(Solved, Protocol):
 
     scene: Scene
     thermal: Any
+    friction: Any
 
     @property
     def stiffness(self) -> NDArray: ...
@@ -249,5 +251,6 @@ GROUPS = (
     *TEMPERATURES,
     OF_MIDDLE,
     Group(SHARE, table=("elastic_rings",), is_asked=_has_elastic_rings, by_words=True),
+    *TRACTION_GROUPS,
 )
 """Of every solution of a bearing; a group that its scene does not call for has no numbers."""
