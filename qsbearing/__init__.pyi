@@ -30,6 +30,8 @@ from qsbearing.model.effects.hertz_angle import HertzAngle as HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius as OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl as RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever as TiltLever
+from qsbearing.model.effects.traction import Traction as Traction
+from qsbearing.model.effects.traction import TractionLaw as TractionLaw
 from qsbearing.model.material import SILICON_NITRIDE as SILICON_NITRIDE, STEEL as STEEL, Material as Material
 from qsbearing.model.bearing import BallBearing as BallBearing, BearingKind as BearingKind
 from qsbearing.model.operation import Operation as Operation

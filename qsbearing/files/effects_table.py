@@ -13,9 +13,11 @@ from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     EFFECT_TABLES,
     EFFECTS,
+    FRICTION_RANGE,
     RING_COMPLIANCES,
     RING_EFFECTS,
     SEATS,
+    TRACTION,
     named,
     required_of,
 )
@@ -47,7 +49,9 @@ from qsbearing.model.effects import (
     types_in,
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
+from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.ring_expansion_errors import Fit
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.scene.scene import CHOICES, DEFAULT_ACCURACY, effect_errors
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
@@ -59,6 +63,7 @@ _EFFECTS = table_model(
     EFFECTS,
     {"ball": list_of(as_word), BALL_DEVIATIONS.name: list_of(as_number)} | choice_fields("moment_shares", *CHOICES),
 )
+_TRACTION = table_model(Traction.name, TRACTION, {FRICTION_RANGE.name: list_of(as_number)} | choice_fields("law"))
 _EFFECT_TABLES = {name: table_model(name, keys) for name, keys in EFFECT_TABLES.items()}
 _ELASTIC_RINGS = table_model(
     "elastic_rings",
@@ -87,6 +92,7 @@ def effects_of(
         errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
         return {}
     table = {} if table is None else table
+    traction, table = _traction(table, errors)
     within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
     if within:
         table = {name: value for name, value in table.items() if name not in within}
@@ -100,6 +106,10 @@ def effects_of(
     made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
     made[GyroscopicMoment.name] = _gyroscopic_moment(shares, si(EFFECTS, numbers), errors)
     effects = tuple(made[name] for name in names if name in made)
+    if shares is not None and good.get("raceway_control") is RacewayControl.FRICTION:
+        cause = "Leave it out: how contacts share the moment is a result"
+        problem = "is a hypothesis, and friction moves the balls"
+        errors.append(FileErrorDetail("effects.moment_shares", problem, str(shares), cause=cause))
     if not unusable & {"ball", "raceway_control"}:
         asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
         errors += map(translate, effect_errors(effects, *asked))
@@ -116,9 +126,21 @@ def effects_of(
     ]
     made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
     ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
-    return {"ball_effects": effects, "ring_effects": ring_effects} | {
+    return {"ball_effects": effects, "ring_effects": ring_effects, **traction} | {
         name: good[name] for name in CHOICES if name in good
     }
+
+
+def _traction(effects: Any, errors: Errors) -> tuple[dict[str, Any], Any]:
+    """The field of `Scene` that the table of the law of friction makes, where there is one; and the other effects."""
+    if not isinstance(effects, dict) or effects.get(Traction.name) is None:
+        return {}, effects
+    before = len(errors)
+    good, _ = checked(_TRACTION, f"effects.{Traction.name}", effects[Traction.name], errors)
+    words: dict[str, Any] = {name: good.pop(name) for name in ("law", FRICTION_RANGE.name) if name in good}
+    words |= si(TRACTION, good)
+    law = made(lambda: Traction(**words), errors) if len(errors) == before else None
+    return {Traction.name: law}, {name: each for name, each in effects.items() if name != Traction.name}
 
 
 def _tolerance(value: Any, errors: Errors) -> float | None:

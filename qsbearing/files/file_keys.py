@@ -41,7 +41,7 @@ OTHER_TABLES = {
     ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
 }
 """Tables that change no result, with their keys."""
-_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
+_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient", "moment_shares")
 _OF_EFFECTS = {"ball_effects": "ball"}
 
 
@@ -125,7 +125,7 @@ def path_in_file(path: str) -> str:
         field = path.removeprefix("elastic_rings.")
         return f"effects.elastic_rings.{key.name if key else other.get(field, field)}"
     path = f"{path.rpartition('.')[0]}.{key.name}" if key else path
-    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "ring_effects") else path
+    return f"effects.{path}" if path.partition(".")[0] in (*EFFECT_TABLES, "traction", "ring_effects") else path
 
 
 def spelled(name: str, path: str) -> str:

@@ -18,6 +18,7 @@ from qsbearing.model.effects import (
     RingExpansion,
     types_in,
 )
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import Material
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.preload import Preload
@@ -140,6 +141,8 @@ RING_COMPLIANCES = tuple(map(key_of, lists_of(ElasticRings)))
 EFFECTS = keys_of(GyroscopicMoment)
 (BALL_DEVIATIONS,) = map(key_of, lists_of(BallDiameterDeviations))
 """A list, of as many numbers as there are balls, which names its effect."""
+TRACTION, (FRICTION_RANGE,) = keys_of(Traction), tuple(map(key_of, lists_of(Traction)))
+"""Of the law of friction, a table within [effects]; and the least and the largest coefficient."""
 
 MATERIALS, SEAT_MATERIALS = materials_of(BallBearing), materials_of(RingExpansion)
 SEAT_FITS = ("shaft_fit", "housing_fit", "tolerance_class")
@@ -152,6 +155,7 @@ NUMBERS = {
     "unequal_balls": (BALL_DEVIATIONS,),
     "material": MATERIAL,
     **EFFECT_TABLES,
+    Traction.name: TRACTION,
 }
 """The keys that hold numbers, by their table; a material is a table within others."""
 
@@ -162,6 +166,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "effects": (
         *("ball", "raceway_control", "moment_shares", *named(EFFECTS)),
         *("orbit_radius", "hertz_angle", "hertz_form", "tilt_lever", BALL_DEVIATIONS.name, *EFFECT_TABLES),
+        Traction.name,
     ),
     "readings": (),
     "thermal": (),
@@ -170,6 +175,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
 EFFECT_SECTIONS = {name: (*named(keys), *materials_of(RING_EFFECTS[name])) for name, keys in EFFECT_TABLES.items()}
 EFFECT_SECTIONS[RingExpansion.name] += SEAT_FITS
 EFFECT_SECTIONS[ElasticRings.name] += (*SEATS, *named(RING_COMPLIANCES))
+EFFECT_SECTIONS[Traction.name] = ("law", *named((*TRACTION, FRICTION_RANGE)))
 """Likewise, by the tables within [effects]."""
 
 SET_TABLES = ("rows", "shaft", "housing", "spacers", "floating")

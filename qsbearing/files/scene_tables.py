@@ -21,6 +21,7 @@ from qsbearing.files.keys import (
     EFFECT_TABLES,
     EFFECTS,
     FREE_ANGLE,
+    FRICTION_RANGE,
     MATERIAL,
     MATERIALS,
     OPERATION,
@@ -28,12 +29,14 @@ from qsbearing.files.keys import (
     PRINTED,
     RING_COMPLIANCES,
     SEATS,
+    TRACTION,
     Key,
     keys_of,
 )
 from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
 from qsbearing.model.described import choices_of, materials_of
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.requirement import requirement_table
@@ -160,8 +163,18 @@ def _effects(of: Scene | BearingSet) -> Tables:
     table |= {name: str(getattr(of, name)) for name in CHOICES if getattr(of, name) is not None}
     for effect in of.ball_effects:
         if isinstance(effect, GyroscopicMoment):
-            table |= {"moment_shares": str(effect.moment_shares), **_numbers(EFFECTS, effect)}
+            shares = {} if of.raceway_control == "friction" else {"moment_shares": str(effect.moment_shares)}
+            table |= {**shares, **_numbers(EFFECTS, effect)}
+    if (law := getattr(of, Traction.name, None)) is not None:
+        table[Traction.name] = _traction(law)
     return {"effects": table | _ring_effects(of.ring_effects)}
+
+
+def _traction(law: Traction) -> Tables:
+    if not law.has_curvature:
+        raise _without_key("traction.has_curvature", "only Python gives it")
+    table = {"law": str(law.law), **_numbers(TRACTION, law)}
+    return table if law.friction_range is None else table | {FRICTION_RANGE.name: list(law.friction_range)}
 
 
 def _ring_effects(effects: Iterable[Any]) -> Tables:

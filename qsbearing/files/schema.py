@@ -20,6 +20,7 @@ from qsbearing.files.keys import (
     EFFECT_SECTIONS,
     EFFECT_TABLES,
     EFFECTS,
+    FRICTION_RANGE,
     IN_PLACE,
     MAKES_SET,
     MATERIAL,
@@ -31,6 +32,7 @@ from qsbearing.files.keys import (
     RING_EFFECTS,
     SEATS,
     SPECTRUM,
+    TRACTION,
     Key,
     named,
     required_of,
@@ -41,6 +43,7 @@ from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
 from qsbearing.model.described import choices_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import BY_NAME, Material
 from qsbearing.model.operation import CHANNELS, TILT_OF
 from qsbearing.model.scene.requirement import ENDS, SENSES, SOURCE
@@ -110,11 +113,19 @@ def _bearing() -> Schema:
 
 
 def _effects() -> Schema:
-    of_bearing = ("kind", "rating_practice")
-    choices = {name: _choice(name, "effects") for name in CHOICES_OF_FILES if name not in of_bearing}
+    elsewhere = ("kind", "rating_practice", "law")
+    choices = {name: _choice(name, "effects") for name in CHOICES_OF_FILES if name not in elsewhere}
+    choices[Traction.name] = _traction()
     own = {"ball": _list({"enum": list(BALL_EFFECTS)}), **choices, **_numbers(EFFECTS, "effects")}
     own[BALL_DEVIATIONS.name] = _told(_list(_NUMBER), f"Of each ball [{BALL_DEVIATIONS.unit}]")
     return closed(own | {name: _ref(name) for name in EFFECT_TABLES})
+
+
+def _traction() -> Schema:
+    pair = _list(_NUMBER, 2) | {"maxItems": 2}
+    own = {"law": _choice("law", Traction.name), **_numbers(TRACTION, Traction.name)}
+    own[FRICTION_RANGE.name] = _told(pair, notes().get((Traction.name, FRICTION_RANGE.name), ""))
+    return _told(closed(own), notes().get((Traction.name, ""), ""))
 
 
 def _effect_table(name: str) -> Schema:

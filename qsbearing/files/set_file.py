@@ -75,6 +75,9 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
     preload = preload_of(document, None, errors)
     effects = effects_of(document, errors, balance_keys, stated)
+    if effects.pop("traction", None) is not None and effects.get("raceway_control") != "friction":
+        cause = "Leave it out; a bearing of the set alone is solved with friction"
+        errors.append(FileErrorDetail("effects.traction", "moves no balls of a set", cause=cause))
     readings = asked_readings(document, errors, balance_keys, stated)
     around = surroundings(document, errors)
     if thermal is not None:

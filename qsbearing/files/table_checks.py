@@ -19,6 +19,7 @@ from qsbearing.files.usual_words import other_kind
 from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
+from qsbearing.model.effects.traction import TractionLaw
 from qsbearing.model.material import BY_NAME, Material, material_named
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
@@ -28,6 +29,7 @@ CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
     "kind": BearingKind,
     "rating_practice": RatingPractice,
     "moment_shares": MomentShares,
+    "law": TractionLaw,
     **CHOICES,
 }
 """The keys of a file whose words are those of a choice."""

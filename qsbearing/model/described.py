@@ -27,6 +27,7 @@ from qsbearing.model.validation import (
     PRESSURE,
     SPEED,
     TEMPERATURE,
+    VELOCITY,
     Quantity,
 )
 
@@ -57,6 +58,7 @@ UNITS = {
         Unit("deg", "deg", deg, ANGLE),
         Unit("mrad", "mrad", mrad, ANGLE),
         Unit("rpm", "rpm", rpm, SPEED),
+        Unit("m/s", "m_s", 1.0, VELOCITY),
         Unit("N", "N", N, FORCE),
         Unit("N m", "Nm", Nm, MOMENT),
         Unit("GPa", "GPa", GPa, MODULUS),

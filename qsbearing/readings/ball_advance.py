@@ -185,6 +185,6 @@ ENTRY = Reading(
         Result("outer_radial_load", "N", "radial force that the outer ring takes"),
     ),
     of_ball=(Result("advance", "mm", "of the ball at its azimuth, on the arc of the pitch circle", is_signed=True),),
-    scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed, nor is "
-    "the inertia of balls along their orbit, which makes them smaller at speed.",
+    scope="Lead and lag are what a cage that turns evenly must leave free; forces of the cage are not computed, nor, "
+    "under raceway control, is the inertia of balls along their orbit, which makes them smaller at speed.",
 )

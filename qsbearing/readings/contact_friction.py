@@ -38,7 +38,7 @@ from qsbearing.readings.ellipse_sliding import (
     tabulated_sliding_speed,
 )
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
-from qsbearing.readings.friction_models import CONTACTS, FrictionModel
+from qsbearing.readings.friction_models import CONTACTS, MOVED, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
@@ -60,7 +60,8 @@ class RacewayFriction:
     sliding_power: NDArray
     """Of spin and differential sliding [W]."""
     spin_moment: NDArray
-    """3 mu Q a E/8, what resists spin if nothing else slides (E: elliptic integral of the second kind) [N m]."""
+    """3 mu Q a E/8, what resists spin if nothing else slides (E: elliptic integral of the second kind); where friction
+    moves the balls, its moment about the normal [N m]."""
     hysteresis_power: NDArray | None
     """Of elastic hysteresis in rolling [W]; None without its loss factor."""
 
@@ -113,7 +114,7 @@ class FrictionArguments:
 
 @with_arguments(FrictionArguments)
 def friction(solution: Solution, given: FrictionArguments) -> Friction:
-    """Friction of every case with raceway control's motion.
+    """Friction of every case with raceway control's motion; where friction moves the balls, that of their balance.
 
         hysteresis  loss (3/16) Q b |roll|                    K. L. Johnson, Contact Mechanics, 9.3
         drag        cd rho (pi D^2/8) |omega_m dm/2|^3        a ball as wide as its disc, at its orbital speed
@@ -133,7 +134,10 @@ def friction(solution: Solution, given: FrictionArguments) -> Friction:
         for side, contacts in ((INNER, solution.inner), (OUTER, solution.outer))
     )
     drag = None
-    total = (inner.power + outer.power).sum(axis=-1)
+    of_balls, models = inner.power + outer.power, CONTACTS
+    if solution.friction is not None:  # balls that are slow somewhere are there for longer
+        of_balls, models = np.nan_to_num(solution.friction.weight, nan=1.0) * of_balls, MOVED
+    total = of_balls.sum(axis=-1)
     if given.drag_coefficient is not None and given.fluid_density is not None:
         drag = drag_power(solution, np.asarray(given.drag_coefficient), np.asarray(given.fluid_density))
         total = total + np.nansum(drag, axis=-1)
@@ -143,7 +147,7 @@ def friction(solution: Solution, given: FrictionArguments) -> Friction:
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, total / speed, np.nan)
     said = control_remarks(solution) + remarks(_found(solution, given.friction_coefficient), total.shape)
-    return Friction(inner, outer, drag, total, torque, said)
+    return Friction(inner, outer, drag, total, torque, said, (models,))
 
 
 def _raceway(
@@ -156,7 +160,15 @@ def _raceway(
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, *shape)
     tables = 2 if loss is None else 3
     values = filled(solution, tables, _fill, motion_arrays(solution), sliding_table(), side, *given, *arrays)
-    return RacewayFriction(values[0], values[1], None if loss is None else values[2])
+    hysteresis = None if loss is None else values[2]
+    if solution.friction is None:
+        return RacewayFriction(values[0], values[1], hysteresis)
+    own = solution.friction.inner if side == INNER else solution.friction.outer
+    heat = np.full_like(own.heat, np.nan) if own.told_heat is None else own.told_heat
+    is_loaded = contacts.load > 0.0
+    return RacewayFriction(
+        np.where(is_loaded, heat, 0.0), np.where(is_loaded, np.abs(own.spin_moment), 0.0), hysteresis
+    )
 
 
 @entry(
@@ -192,6 +204,8 @@ def _fill(
 
 def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
     holding: list[tuple[Any, Remark]] = []
+    if solution.friction is not None:  # which has carried the moment
+        return holding
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is not None:
             available = np.asarray(mu, float)[..., None]

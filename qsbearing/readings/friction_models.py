@@ -24,6 +24,12 @@ CONTACTS = FrictionModel(
     "no limit of n dm of its own; the motion is that of raceway control",
     "the division of the heat of sliding among the contacts; for the whole bearing it is a lower bound",
 )
+MOVED = CONTACTS._replace(
+    contains="sliding of every contact, by the balance of friction that moves the balls, the slip of the gyroscopic "
+    "moment included; hysteresis and the balls' drag if their coefficients are given",
+    lacks="viscous, cage and seal friction",
+    range="the motion is that of the balance",
+)
 SKF = FrictionModel(
     "SKF",
     "rolling (oil sheared in the inlets, reduced by its heat and by starvation) and sliding of the whole bearing",

@@ -8,6 +8,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
 from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
@@ -28,6 +29,9 @@ NO_FORCE = 1e-12
 MOMENTUM_GAP = 0.03
 """Of the radial load (chosen: in a trial with inertia along the orbit, radial stiffness was 4 % off in the median where
 the gap is below 0.01, and 8 to 15 % above)."""
+HALF = 0.5
+"""Of the friction that there is: outer control is right to about 1 % in stiffness below it (158 thrust cases); the
+transition to skidding takes a factor of 2 in load."""
 NOTICEABLE = 1e-3
 """Of the axial load: a gap below it changes no digit that matters, however small the radial load."""
 
@@ -65,6 +69,9 @@ def _slip(solution: Solution, part: slice) -> Iterator[Found]:
 
 def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     """Friction that the gyroscopic moment asks for, and balls that slip."""
+    if solution.scene.raceway_control == "friction":
+        yield from _moved(solution, part)
+        return
     yield from _slip(solution, part)
     if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
         return
@@ -81,6 +88,22 @@ def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
 
             largest = friction.max(axis=-1)
             yield (largest > least) & (largest <= most), asked
+
+
+def _moved(solution: Solution, part: slice) -> Iterator[Found]:
+    """Of balls that friction moves: how far from a hypothesis, and from skidding."""
+    motion, law = solution.friction, solution.scene.traction
+    if motion is None:
+        return
+    if law is None or law.is_assumed:
+        assumed = remark("friction_assumed", assumed=FRICTION_COEFFICIENT)
+        yield np.isfinite(motion.displacement[..., 0]).reshape(-1)[part], assumed
+    gyroscopic, skid = (
+        np.nan_to_num(1.0 / margin.reshape(-1)[part])
+        for margin in (motion.least_gyroscopic_margin, motion.least_skid_margin)
+    )
+    yield gyroscopic > HALF, lambda i: remark("axis_creeps", asked_percent=100.0 * gyroscopic[i])
+    yield skid > HALF, lambda i: remark("balls_near_skidding", used_percent=100.0 * skid[i])
 
 
 def momentum_remarks(solution: Solution, part: slice) -> Iterator[Found]:

@@ -62,6 +62,11 @@ def message(solution: Solution, index: Index = None) -> str:
         if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
             return f"At rest and cold, under its preload alone: {message(preloaded, place)}"
+    if solution.friction is not None and np.ravel(solution.friction.skids)[k]:
+        return (
+            "Not converged: balls skid. Drag against their orbits is larger than the friction that drives them, "
+            "mu Qi (1 + cos(ai - ao)): give a larger load, or less drag."
+        )
     if status == Status.NO_EQUILIBRIUM:
         return _why_no_equilibrium(solution, k)
     if not iterations:
@@ -206,10 +211,8 @@ def _pressure_remarks(solution: Solution, pressure: NDArray, part: slice) -> Ite
     yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached("pressure_yields", i)
 
 
-def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+def _soft_directions(solution: Solution, part: slice, unloaded: NDArray) -> Iterator[Found]:
     free = solution.free_channels
-    unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
-    yield unloaded, remark("ring_unloaded")
     stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
@@ -220,6 +223,14 @@ def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         return remark("ring_free", channels=", ".join(CHANNELS[channel].label for channel in free[share > 0.1]))
 
     yield ~unloaded & soft.any(axis=-1), undetermined
+
+
+def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    free = solution.free_channels
+    unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
+    yield unloaded, remark("ring_unloaded")
+    if solution.friction is None:
+        yield from _soft_directions(solution, part, unloaded)
     bearing = solution.scene.bearing
     moved = rows(solution.displacement, part)
     loaded = rows(solution.inner.load, part) > 0.0

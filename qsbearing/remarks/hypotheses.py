@@ -24,7 +24,7 @@ MOST_CASES = 16
 
 def hypotheses(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
     """Of a scene or set, where few cases may be solved again; a row of a set has nothing to say of itself."""
-    if not may_solve or solution.solve_alike is None or asked(solution).raceway_control is None:
+    if not may_solve or solution.solve_alike is None or asked(solution).raceway_control in (None, "friction"):
         return
     if np.prod(solution.shape) > MOST_CASES or not np.any(_inertia(solution) > WORTH_A_SOLVE):
         return

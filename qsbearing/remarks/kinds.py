@@ -49,7 +49,7 @@ WRONG, INCOMPLETE, CHECK, NOTE = Severity
 
 _NO_FIELD = Field()
 STATUSES = "how_to#meaning-of-each-status"
-HYPOTHESES = "limits#hypotheses"
+HYPOTHESES, AXIS = "limits#hypotheses", "ball_axis"
 HEAT = "how_to#heat-fits-and-rotation"
 CHOICES = "readings#choices-that-change-the-numbers"
 PRELOAD = "sets#preload"
@@ -281,6 +281,12 @@ _ALL = (
     Kind("momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
          "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
          "follow the azimuth. Radial stiffness is that against a load that turns with the cage."),
+    Kind("friction_assumed", NOTE, AXIS, "The friction coefficient of {assumed:g} that moves the balls is assumed."),
+    Kind("axis_creeps", NOTE, AXIS,
+         "Outer control would ask for {asked_percent:.0f} % of the contacts' friction: above 50 % balls creep, above "
+         "100 % they slip, and hypotheses of raceway control err."),
+    Kind("balls_near_skidding", CHECK, AXIS,
+         "Drag is {used_percent:.0f} % of what drives the balls: at half the load they may skid."),
     Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
          "expect permanent dents.", _YIELDING),

@@ -39,6 +39,7 @@ ROLLING = {
     RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
     RacewayControl.INNER: "Every ball rolls without spin on the inner raceway (inner control, a hypothesis).",
     RacewayControl.PER_BALL: "Each ball rolls without spin on one raceway, by Jones's criterion (a hypothesis).",
+    RacewayControl.FRICTION: "Friction in both contacts moves each ball, in balance with its loads and inertia.",
     RacewayControl.MINIMUM_DISSIPATION: "Each ball spins so that the friction power is least (a hypothesis).",
 }
 UNBOUNDED = (

@@ -17,6 +17,7 @@ from qsbearing.model.solution.result_keys import BALL, DISPLACEMENT, LOAD, STIFF
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
+from qsbearing.model.solution.traction_groups import TRACTION
 from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.of_solution import message
@@ -67,12 +68,13 @@ def record(
         **motion_and_stiffness(solution, _load_noise(solution, index), index),
         **_at_top(solution, index),
         "balls": balls(solution, index) if solved else [],
+        **traction_record(solution, index),
         "readings": readings_record(solution, readings, index) if solved else None,
         **choice_record(solution, index),
     }
 
 
-BESIDE_OTHERS = ("preload", "elastic_rings", "temperatures", "thermal")
+BESIDE_OTHERS = ("preload", "elastic_rings", "temperatures", "thermal", TRACTION)
 """Tables with more in them than numbers of results."""
 TABLES = dict.fromkeys(
     each.table[0] for each in GROUPS if each.table and not each.axis and each.before != RING
@@ -147,10 +149,10 @@ def choice_record(solution: Any, index: CasePlace) -> dict[str, Any]:
 
 def choices(scene: Scene) -> dict[str, str | None]:
     """The scene's choices among several models, in the words of its file; None where nothing asks."""
-    gyroscopic = scene.gyroscopic_moment
+    gyroscopic, is_moved = scene.gyroscopic_moment, scene.raceway_control == "friction"
     return {
         "raceway_control": None if scene.raceway_control is None else str(scene.raceway_control),
-        "moment_shares": None if gyroscopic is None else str(gyroscopic.moment_shares),
+        "moment_shares": None if gyroscopic is None or is_moved else str(gyroscopic.moment_shares),
         "hertz_angle": str(scene.hertz_angle),
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),
@@ -263,7 +265,14 @@ def thermal(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str
     return thermal_record(solution.thermal, index)
 
 
-OF_BALLS = (OF_AZIMUTH, *(each for each in GROUPS if each.axis == BALL and each is not OF_AZIMUTH and each.table))
+OF_BALLS = (
+    OF_AZIMUTH,
+    *(
+        each
+        for each in GROUPS
+        if each.axis == BALL and each is not OF_AZIMUTH and each.table and each.table[0] != TRACTION
+    ),
+)
 
 
 def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
@@ -281,6 +290,15 @@ def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
         own["raceway_control"] = None if control is None else str(control[index][ball])
         records.append(own | {"slips": None if slips is None else bool(slips[index][ball])})
     return records
+
+
+def traction_record(solution: Solution, index: CasePlace = ()) -> dict[str, Any]:
+    """What the balance of friction says, under its key; nothing by a hypothesis and at rest."""
+    if solution.friction is None:
+        return {}
+    from qsbearing.results.traction_record import of_balance  # loaded only where friction moves the balls
+
+    return {TRACTION: of_balance(solution, index)}
 
 
 def of_channels(channels: tuple[Result, ...], values: NDArray) -> dict[str, float | None]:

@@ -13,7 +13,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.files.file_keys import reading_keys
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.result_keys import Result, printed_unit
+from qsbearing.model.solution.result_keys import Place, Result, printed_unit
 from qsbearing.readings.asked import READINGS
 from qsbearing.results.tables import digits_of
 
@@ -30,7 +30,8 @@ def readings_tables(readings: Mapping[str, Any], scene: Scene) -> list[Block]:
     parts: list[Block] = []
     for name, reading in readings.items():
         title = name.replace("_", " ").capitalize()
-        of_bearing, of_contacts = _of_bearing(title, name, reading, scene), _of_contacts(title, name, reading)
+        of_bearing = _of_bearing(title, name, reading, scene)
+        of_contacts = per_contact(title, READINGS[name].values(reading))
         if of_bearing and of_contacts:
             whose = "contacts" if READINGS[name].of_contact else "balls"
             of_contacts = replace(of_contacts, caption=f"{title}: {whose}")
@@ -65,9 +66,10 @@ def _origin(name: str, result: Result, scene: Scene) -> str:
     return " (catalogue)" if is_printed(scene.bearing, name, key.name, key.in_file(value)) else " (given)"
 
 
-def _of_contacts(title: str, name: str, reading: Any) -> Table | None:
+def per_contact(title: str, placed: Iterable[tuple[Place, NDArray | None]]) -> Table | None:
+    """Of results of contacts or balls the smallest and the largest; None where there are none."""
     cells: dict[Result, dict[str, NDArray]] = {}
-    for place, values in READINGS[name].values(reading):
+    for place, values in placed:
         if place.is_per_ball and values is not None and np.isfinite(values).any():
             cells.setdefault(place.result, {})[place.group.raceway or "ball"] = values
     if not cells:

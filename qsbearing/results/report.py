@@ -52,7 +52,7 @@ def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> li
     of_case = record(solution, {}, said=said)
     parts = _heading(solution, of_case)
     if of_case["status"] == "converged":
-        parts += [*_tables(solution, of_case), *heat_tables(of_case)]
+        parts += [*_tables(solution, of_case), *_balance(solution, of_case), *heat_tables(of_case)]
         if readings:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
 
@@ -91,6 +91,15 @@ def _tables(solution: Solution, record: dict[str, Any]) -> list[Table]:
         stiffness_table(solution, record),
     ]
     return [*tables, stiffness_matrix_table(record), *_of_balls(solution, record)]
+
+
+def _balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
+    """Of friction that moves the balls."""
+    if solution.friction is None:
+        return []
+    from qsbearing.results.traction_record import tables_of_balance  # loaded only where friction moves the balls
+
+    return tables_of_balance(solution, record)
 
 
 def _of_balls(solution: Solution, record: dict[str, Any]) -> list[Table]:
@@ -314,7 +323,9 @@ def stiffness_matrix_table(record: dict[str, Any]) -> Table:
     heading = [f"{channel.label}\n/{'mrad' if tilt else 'µm'}" for channel, tilt in zip(CHANNELS, tilts, strict=True)]
     matrix, rows = record["stiffness_SI"], []
     for i, channel in enumerate(CHANNELS):
-        cells = [digits(matrix[i][j] * sizes[j], 0.0) for j in range(5)]
+        cells = [
+            digits(None if each is None else each * size, 0.0) for each, size in zip(matrix[i], sizes, strict=True)
+        ]
         rows.append((channel.label, _UNITS[channel.is_rotation][1], *cells))
     return Table(("", "", *heading), rows, "llrrrrr", "Stiffness matrix: load (row) per displacement (column)")
 

@@ -161,8 +161,10 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
-        elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES}
+        elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES, "traction"}
         assert set(model.checks) == set(scene_keys.SECTIONS[section]) - elsewhere
+    law = {field.name for field in dataclasses.fields(qs.Traction)} - {"law", "has_curvature"}
+    assert {key.field for key in (*scene_keys.TRACTION, scene_keys.FRICTION_RANGE)} == law
     for effect, keys in ((qs.RingExpansion, scene_keys.RING_EXPANSION), (qs.BallExpansion, scene_keys.BALL_EXPANSION)):
         fields = {field.name for field in dataclasses.fields(effect) if field.init}
         fields -= {*scene_keys.SEAT_MATERIALS, *scene_keys.SEAT_FITS}

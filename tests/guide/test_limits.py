@@ -11,14 +11,14 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.effects import MomentShares
-from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.raceway_control import HYPOTHESES, RacewayControl
 from tests.guide.pages import GUIDE
 
 SPEEDS = np.arange(1000.0, 15_001.0, 1000.0) * qs.rpm
 THRUSTS = np.array([1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 17.8, 25.0]) * qs.kN
 ROW = re.compile(r"^\| ([\d.]+) \| (\d+) % \| (\d+) % \| (\d+) % \|$", flags=re.MULTILINE)
 ROWS = [tuple(map(float, found)) for found in ROW.findall((GUIDE / "limits.md").read_text(encoding="utf-8"))]
-OTHERS = [control for control in RacewayControl if control is not RacewayControl.INNER]
+OTHERS = [control for control in HYPOTHESES if control is not RacewayControl.INNER]
 
 
 def refused(ratio: float, control: RacewayControl, shares: MomentShares) -> float:

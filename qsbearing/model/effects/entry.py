@@ -164,6 +164,9 @@ def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
     changes: dict[str, Any] = {slot: effects}
     if slot == "ball_effects":
         changes["raceway_control"] = (scene.raceway_control or "per_ball") if effects else None
+        if scene.raceway_control == "friction" and len(effects) < len(scene.ball_effects):
+            # Which has all of the balls' inertia, or none.
+            changes |= {"raceway_control": "outer" if effects else None, "traction": None}
         if not effects:
             changes["orbit_radius"] = "pitch_circle"
     return replace(scene, **changes)

@@ -25,7 +25,10 @@ TYPICAL = (0.1, 0.03)
 
 
 def _needed(point: OperatingPoint) -> NDArray:
-    """The friction that each ball that counts needs (*cases, ball)."""
+    """The friction that each ball that counts needs (*cases, ball); none where friction moves the balls, which slip as
+    far as they must."""
+    if point.scene.raceway_control == "friction":
+        return np.zeros_like(point.load)
     of_sides = [side.required_friction for side in (point.solution.inner, point.solution.outer)]
     needed = [np.nan_to_num(each) for each in of_sides if each is not None]
     return np.where(point.is_heavy, np.max(needed, axis=0), 0.0) if needed else np.zeros_like(point.load)
@@ -40,7 +43,9 @@ def _excess(point: OperatingPoint) -> NDArray:
 
 def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:
     """Those coefficients; no contact slips under one that needs less."""
-    assumed = []
+    assumed: list[Assumed] = []
+    if of.raceway_control == "friction":
+        return assumed
     for bound in TYPICAL:
         slipping = part_of_effect(*_FIELD, None, bound).finer(of)
         if slipping is not of:

@@ -1,5 +1,5 @@
 """The hypotheses of a ball's motion as they go together: every raceway control, with the gyroscopic moment shared in
-every way that differs under it."""
+every way that differs under it. Friction is none of them."""
 
 from __future__ import annotations
 
@@ -9,12 +9,19 @@ from typing import Any
 from qsbearing.model.effects.entry import Assumed, as_setting, other_than, part_of_effect
 
 SHARES = "moment_shares"
+FRICTION = "friction"
+
+
+def under_control(of: Any, control: Any) -> Any:
+    """A scene or set under another raceway control; a law of friction goes with friction."""
+    changes = {} if control == FRICTION or getattr(of, "traction", None) is None else {"traction": None}
+    return replace(of, raceway_control=control, **changes)
 
 
 def _ways_of_sharing(of: Any) -> list[tuple[str, Any]]:
     """A scene or set with each way, and its setting; as it stands, without a setting, where none differs."""
     members = [type(getattr(each, SHARES)) for each in of.ball_effects if hasattr(each, SHARES)]
-    if of.raceway_control == "outer" or not members:
+    if of.raceway_control in ("outer", FRICTION) or not members:
         return [("", of)]
     return [
         (as_setting(SHARES, each), part_of_effect("ball_effects", SHARES, None, each).finer(of)) for each in members[0]
@@ -33,7 +40,9 @@ def other_controls(of: Any) -> list[Assumed]:
     every = []
     for control in type(of.raceway_control):
         under, named = of, as_setting("raceway_control", control)
+        if control == FRICTION:
+            continue
         if control != of.raceway_control:
-            under = replace(of, raceway_control=control)
+            under = under_control(of, control)
         every += [(", ".join(filter(None, (named, how))), each) for how, each in _ways_of_sharing(under)]
     return other_than(of, every)

@@ -1,4 +1,4 @@
-"""Raceway control: which raceway a ball rolls on without spinning, and so how its axis lies.
+"""Raceway control: which raceway a ball rolls on without spinning, and so how its axis lies; or friction itself.
 
 A hypothesis (Jones 1960; Harris & Kotzalas). It closes the kinematics in place of a friction calculation: good
 where gyroscopic moments are carried by dry or thin-film friction at moderate speed, doubtful at light load and very
@@ -6,6 +6,7 @@ high speed, where balls slip on both raceways.
 
 Outer, inner and per-ball control let one contact spin with all the friction that it has, and the other not at all.
 Minimum dissipation lies between, for balls that spin on both: friction moments c ws, whose weights c are Coulomb's.
+Friction is none of them: axis and orbit follow from the friction in both contacts (`effects/traction.py`).
 
 Source        derived here, below; weights Q a E from the friction moment of a spinning ellipse (Jones 1959; Harris &
               Kotzalas), M = 3/8 mu Q a E. Ding, Zhang, Zhu & Chai (Chinese J. Mech. Eng. 37(2), 2001) balance both
@@ -55,9 +56,13 @@ class RacewayControl(StrEnum):
     """Jones's criterion, ball by ball: outer where Qo ao Eo cos(ai - ao) > Qi ai Ei."""
     MINIMUM_DISSIPATION = "minimum_dissipation"
     """Every ball spins on both raceways, with the least sum of Q a E ws^2: Coulomb's weights on squared spin speeds."""
+    FRICTION = "friction"
+    """No hypothesis: friction in both contacts, loads and inertia of every ball are in balance."""
 
 
-CONTROL_CODES = {control: code for code, control in enumerate(RacewayControl)}
+HYPOTHESES = tuple(control for control in RacewayControl if control is not RacewayControl.FRICTION)
+CONTROL_CODES = {control: code for code, control in enumerate(HYPOTHESES)} | {RacewayControl.FRICTION: 0}
+"""Of the kernel's records. The balance of friction starts from a solution under outer control."""
 OUTER, INNER, PER_BALL, MINIMUM_DISSIPATION = 0, 1, 2, 3
 
 
@@ -147,7 +152,7 @@ _SWITCH = choice(
     "raceway_control",
     RacewayControl.OUTER,
     RacewayControl.PER_BALL,
-    kept=(RacewayControl.INNER, RacewayControl.MINIMUM_DISSIPATION),
+    kept=(RacewayControl.INNER, RacewayControl.MINIMUM_DISSIPATION, RacewayControl.FRICTION),
 )
 
 ENTRY = Entry(

@@ -28,10 +28,7 @@ from numpy import ndarray, recarray
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import inlined
-from qsbearing.model.effects.traction import friction_over_slip
-
-RADII, ANGLES = 10, 24
-"""Points of a contact by default: with them B218 at 17.8 kN and 10,000 rpm errs by 0.008 um in 19.44 um."""
+from qsbearing.model.effects.traction import ANGLES, RADII, friction_over_slip
 
 
 class Sums(NamedTuple):

@@ -33,8 +33,10 @@ from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
+from qsbearing.model.effects.traction import Traction
 from qsbearing.model.operation import STRAIGHT, Operation
 from qsbearing.model.scene.elastic_seats import seat_errors
+from qsbearing.model.scene.moved_by_friction import friction_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, axial_channel_errors
 from qsbearing.model.scene.requirement import Requirement, read_requirements
 from qsbearing.model.units import mm, rpm
@@ -94,6 +96,8 @@ class Scene(InNotebooks):
     """Of the balls, for their motion; only the ball effects ask for it."""
     thermal: Any = None
     """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
+    traction: Traction | None = None
+    """With raceway_control = "friction", the law of friction; None: `Traction()`, whose coefficient is assumed."""
     require: tuple[Requirement, ...] = field(default=(), compare=False)
     """What results must keep; a table as that of a file, {"inner.max_pressure_MPa": "<= 1700"}, becomes this. No solve
     looks at it."""
@@ -116,6 +120,8 @@ class Scene(InNotebooks):
             wrong = seat_errors(self.elastic_rings, self.ring_expansion, self.bearing)
         errors += wrong
         errors += tolerance_errors(self)
+        if self.traction is not None or self.raceway_control is RacewayControl.FRICTION:
+            errors += friction_errors(self)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused
@@ -124,6 +130,7 @@ class Scene(InNotebooks):
         """The objects that hold the scene's numbers, by the paths that errors name."""
         effects = [each for slot in (self.ball_effects, self.ring_effects) if isinstance(slot, tuple) for each in slot]
         own = [("bearing", self.bearing), ("operation", self.operation), ("preload", self.preload)]
+        own += [] if self.traction is None else [(Traction.name, self.traction)]
         return own + [(getattr(effect, "name", ""), effect) for effect in effects]
 
     @cached_property

@@ -83,6 +83,8 @@ def case_arrays(scene: Scene) -> dict[str, Any]:
         values[f"{body}_density"] = material.density
     gyroscopic = scene.gyroscopic_moment
     values["friction_coefficient"] = None if gyroscopic is None else gyroscopic.friction_coefficient
+    if scene.traction is not None:
+        values |= {f"traction.{each}": getattr(scene.traction, each) for each in ("friction_coefficient", "slip_speed")}
     return values
 
 
@@ -158,8 +160,8 @@ class CaseMaker:
     """
 
     def __init__(self, scene: Scene, axial: dict[str, Any] | None = None) -> None:
-        self.scene = scene
-        self._values = case_arrays(scene) | (axial or {})
+        self.scene, self.axial = scene, axial or {}
+        self._values = case_arrays(scene) | self.axial
         self._values["axial_datum_shift"] = 0.0
         self._values["cold_ball_diameter"] = scene.bearing.ball_diameter
         if scene.is_reshaped:

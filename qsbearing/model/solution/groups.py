@@ -21,6 +21,7 @@ from qsbearing.model.solution.result_keys import (
     Group,
     Result,
 )
+from qsbearing.model.solution.traction_groups import TRACTION_GROUPS
 
 
 class SolvedScene(Solved, Protocol):
@@ -28,6 +29,7 @@ class SolvedScene(Solved, Protocol):
 
     scene: Scene
     thermal: Any
+    friction: Any
 
     @property
     def stiffness(self) -> NDArray: ...
@@ -257,5 +259,6 @@ GROUPS = (
     *TEMPERATURES,
     OF_MIDDLE,
     Group(SHARE, table=("elastic_rings",), is_asked=_has_elastic_rings, by_words=True),
+    *TRACTION_GROUPS,
 )
 """Of every solution of a bearing; a group that its scene does not call for has no numbers."""

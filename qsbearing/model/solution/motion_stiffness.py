@@ -24,7 +24,7 @@ from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction_balance import read_blocks, set_derivative
 from qsbearing.model.kernel.traction_ball import GROOVE, MOVED_BALL, ORBIT
 from qsbearing.model.kernel.traction_ring import MOTION
-from qsbearing.model.solution.friction_motion import FrictionMotion
+from qsbearing.model.solution.friction_balance import FrictionMotion
 
 NEAREST = 0.1
 """Of |nu - omega_m| over the orbit: nearer, nothing is given."""

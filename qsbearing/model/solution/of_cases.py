@@ -117,6 +117,20 @@ class SolutionOfCases(Plotted):
         names = np.array([str(STATUS_OF_CODE[code]) for code in sorted(STATUS_OF_CODE)])
         return self._shaped(names[self.codes])
 
+    def counts(self) -> str:
+        """How many cases ended how, and the first of each kind that is not solved."""
+        shown = []
+        for code, status in STATUS_OF_CODE.items():
+            cases = np.flatnonzero(self.codes == code)
+            if cases.size:
+                where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
+                shown.append(f"{cases.size} {status}{where}")
+        return ", ".join(shown)
+
+    def _case_name(self, number: int) -> str:
+        place = tuple(map(int, np.unravel_index(number, self.shape)))
+        return str(place[0] if len(place) == 1 else place)
+
     def _known(self, array: NDArray) -> NDArray:
         """Of the flattened cases, NaN where they are not solved."""
         solved = self.codes == CONVERGED

@@ -19,6 +19,14 @@ CODES = {
     )
 }
 """What the kernel calls the arrays of contacts and of balls."""
+CALLED_FOR_BY = {
+    "required_friction": "gyroscopic_moment",
+    "centrifugal_force": "centrifugal_force",
+    "gyroscopic_moment": "gyroscopic_moment",
+} | dict.fromkeys(
+    ("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"), "raceway_control"
+)
+"""The field of the scene without which there is no such array."""
 T = TypeVar("T")
 
 

@@ -270,6 +270,13 @@ class Place(NamedTuple):
         return tuple(self._replace(over=end) for end in ends)
 
     @property
+    def endings(self) -> tuple[Place, ...]:
+        """Likewise, and all others that a name may state: of one number for all whose sign is a direction its size."""
+        if not self.result.is_signed:
+            return self.overs
+        return tuple(self._replace(over=end) for end in OVER) if not self.over else ()
+
+    @property
     def raceway(self) -> str:
         """Inner or outer, where it is of one."""
         return self.group.raceway or self.result.raceway
@@ -283,13 +290,6 @@ class Place(NamedTuple):
             () if group.by_words else ("" if group.before == RING else group.before, group.prefix.replace("_", " "))
         )
         return " ".join(filter(None, (*before, own)))
-
-    @property
-    def endings(self) -> tuple[Place, ...]:
-        """Likewise, and all others that a name may state: of one number for all whose sign is a direction its size."""
-        if not self.result.is_signed:
-            return self.overs
-        return tuple(self._replace(over=end) for end in OVER) if not self.over else ()
 
     @property
     def attributes(self) -> dict[str, Any]:

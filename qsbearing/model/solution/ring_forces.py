@@ -8,6 +8,9 @@ and under loads that stand still balls do not accelerate on average: G should be
 each azimuth gives each ball an orbital speed that its inertia does not let it take on. Momentum alone says so, without
 a law of friction.
 
+Balls that friction moves are carried round with their inertia: there the force is that of their contacts, and no gap is
+left.
+
 Range: balls of one diameter; unlike ones are an unbalance that goes round, and have a sum of their own.
 """
 
@@ -18,8 +21,19 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.friction_balance import FrictionMotion
 from qsbearing.model.solution.rounding import rounding_of_load, without_rounding
 from qsbearing.model.solution.solution import Solution
+
+
+def _on_outer(motion: FrictionMotion, azimuth: NDArray, part: slice) -> NDArray:
+    """What the contacts of balls that friction moves press the outer ring with, along y and z (case, 2)."""
+    contacts = motion.outer
+    of_balls = contacts.load, contacts.traction, contacts.sideways, contacts.angle, motion.weight
+    load, across, along, angle, weight = (each.reshape(-1, each.shape[-1])[part] for each in of_balls)
+    outward, ahead = weight * (load * np.cos(angle) + across * np.sin(angle)), weight * along
+    c, s = np.cos(azimuth), np.sin(azimuth)
+    return np.stack([np.nansum(each, axis=-1) for each in (outward * c - ahead * s, outward * s + ahead * c)], axis=-1)
 
 
 class RadialForces(NamedTuple):
@@ -43,6 +57,8 @@ def radial_forces(solution: Solution, part: slice = slice(None)) -> RadialForces
     force, azimuth = (each.reshape(-1, each.shape[-1])[part] for each in (centrifugal, solution.azimuth))
     gap = -np.stack([np.nansum(force * along(azimuth), axis=-1) for along in (np.cos, np.sin)], axis=-1)
     load = solution.load.reshape(-1, 5)[part, 1:3]
+    if solution.friction is not None:
+        gap = load - _on_outer(solution.friction, azimuth, part)
     rounding = rounding_of_load(solution.load, solution.scene.bearing)
     rounding = np.broadcast_to(rounding, solution.shape).reshape(-1)[part]
     on_inner, on_outer, size = (without_rounding(np.hypot(*each.T), rounding) for each in (load, load - gap, gap))

@@ -22,26 +22,19 @@ from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
-from qsbearing.model.solution.raceway_contacts import CODES, Lazy, RacewayContacts
+from qsbearing.model.solution.raceway_contacts import CALLED_FOR_BY, CODES, Lazy, RacewayContacts
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
-from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
+from qsbearing.model.solution.status import reasons
 from qsbearing.model.units import deg
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-
-CALLED_FOR_BY = {
-    "required_friction": "gyroscopic_moment",
-    "centrifugal_force": "centrifugal_force",
-    "gyroscopic_moment": "gyroscopic_moment",
-} | dict.fromkeys(
-    ("orbital_speed", "rotation_speed", "attitude_angle", "axial_rotation", "radial_rotation"), "raceway_control"
-)
-"""The field of the scene without which there is no such array."""
+    from qsbearing.model.solution.friction_balance import FrictionMotion
+    from qsbearing.model.solution.moved import Moved
 
 
 class Solution(SolutionOfCases):
@@ -62,6 +55,7 @@ class Solution(SolutionOfCases):
         threads: int,
         preloaded: Solution | None = None,
         solve: Callable[[Scene], Solution] | None = None,
+        moved: Moved | None = None,
     ) -> None:
         self.scene: Scene = maker.scene
         self.shape = maker.shape
@@ -71,7 +65,11 @@ class Solution(SolutionOfCases):
         """At rest and cold under the preload, as it is given; None without one that holds the rings."""
         self.solve_alike = solve
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
-        self.solved = SolvedCases(maker, cases, results, positions, controls, threads)
+        self._moved = moved
+        self.friction: FrictionMotion | None = None if moved is None else moved.motion
+        """The balance that moved the balls; None by a hypothesis, and at rest."""
+        known = None if moved is None else moved.known
+        self.solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
         """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""
         self.results = results
         self.positions = positions
@@ -122,20 +120,6 @@ class Solution(SolutionOfCases):
                 span = " to ".join(dict.fromkeys(f"{angle:.5g}" for angle in (angles.min(), angles.max())))
                 lines.append(f"  {side} raceway: largest load {contacts.load.max():.6g} N, contact angle {span} deg")
         return "\n".join(lines)
-
-    def counts(self) -> str:
-        """How many cases ended how, and the first of each kind that is not solved."""
-        shown = []
-        for code, status in STATUS_OF_CODE.items():
-            cases = np.flatnonzero(self.codes == code)
-            if cases.size:
-                where = "" if code == CONVERGED else f" (the first: {self._case_name(cases[0])})"
-                shown.append(f"{cases.size} {status}{where}")
-        return ", ".join(shown)
-
-    def _case_name(self, number: int) -> str:
-        place = tuple(map(int, np.unravel_index(number, self.shape)))
-        return str(place[0] if len(place) == 1 else place)
 
     def read_at_once(self, contacts: Iterable[str] = (), balls: Iterable[str] = ()) -> None:
         """Read several arrays off in one pass, which takes less time than one after the other as they are asked for.
@@ -275,13 +259,15 @@ class Solution(SolutionOfCases):
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
-        """Of each ball: "outer", "inner" or "minimum_dissipation"; None without a ball effect; shape (*cases, ball).
+        """Of each ball: "outer", "inner", or of all "minimum_dissipation" or "friction"; None without a ball effect.
 
-        Where a gyroscopic moment acts, the outer raceway controls a ball that the inner one does not press.
+        Shape (*cases, ball). Where a gyroscopic moment acts, the outer raceway controls a ball off the inner one.
         """
         if self.scene.raceway_control is None:
             return None
         names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
+        if self.scene.raceway_control is RacewayControl.FRICTION:
+            return np.where(np.isnan(self.azimuth), "", str(RacewayControl.FRICTION))
         index = np.where(np.isnan(self.azimuth), 2, self._shaped(self.controls, self.maker.ball_axis))
         return names[index]
 
@@ -395,6 +381,8 @@ class Solution(SolutionOfCases):
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
+        if self._moved is not None:
+            return self._moved.stiffness()
         return self._shaped(ring_stiffness.tangents_of_all(self.solved), 5, 5)
 
     @cached_property
@@ -404,6 +392,8 @@ class Solution(SolutionOfCases):
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
+        if self._moved is not None:
+            return self._moved.compliance(self.stiffness, self.free_channels)
         return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
 
     @property

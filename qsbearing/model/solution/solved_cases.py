@@ -1,4 +1,4 @@
-"""The records of solved cases, and arrays of contacts and balls that the kernel reads off them."""
+"""The records of solved cases, and arrays of contacts and balls: read off them by the kernel, or found with them."""
 
 from __future__ import annotations
 
@@ -30,6 +30,7 @@ class SolvedCases:
         positions: NDArray,
         controls: NDArray,
         threads: int,
+        known: dict[tuple[int, int], NDArray] | None = None,
     ) -> None:
         self.maker = maker
         self._cases = cases
@@ -38,7 +39,8 @@ class SolvedCases:
         self.positions = positions
         self.controls = controls
         self._threads = threads
-        self._known: dict[tuple[int, int], NDArray] = {}
+        self._known = known or {}
+        self._all_known = known is not None
 
     def stretches(self) -> Iterator[tuple[slice, NDArray]]:
         """(slice, case records) of all cases, some at a time."""
@@ -77,6 +79,8 @@ class SolvedCases:
         missing = [each for each in asked if each not in self._known]
         if not missing:
             return
+        if self._all_known:
+            raise KeyError(f"balls that friction moves have no {missing[0]}, which the kernel reads off a hypothesis")
         tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)
         for table, place in enumerate(missing):
             tables[place] = table

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.compiled import is_fast_for
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects.ball_expansion import BallExpansion
+from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.scene.scene import Scene
@@ -71,6 +72,11 @@ def solve(
         raise ValueError("the scene leaves its effects to be chosen: solve it by `qsbearing.solve`")
     raise_if_any(unfound_errors(scene.ring_effects))
     scene = with_touching(scene, {}) if scene.ring_effects else scene
+    if scene.raceway_control is RacewayControl.FRICTION:
+        from qsbearing.model.solution.moved_solution import solve_moved  # loaded only where friction moves the balls
+
+        again = partial(solve, threads=threads)
+        return solve_moved(scene, partial(again, tolerance=tolerance), start, threads, again)
     if scene.elastic_rings is not None and scene.ring_expansion is not None:
         return solve_closing(scene, partial(_solve, start=start, threads=threads, tolerance=tolerance))
     return _solve(scene, start, threads, tolerance)

@@ -103,6 +103,7 @@ class BearingSet(InNotebooks):
         preload = [] if numbers else _preload_errors(self)
         errors = [*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)]
         raise_if_any(errors + read_requirements(self))
+        raise_if_any(_friction_errors(self))
         rows = (
             row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
             for row in self.rows
@@ -277,6 +278,14 @@ def places_on_shaft(of: BearingSet) -> dict[str, float]:
         places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
     at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
     return dict(sorted(at.items(), key=lambda item: item[1]))
+
+
+def _friction_errors(of: BearingSet) -> list[ErrorDetail]:
+    """Of a law of friction, which needs rows that neither tilt nor share balls with others."""
+    if of.raceway_control != RacewayControl.FRICTION:
+        return []
+    cause = "Choose a hypothesis, such as outer; a bearing of the set alone is solved with friction"
+    return [ErrorDetail("raceway_control", "moves no balls of a set", str(of.raceway_control), cause=cause)]
 
 
 def _number_errors(of: BearingSet) -> list[ErrorDetail]:

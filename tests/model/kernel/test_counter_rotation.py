@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.raceway_control import HYPOTHESES, RacewayControl
 
 EFFECTS = {
     "force": (qs.CentrifugalForce(),),
@@ -44,7 +44,7 @@ def standing_balls(solution: qs.Solution) -> np.ndarray:
     return np.asarray((stands & (solution.inner.load == 0.0)).any(axis=-1) & solution.converged)
 
 
-@pytest.mark.parametrize("control", RacewayControl)
+@pytest.mark.parametrize("control", HYPOTHESES)
 @pytest.mark.parametrize("effects", EFFECTS)
 def test_no_ball_without_load_stands(effects: str, control: RacewayControl) -> None:
     scene = replace(random_scene(7, 200), ball_effects=EFFECTS[effects], raceway_control=control)

@@ -399,7 +399,7 @@ def test_what_is_not_known_is_refused_by_name(changed: dict[str, Any], field: st
 def test_laws_out_of_range_are_refused(given: dict[str, Any], field: str) -> None:
     with pytest.raises(SceneError) as caught:
         Traction(**given)
-    assert [each.field for each in caught.value.errors] == [field]
+    assert [each.field for each in caught.value.errors] == [f"traction.{field}"]
 
 
 def test_it_is_no_part_of_other_solutions() -> None:

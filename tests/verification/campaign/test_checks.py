@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.model.effects.raceway_control import HYPOTHESES
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, INNER, OUTER, PER_BALL, resting, solved, turning
 from tests.verification.campaign.checks import MOST_IMBALANCE, Findings, findings
 from tests.verification.campaign.chunk import groups_of
@@ -195,7 +196,7 @@ def all_effects(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: flo
     return solved(replace(scene, ring_effects=(rings, qs.BallExpansion(hot - 10.0), balls), orbit_radius=orbit))
 
 
-@pytest.mark.parametrize("control", qs.RacewayControl)
+@pytest.mark.parametrize("control", HYPOTHESES)
 @pytest.mark.parametrize("orbit", qs.OrbitRadius)
 @pytest.mark.parametrize("friction", [None, 0.04])
 def test_every_effect_is_recomputed(control: qs.RacewayControl, orbit: qs.OrbitRadius, friction: float | None) -> None:

@@ -1,0 +1,90 @@
+"""What a solution whose balls friction moves has in place of what the kernel reads off a hypothesis."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.model.kernel import results as kernel
+from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
+from qsbearing.model.solution.motion_stiffness import motion_stiffness
+from qsbearing.model.solution.raceway_contacts import CODES
+from qsbearing.model.solution.ring_stiffness import inverse
+
+MEAN_OVER_MAX = 2.0 / 3.0
+"""Of Hertz's pressure."""
+STRAIGHT = 3
+"""So many channels come first that are no tilts."""
+
+
+class Moved:
+    """Arrays and stiffness of a solution.
+
+    Args:
+        motion: the balance.
+        turns: which of the flattened cases do; the others have the static solution.
+        which: of the flattened cases of the solution under outer control each is.
+    """
+
+    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray) -> None:
+        self.motion = motion
+        self._still, self._which = ~turns, which
+        self.known = _read_off(motion)
+        """Arrays (*cases, ball) by the kernel's row and number."""
+        if self._still.any():
+            motion.start.solved.read_all(self.known)
+            for place, values in self.known.items():
+                self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
+
+    def stiffness(self) -> NDArray:
+        """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held; NaN for tilts, whose moments are not worked out."""
+        out = np.full((*self.motion.status.shape, 5, 5), np.nan)
+        out[..., :3, :3] = motion_stiffness(self.motion)
+        return self._with_static(out, self.motion.start.stiffness, 2) if self._still.any() else out
+
+    def compliance(self, stiffness: NDArray, free: NDArray) -> NDArray:
+        """Inverse of it over the free channels (*cases, 5, 5); NaN elsewhere, and for those that tilts without a number
+        couple with: y and z where the ring is free to tilt, which is under thrust alone."""
+        out = np.full(stiffness.shape, np.nan)
+        among = free if free.max(initial=0) < STRAIGHT else free[free < 1]
+        if among.size:
+            rows = among[:, None]
+            out[..., rows, among] = inverse(stiffness[..., rows, among])
+        return self._with_static(out, self.motion.start.compliance, 2) if self._still.any() else out
+
+    def _with_static(self, out: NDArray, of_start: NDArray, axes: int) -> NDArray:
+        """With what the static solution has in cases at rest; arrays (*cases, ...) of so many axes beyond."""
+        flat = out.reshape(-1, *out.shape[out.ndim - axes :]).copy()
+        of_start = of_start.reshape(-1, *of_start.shape[of_start.ndim - axes :])
+        flat[self._still] = of_start[self._which][self._still]
+        return flat.reshape(out.shape)
+
+
+def _read_off(motion: FrictionMotion) -> dict[tuple[int, int], NDArray]:
+    arrays = {(kernel.OF_BALL, name): values for name, values in _of_balls(motion).items()}
+    for row, of_side in ((kernel.AT_INNER, motion.inner), (kernel.AT_OUTER, motion.outer)):
+        arrays |= {(row, name): values for name, values in _of_contacts(of_side).items()}
+    return {(row, CODES[name]): values for (row, name), values in arrays.items()}
+
+
+def _of_balls(motion: FrictionMotion) -> dict[str, NDArray]:
+    w, sense = motion.angular_velocity, motion.sense[..., None]
+    return {
+        "centrifugal_force": motion.centrifugal_force,
+        "gyroscopic_moment": -motion.gyroscopic_moment,
+        "orbital_speed": motion.orbital_speed,
+        "rotation_speed": sense * np.sqrt((w * w).sum(axis=-1)),
+        "attitude_angle": motion.attitude_angle,
+        "axial_rotation": w[..., 0],
+        "radial_rotation": -w[..., 2],
+    }
+
+
+def _of_contacts(of: ContactFriction) -> dict[str, NDArray]:
+    names = "angle", "load", "approach", "semi_major_axis", "semi_minor_axis"
+    area = np.pi * of.semi_major_axis * of.semi_minor_axis
+    with np.errstate(divide="ignore", invalid="ignore"):
+        pressure = np.where(of.load == 0.0, 0.0, of.load / (MEAN_OVER_MAX * area))
+        required = np.where(of.load == 0.0, 0.0, np.abs(of.traction) / of.load)
+    more = {"sine": np.sin(of.angle), "cosine": np.cos(of.angle), "max_pressure": pressure}
+    return {name: getattr(of, name) for name in names} | more | {"required_friction": required}

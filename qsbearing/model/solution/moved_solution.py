@@ -1,0 +1,50 @@
+"""A solution whose balls friction moves: under outer control first, then by the balance of friction, and read off it by
+the names that all solutions have.
+
+Cases at rest have the static solution, and no motion; one that the balance does not solve has none by a hypothesis.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from qsbearing.model.compiler.threads import thread_count
+from qsbearing.model.effects.hypotheses import under_control
+from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.effects.traction import Traction
+from qsbearing.model.scene.scene import Scene
+from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.friction_balance import balanced, spanned
+from qsbearing.model.solution.moved import STRAIGHT, Moved
+from qsbearing.model.solution.solution import Solution
+
+
+def solve_moved(
+    scene: Scene, solve: Callable[..., Solution], start: Solution | None, threads: int | None, again: Any
+) -> Solution:
+    """Solve every case of a scene whose balls friction moves.
+
+    Args:
+        solve: solves a scene under a hypothesis, from a start.
+        start: a solution near this one.
+        again: how the solution solves another scene.
+    """
+    began = time.perf_counter()
+    if start is not None and start.friction is not None:
+        start = start.friction.start
+    under_outer = solve(under_control(scene, RacewayControl.OUTER), start=start)
+    maker = CaseMaker(scene, under_outer.maker.axial)
+    law, workers = scene.traction or Traction(), thread_count(threads)
+    motion = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
+    which, cases, results = spanned(under_outer.maker.shape, maker.shape), motion.inside.cases, motion.inside.results
+    turns = cases["inner_speed"] != cases["outer_speed"]
+    is_held = np.arange(5) >= STRAIGHT
+    results["load"][(cases["displacement_given"] != 0) & is_held] = np.nan  # moments are not worked out
+    results[~turns] = under_outer.results[which][~turns]
+    states = cases, results, under_outer.positions[which], under_outer.controls[which]
+    moved = Moved(motion, turns, which) if turns.any() else None
+    return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)

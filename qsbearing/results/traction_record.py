@@ -1,0 +1,107 @@
+"""What the balance of friction says of a case, as plain data and as tables for people."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.model.effects.traction import ACCURACY, ANGLES, FRICTION_COEFFICIENT, RADII, Traction
+from qsbearing.model.solution.case_index import CasePlace
+from qsbearing.model.solution.friction_band import Band, friction_band
+from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
+from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
+from qsbearing.results.readings_record import number
+from qsbearing.results.readings_report import per_contact
+from qsbearing.results.tables import digits_of
+
+
+def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+    """One case's numbers: the bearing's, its balls', how they were found, and the band; None where not solved."""
+    if not np.asarray(solution.converged)[index]:
+        return None
+    law = solution.scene.traction or Traction()
+    exists = np.flatnonzero(np.isfinite(solution.azimuth[index]))
+    whole: dict[str, Any] = {}
+    balls: list[dict[str, Any]] = [{} for _ in exists]
+    for group in TRACTION_GROUPS:
+        for each in group.results:
+            values = Place(group, each).of(solution)
+            if not group.axis:
+                whole[each.key] = None if values is None else number(values[index])
+                continue
+            for row, ball in zip(balls, exists, strict=True):
+                holder = row.setdefault(group.raceway, {}) if group.raceway else row
+                holder[each.key] = None if values is None else number(values[index][ball])
+    how = {"law": str(law.law), "friction_coefficient_is_assumed": law.is_assumed, "points": _points(law)}
+    return {**whole, **how, "band": band_record(friction_band(solution), index), "balls": balls}
+
+
+def _points(law: Traction) -> dict[str, Any]:
+    """Of each contact; and the relative error that they leave in displacements, where it is known."""
+    is_usual = (law.radial_points, law.points_around) == (RADII, ANGLES)
+    return {
+        "along_radius": law.radial_points,
+        "around": law.points_around,
+        "relative_error": ACCURACY if is_usual else None,
+    }
+
+
+def band_record(band: Band | None, index: CasePlace = ()) -> dict[str, Any] | None:
+    """Least and largest displacement and locked stiffness over the range of the friction coefficient."""
+    if band is None:
+        return None
+    kinds = ("displacement", DISPLACEMENT, band.displacement), ("locked_stiffness", STIFFNESS, band.stiffness)
+    ends = {name: {each.key: _ends(each, span, index) for each in results} for name, results, span in kinds}
+    return {"friction_range": list(band.over), "solves": band.solves, **ends}
+
+
+def _ends(of: Result, span: tuple[NDArray, NDArray], index: CasePlace) -> list[float | None]:
+    return [number(values[index]) for end in span if (values := of.of(end)) is not None]
+
+
+def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
+    """Of a single case: numbers of the bearing, of its contacts the smallest and the largest, the band, and how all was
+    found; nothing where friction has not moved the balls."""
+    balance = record.get(TRACTION)
+    if balance is None:
+        return []
+    placed = [(Place(group, each), values) for group in TRACTION_GROUPS for each, values in group.values(solution)]
+    rows = [
+        (place.result.plain_name, digits_of(values), printed_unit(place.unit))
+        for place, values in placed
+        if not place.is_per_ball and values is not None and np.isfinite(values)
+    ]
+    tables = [
+        Table(("quantity", "value", "unit"), rows, "lrl", "Friction moves the balls"),
+        per_contact("Friction moves the balls: contacts and axes", placed),
+        _band_table(balance["band"]),
+    ]
+    return [*filter(None, tables), Paragraph(_how(balance))]
+
+
+def _band_table(band: dict[str, Any] | None) -> Table | None:
+    if band is None:
+        return None
+    rows = []
+    for kind, results in (("displacement", DISPLACEMENT), ("locked_stiffness", STIFFNESS)):
+        for each in results:
+            least, most = band[kind][each.key]
+            if least is not None and most != 0.0:
+                name = f"{kind.replace('_', ' ')}, {each.plain_name}"
+                rows.append((name, f"{least:.6g}", f"{most:.6g}", printed_unit(each.unit)))
+    least, most = band["friction_range"]
+    return Table(("", "least", "largest", ""), rows, "lrrl", f"Band for friction coefficients of {least:g} to {most:g}")
+
+
+def _how(balance: dict[str, Any]) -> str:
+    points, law = balance["points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
+    said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
+    if points["relative_error"] is not None:
+        said += f"; they leave an error of about {points['relative_error']:g} in displacements"
+    if balance["friction_coefficient_is_assumed"]:
+        said += f". The friction coefficient of {FRICTION_COEFFICIENT:g} is assumed"
+    return f"{said}."
