@@ -239,7 +239,7 @@ def refusals(scene: Scene) -> list[ErrorDetail]:
     )
     for axis in "yz":
         moment, tilt = getattr(operation, f"moment_{axis}"), getattr(operation, f"tilt_{axis}")
-        is_free = tilt is None and (is_radial or np.any(np.asarray(moment or 0.0) != 0.0))
+        is_free = tilt is None and (is_radial or np.any(np.asarray(0.0 if moment is None else moment) != 0.0))
         if is_free or (tilt is not None and np.any(np.asarray(tilt) != 0.0)):
             problem = "must be held at 0 where friction moves the balls"
             errors.append(ErrorDetail(f"operation.tilt_{axis}", problem, tilt))
