@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects import CentrifugalForce, GyroscopicMoment
 from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw, most_drag
 from qsbearing.model.kernel import traction_ball as kernel
@@ -237,6 +238,9 @@ def refusals(scene: Scene) -> list[ErrorDetail]:
         for name in ("radial_load_y", "radial_load_z", "radial_displacement_y", "radial_displacement_z")
         for value in [getattr(operation, name)]
     )
+    if is_radial and scene.orbit_radius is OrbitRadius.DISPLACED:  # whose change would accelerate balls
+        problem = "must be pitch_circle where friction moves balls under radial load"
+        errors.append(ErrorDetail("orbit_radius", problem, str(scene.orbit_radius)))
     for axis in "yz":
         moment, tilt = getattr(operation, f"moment_{axis}"), getattr(operation, f"tilt_{axis}")
         is_free = tilt is None and (is_radial or np.any(np.asarray(0.0 if moment is None else moment) != 0.0))

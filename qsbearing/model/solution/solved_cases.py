@@ -38,6 +38,9 @@ class SolvedCases:
         self.positions = positions
         self.controls = controls
         self._threads = threads
+        self.following: Callable[[], NDArray] | None = None
+        """What of the stiffness comes from motion that is common to all balls (case, 5, 5); None where each has its
+        own."""
         self._known: dict[tuple[int, int], NDArray] = {}
 
     def stretches(self) -> Iterator[tuple[slice, NDArray]]:

@@ -15,7 +15,7 @@ in force and moment, ball by ball and on the ring, and in energy; the outer ring
 | friction | mu 0.02 to 0.2, at slip speeds of 0.01 to 1 m/s; for a sixth of the batches in proportion to slip |
 | contacts | on their common curvature (three quarters of the batches), or flat |
 | orbits | of the pitch circle, or, without radial load, for a third of the balls' own radii |
-| drag | for a third of the batches: of air and oil to 100 kg/m^3, and up to 2 N of the cage |
+| drag | for a third of the batches whose friction has a bound: of oil to 100 kg/m^3, and up to 2 N of the cage |
 """
 
 from __future__ import annotations
@@ -64,14 +64,15 @@ def draw(rng: np.random.Generator, is_radial: bool, n: int) -> tuple[qs.Scene, T
         qs.BearingKind.ANGULAR_CONTACT, realistic.BOTH, qs.RacewayControl.OUTER, qs.MomentShares.CONTROLLING,
         qs.HertzAngle.FREE, qs.HertzForm.EXACT, qs.TiltLever.GROOVE_CENTRE, held, bearing, materials, operation, orbit,
     )  # fmt: skip
+    law = one_of(rng, list(TractionLaw), [5.0 / 6.0, 1.0 / 6.0])
     more: dict[str, Any] = {}
-    if rng.random() < 1.0 / 3.0:
+    if law is TractionLaw.COULOMB and rng.random() < 1.0 / 3.0:
         more = {"drag_coefficient": 0.4, "fluid_density": float(10.0 ** rng.uniform(0.0, 2.0))}
         more["cage_drag"] = float(rng.uniform(0.0, 2.0)) * (rng.random() < 0.5)
     traction = Traction(
         rng.uniform(0.02, 0.2, n),
         10.0 ** rng.uniform(-2.0, 0.0, n),
-        one_of(rng, list(TractionLaw), [5.0 / 6.0, 1.0 / 6.0]),
+        law,
         bool(rng.random() < 0.75),
         **more,
     )
@@ -285,13 +286,11 @@ class Recomputed:
         driven = np.zeros_like(power)
         for side, each in (("inner", inner), ("outer", outer)):
             driven += np.where(self.there, weight * each.torque * self.speeds[side], 0.0).sum(axis=1)
-        # Slow balls slip by little, and what Newton's method leaves of the forces does its work at the rings' speeds.
-        fastest = np.abs(self.speeds["inner"]) + np.abs(self.speeds["outer"])
-        left = (
-            np.maximum(TOLERANCE, self.found.residual)
-            * largest
-            * (fastest * self.radius).max(axis=1, initial=0.0, where=self.there)
-        )
+        # Slow balls slip by little, and what Newton's method leaves of forces and moments works at the bodies' speeds.
+        fastest = (np.abs(self.speeds["inner"]) + np.abs(self.speeds["outer"])) * self.radius
+        fastest = fastest + np.linalg.norm(self.rotation, axis=-1) * self.of_bearing("ball_diameter")
+        residual = np.maximum(TOLERANCE, self.found.residual)
+        left = residual * largest * fastest.max(axis=1, initial=0.0, where=self.there)
         least = left * self.of_bearing("ball_count")[:, 0] / BALANCE
         said = np.where(self.there, np.abs(self.found.weight - self.weight), 0.0).max(axis=1)
         diameter = self.of_bearing("ball_diameter")[:, 0]
@@ -365,7 +364,7 @@ def drag_at(scene: qs.Scene, traction: Traction, start: qs.Solution) -> NDArray:
     outer_speed = np.asarray(0.0 if operation.outer_speed is None else operation.outer_speed, float)
     slip = 0.5 * radius * (np.asarray(operation.speed, float) - outer_speed)[:, None]
     mu, vc = (np.asarray(each, float)[:, None] for each in (traction.friction_coefficient, traction.slip_speed))
-    mu = mu * np.abs(slip) / (np.hypot(slip, vc) if traction.law is TractionLaw.COULOMB else vc)
+    mu = mu * np.abs(slip) / np.hypot(slip, vc)
     return np.asarray(drag / (mu * start.inner.load * (1.0 + np.cos(start.inner.angle - start.outer.angle))))
 
 
