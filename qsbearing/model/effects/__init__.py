@@ -40,6 +40,7 @@ _FILES = (
     "raceway_control",
     "hertz_angle",
     "orbit_radius",
+    "ball_motion",
 )
 
 EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.model.effects.{name}").ENTRY for name in _FILES)

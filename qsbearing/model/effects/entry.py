@@ -160,7 +160,7 @@ def given(effect_type: Any, what: str, **settings: Any) -> Sentence:
 
 def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
     """Raceway control comes with the first ball effect, as Jones's criterion where the scene states none, and goes with
-    the last, as do orbits of the balls' own: nothing else asks for them."""
+    the last, as do orbits of the balls' own and a common motion: nothing else asks for them."""
     changes: dict[str, Any] = {slot: effects}
     if slot == "ball_effects":
         changes["raceway_control"] = (scene.raceway_control or "per_ball") if effects else None
@@ -168,7 +168,7 @@ def _with(scene: Any, slot: str, effects: tuple[Any, ...]) -> Any:
             # Which has all of the balls' inertia, or none.
             changes |= {"raceway_control": "outer" if effects else None, "traction": None}
         if not effects:
-            changes["orbit_radius"] = "pitch_circle"
+            changes |= {"orbit_radius": "pitch_circle", "ball_motion": "own"}
     return replace(scene, **changes)
 
 

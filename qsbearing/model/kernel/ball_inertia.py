@@ -49,6 +49,8 @@ def motion_loads(
     co: float,
 ) -> tuple[float, float, float, float, float, float]:
     """(Fc, Mg/D) of the effects that the case names, each with its derivatives by ai and ao, as rolling sees them."""
+    if case.common_motion:
+        return common_loads(case, work, diameter, radius)
     g = 0.5 * diameter / radius
     inner_speed, outer_speed = work.speed_factor * case.inner_speed, work.speed_factor * case.outer_speed
     terms = rolling_terms(g, si, ci, so, co, axis)
@@ -61,6 +63,19 @@ def motion_loads(
         rotation = rotation_per_axis_length(terms, g, inner_speed, outer_speed)
         mg, mg_i, mg_o = gyroscopic_moment(ball_inertia(diameter) / diameter, orbit, rotation, axis)
     return fc, fc_i, fc_o, mg, mg_i, mg_o
+
+
+@inlined
+def common_loads(
+    case: recarray, work: recarray, diameter: float, radius: float
+) -> tuple[float, float, float, float, float, float]:
+    """The same where all balls move alike, whatever their contact lines."""
+    orbit, fc, mg = work.speed_factor * case.common_orbit, 0.0, 0.0
+    if case.centrifugal:
+        fc = ball_mass(diameter) * radius * orbit * orbit
+    if case.gyroscopic:
+        mg = ball_inertia(diameter) / diameter * orbit * work.speed_factor * case.common_radial_rotation
+    return fc, 0.0, 0.0, mg, 0.0, 0.0
 
 
 @kernel
@@ -142,8 +157,11 @@ def is_carried_round(case: recarray, work: recarray, ball: recarray) -> bool:
     Under outer control they are. Under inner control u = cos(ai - ao) - g cos ao vanishes where the contact lines are
     nearly a right angle apart: a ball without orbit has no inertia either, and any such place is an equilibrium. So it
     is, under any control, of a ball that the inner raceway does not press between rings that turn against each other,
-    at the angle of the outer groove where its orbit vanishes; at the groove's bottom it would be carried round.
+    at the angle of the outer groove where its orbit vanishes; at the groove's bottom it would be carried round. Where
+    all balls move alike, none stands.
     """
+    if case.common_motion:
+        return True
     may_hover = case.centrifugal and case.inner_speed * case.outer_speed < 0.0
     may_hover = may_hover and ball.inner_approach <= POSITION_ROUNDING
     is_outer = control_of(case, ball) == OUTER

@@ -41,6 +41,10 @@ CASE = record(
     ("gyroscopic", np.bool_),
     ("friction_coefficient", np.float64),  # that contacts offer against the gyroscopic moment; NO_BOUND for no bound
     ("displaced_orbit", np.bool_),  # balls go round at their own radius
+    ("common_motion", np.bool_),  # all balls move alike, so:
+    ("common_orbit", np.float64),
+    ("common_axial_rotation", np.float64),
+    ("common_radial_rotation", np.float64),  # towards the bearing axis
     ("actual_angle", np.bool_),
     ("one_sided", np.bool_),
     ("control", np.int64),

@@ -30,6 +30,8 @@ def directional(
 
     Of omega_m = (omega_i b u + omega_o a v)/S, omega_R/|(p, q)| = -Delta a b/(g S) and what follows from them.
     """
+    if case.common_motion:
+        return 0.0, 0.0
     si, ci, so, co = lines
     p, q, _, _, _, _ = axis
     g = 0.5 * diameter / radius

@@ -63,6 +63,7 @@ BALL_LANES = record(
 
 _CHOICES = (
     "centrifugal", "gyroscopic", "shares", "form", "actual_angle", "displaced_orbit", "unequal_balls", "elastic_rings",
+    "common_motion", "common_orbit", "common_radial_rotation",
 )  # fmt: skip
 _Case = _tuple_of("_Case", *_OF_CASE, *_CHOICES)
 _Work = _tuple_of("_Work", "speed_factor", "friction_bound", "regularisation")
@@ -78,7 +79,7 @@ def case_in(ring: recarray, lane: int, gyroscopic: bool = True, shares: int = 0)
         ring.pitch_diameter[lane], ring.inner_coefficient[lane], ring.outer_coefficient[lane], ring.sin_free[lane],
         ring.cos_free[lane], ring.interference[lane], ring.tilt_lever[lane], ring.inner_stiffness[lane],
         ring.outer_stiffness[lane], ring.series_stiffness[lane], ring.inner_speed[lane], ring.outer_speed[lane],
-        True, gyroscopic, shares, 0, False, False, False, False,
+        True, gyroscopic, shares, 0, False, False, False, False, False, 0.0, 0.0,
     )  # fmt: skip
 
 

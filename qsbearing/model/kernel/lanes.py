@@ -59,6 +59,8 @@ from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 NONE = -1
 """In place of the number of a lane's case."""
+LEFT_OUT = ("displaced_orbit", "common_motion", "actual_angle", "unequal_balls", "elastic_rings")
+"""What of a case lanes do not know."""
 WAITING = 4
 """A case's code before it has entered a lane."""
 MOST_FEW = 4
@@ -197,7 +199,7 @@ def copy_ball(lane_ball: recarray, lane: int, ball: recarray) -> None:
 
 def lanes_know(cases: NDArray) -> NDArray:
     """Of each case, whether lanes know all that it names: balls may be equal in some cases only."""
-    named = [~cases[name] for name in ("displaced_orbit", "actual_angle", "unequal_balls", "elastic_rings")]
+    named = [~cases[name] for name in LEFT_OUT]
     known = cases["centrifugal"] & (cases["friction_coefficient"] == NO_BOUND)
     known &= cases["displacement_given"][:, 0] == 0
     return np.logical_and.reduce([known, *named])

@@ -125,6 +125,9 @@ def read_motion(
         out[tables[SLIPS], k, j] = 1.0 if is_rolled(ball) and slips(case, work, ball) else 0.0
     if not asked & SPEEDS:
         return
+    if case.common_motion:
+        read_common_motion(case, asked, tables, out, k, j)
+        return
     radius, _, si, ci, axis = axis_where_it_is(case, work, ball)
     p, q, _, _, _, _ = axis
     g = 0.5 * ball.diameter / radius
@@ -145,6 +148,19 @@ def read_motion(
         out[tables[ROTATION_SPEED], k, j] = rotation * sqrt(p * p + q * q)
     if asked & 1 << ATTITUDE_ANGLE:
         out[tables[ATTITUDE_ANGLE], k, j] = atan2(p, q)
+
+
+@kernel
+def read_common_motion(case: recarray, asked: int, tables: ndarray, out: ndarray, k: int, j: int) -> None:
+    """What is asked for of the speeds of balls that all move alike, SI."""
+    axial, radial = case.common_axial_rotation * case.speed, case.common_radial_rotation * case.speed
+    sign = -1.0 if axial < 0.0 else 1.0
+    put(asked, tables, ORBITAL_SPEED, out, k, j, case.common_orbit * case.speed)
+    put(asked, tables, AXIAL_ROTATION, out, k, j, axial)
+    put(asked, tables, RADIAL_ROTATION, out, k, j, radial)
+    put(asked, tables, ROTATION_SPEED, out, k, j, sign * sqrt(axial * axial + radial * radial))
+    if asked & 1 << ATTITUDE_ANGLE:
+        out[tables[ATTITUDE_ANGLE], k, j] = atan2(sign * radial, sign * axial)
 
 
 @kernel

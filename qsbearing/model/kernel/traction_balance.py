@@ -217,7 +217,7 @@ def solve_motions(
         grooves, motions, balls, arrays: working memory; of the arrays the first holds the points of a contact.
         is_carried: whether balls are carried round under radial load.
         results, positions: of the solution under outer control; displacement, load, residual, iterations and status of
-            the balance take their place.
+            the balance take their place. One that was refused for contacts outside their grooves is a start too.
         places: (case, ball, `PLACES`).
         contacts: (case, ball, groove, quantity), quantities those of `traction_ball`; inner ring first.
         torques: on the inner ring, by case.
@@ -225,7 +225,8 @@ def solve_motions(
     points, _, _, derivative = arrays
     for k in range(cases.size):
         result = results[k]
-        if result.status != CONVERGED:
+        refused = result.notes & (OPEN_SIDE | OVER_SHOULDER) if result.status == NO_EQUILIBRIUM else 0
+        if result.status != CONVERGED and refused == 0:
             continue
         case, law, motion = cases[k], laws[k], motions[0]
         set_groove(case, law, grooves[0], INNER_SIDE)
@@ -242,8 +243,8 @@ def solve_motions(
             is_balanced = balance_through_slips(case, law, grooves, arrays, motion, balls)
         result.residual, result.iterations = motion.residual, motion.iterations
         torques[k] = deliver(case, law, grooves, points, motion, balls, result, places[k], contacts[k])
-        result.notes = outside_grooves(case, contacts[k]) if is_balanced else 0
-        result.status = NOT_CONVERGED if not is_balanced else NO_EQUILIBRIUM if result.notes != 0 else CONVERGED
+        result.notes = outside_grooves(case, contacts[k]) if is_balanced else refused
+        result.status = NO_EQUILIBRIUM if result.notes != 0 else CONVERGED if is_balanced else NOT_CONVERGED
 
 
 @kernel

@@ -285,9 +285,9 @@ def add_inertia(case: recarray, ball: recarray) -> None:
 
 @kernel
 def drag_of(case: recarray, law: recarray, ball: recarray) -> tuple[float, float]:
-    """Fd against the orbit, along y where it runs with +x, and dFd/d omega_m."""
-    speed = orbit_of(case, ball) * ball.unknown[ORBIT]
-    forward = 1.0 if case.inner_speed + case.outer_speed > 0.0 else -1.0
+    """Fd against the orbit, along y where it runs with +x, and dFd/d omega_m; none at rest."""
+    speed, both = orbit_of(case, ball) * ball.unknown[ORBIT], case.inner_speed + case.outer_speed
+    forward = 1.0 if both > 0.0 else -1.0 if both < 0.0 else 0.0
     force = law.drag_factor * speed * abs(speed) + law.drag_force * forward
     return force, 2.0 * law.drag_factor * abs(speed) * orbit_of(case, ball)
 

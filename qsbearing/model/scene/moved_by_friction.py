@@ -9,6 +9,7 @@ import numpy as np
 from qsbearing.model.effects.centrifugal_force import CentrifugalForce
 from qsbearing.model.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
 from qsbearing.model.effects.hertz_angle import HertzAngle
+from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.validation import ErrorDetail
@@ -70,19 +71,23 @@ def unknown_to_friction(scene: Any) -> list[ErrorDetail]:
     if scene.hertz_angle is HertzAngle.ACTUAL:
         problem = "must be free or zero where friction moves the balls"
         errors.append(ErrorDetail("hertz_angle", problem, "actual"))
-    return errors + _tilt_errors(operation)
+    return errors + _radial_errors(scene)
 
 
-def _tilt_errors(operation: Any) -> list[ErrorDetail]:
+def _radial_errors(scene: Any) -> list[ErrorDetail]:
+    operation = scene.operation
     is_radial = any(
         value is not None and np.any(np.asarray(value) != 0.0)
         for name in ("radial_load_y", "radial_load_z", "radial_displacement_y", "radial_displacement_z")
         for value in [getattr(operation, name)]
     )
     errors = []
+    if is_radial and scene.orbit_radius is OrbitRadius.DISPLACED:  # whose change would accelerate balls
+        problem, cause = "must be pitch_circle where friction moves balls under radial load", "Leave it out"
+        errors.append(ErrorDetail("orbit_radius", problem, str(scene.orbit_radius), cause=cause))
     for axis in "yz":
         moment, tilt = getattr(operation, f"moment_{axis}"), getattr(operation, f"tilt_{axis}")
-        is_free = tilt is None and (is_radial or np.any(np.asarray(moment or 0.0) != 0.0))
+        is_free = tilt is None and (is_radial or np.any(np.asarray(0.0 if moment is None else moment) != 0.0))
         if is_free or (tilt is not None and np.any(np.asarray(tilt) != 0.0)):
             problem, cause = "must be held at 0 where friction moves the balls", "Give it as 0, and no moment"
             errors.append(ErrorDetail(f"operation.tilt_{axis}", problem, tilt, cause=cause))

@@ -28,6 +28,7 @@ from qsbearing.model.effects import (
     as_made,
     types_in,
 )
+from qsbearing.model.effects.ball_motion import BallMotion, motion_errors
 from qsbearing.model.effects.body_temperature import BodyTemperature, assumed_of_balls, body_temperatures
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
@@ -63,6 +64,7 @@ CHOICES: dict[str, type[StrEnum]] = {
     "hertz_form": HertzForm,
     "tilt_lever": TiltLever,
     "orbit_radius": OrbitRadius,
+    "ball_motion": BallMotion,
 }
 """The fields of a scene that choose one of several; each may be given as a member or as its word."""
 
@@ -94,6 +96,8 @@ class Scene(InNotebooks):
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
+    ball_motion: BallMotion = BallMotion.OWN
+    """Whether each ball has the axis and orbit of its azimuth, or all have the mean; likewise."""
     thermal: Any = None
     """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
     traction: Traction | None = None
@@ -111,6 +115,7 @@ class Scene(InNotebooks):
                 errors += wrong
         errors += read_requirements(self)
         errors += effect_errors(self.ball_effects, self.raceway_control, self.orbit_radius)
+        errors += motion_errors(self)
         if self.preload is not None:
             errors += _preload_errors(self.preload, self.operation)
         clashes = clash_errors(shapes_of(self._parts()))

@@ -148,20 +148,28 @@ def _stiffness(form: int, *geometry: Any) -> tuple[Any, ...]:
     return _stiffness_of_many(form, geometry)
 
 
+COMMON_MOTION = ("common_orbit", "common_axial_rotation", "common_radial_rotation")
+
+
 class CaseMaker:
     """Flattens a scene to case records, any stretch of its cases at a time (a million need not exist at once).
 
     Args:
         scene: what to flatten.
         axial: the axial load or displacement that the scene's preload makes, under the name of its field.
+        motion: of balls that all move alike, `COMMON_MOTION` [rad/s].
 
     Raises:
         ValueError: the scene's array fields do not broadcast to common case axes.
     """
 
-    def __init__(self, scene: Scene, axial: dict[str, Any] | None = None) -> None:
+    def __init__(
+        self, scene: Scene, axial: dict[str, Any] | None = None, motion: dict[str, NDArray] | None = None
+    ) -> None:
         self.scene, self.axial = scene, axial or {}
-        self._values = case_arrays(scene) | self.axial
+        self.motion = motion or {}
+        """Of balls that all move alike; empty where each has its own."""
+        self._values = case_arrays(scene) | self.axial | self.motion
         self._values["axial_datum_shift"] = 0.0
         self._values["cold_ball_diameter"] = scene.bearing.ball_diameter
         if scene.is_reshaped:
@@ -198,6 +206,11 @@ class CaseMaker:
         for name, array in self._arrays.items():
             values[name] = np.broadcast_to(array, self.shape)[index]
         return values
+
+    @property
+    def with_own_motion(self) -> CaseMaker:
+        """The same with each ball's own motion."""
+        return CaseMaker(self.scene, self.axial)
 
     @property
     def free_channels(self) -> NDArray:
@@ -270,6 +283,8 @@ class CaseMaker:
             gyroscopic is not None,
             NO_BOUND if coefficient is None else coefficient,
             scene.orbit_radius is OrbitRadius.DISPLACED,
+            "common_orbit" in v,
+            *(v.get(name, 0.0) / speed for name in COMMON_MOTION),
             scene.hertz_angle is HertzAngle.ACTUAL,
             scene.bearing.kind is BearingKind.ANGULAR_CONTACT,
             0 if scene.raceway_control is None else CONTROL_CODES[scene.raceway_control],

@@ -24,7 +24,7 @@ def tangents(solved: SolvedCases, part: slice, cases: NDArray) -> NDArray:
     """Stiffness (case, 5, 5), SI, of a stretch of flattened cases."""
     out = np.empty((cases.size, 5, 5))
     stiffness_of_cases(*solved.given(part, cases), out)
-    return out
+    return out if solved.following is None else out + solved.following()[part]
 
 
 def scaled_tangents(solved: SolvedCases, part: slice, cases: NDArray) -> tuple[NDArray, NDArray]:
@@ -41,7 +41,7 @@ def tangents_of_all(solved: SolvedCases) -> NDArray:
     """Stiffness (case, 5, 5), SI, of all flattened cases."""
     out = np.empty((solved.maker.count, 5, 5))
     solved.in_threads(lambda part, cases: stiffness_of_cases(*solved.given(part, cases), out[part]))
-    return out
+    return out if solved.following is None else out + solved.following()
 
 
 def compliance(solved: SolvedCases) -> NDArray:

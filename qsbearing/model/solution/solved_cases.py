@@ -41,6 +41,9 @@ class SolvedCases:
         self._threads = threads
         self._known = known or {}
         self._all_known = known is not None
+        self.following: Callable[[], NDArray] | None = None
+        """What of the stiffness comes from motion that is common to all balls (case, 5, 5); None where each has its
+        own."""
 
     def stretches(self) -> Iterator[tuple[slice, NDArray]]:
         """(slice, case records) of all cases, some at a time."""

@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.compiled import is_fast_for
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects.ball_expansion import BallExpansion
+from qsbearing.model.effects.ball_motion import BallMotion
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.closing_seats import solve_closing, with_touching
+from qsbearing.model.solution.common_motion import solve_common
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
@@ -82,12 +84,24 @@ def solve(
     return _solve(scene, start, threads, tolerance)
 
 
-def _solve(scene: Scene, start: Solution | None, threads: int | None, tolerance: float) -> Solution:
-    """With seats as the scene has them."""
+def _solve(
+    scene: Scene,
+    start: Solution | None,
+    threads: int | None,
+    tolerance: float,
+    motion: dict[str, NDArray] | None = None,
+) -> Solution:
+    """With seats as the scene has them.
+
+    Args:
+        motion: of balls that all move alike; empty: each has its own; None: as the scene says.
+    """
+    if motion is None and scene.ball_motion is BallMotion.COMMON:
+        return solve_common(scene, start, lambda of, near, common: _solve(of, near, threads, tolerance, common))
     began = time.perf_counter()
     as_preloaded = scene.as_preloaded
     preloaded = None if as_preloaded is None else solve(as_preloaded, threads=threads)
-    maker = CaseMaker(scene, _preloaded(scene, preloaded))
+    maker = CaseMaker(scene, _preloaded(scene, preloaded), motion)
     count = maker.count
     states = _start(start, maker)
     made: dict[int, NDArray] = {}

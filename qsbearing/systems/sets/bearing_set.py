@@ -16,6 +16,7 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.described import given_in
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
+from qsbearing.model.effects.ball_motion import BallMotion
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -79,6 +80,8 @@ class BearingSet(InNotebooks):
     hertz_form: HertzForm = HertzForm.EXACT
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    ball_motion: BallMotion = BallMotion.OWN
+    """Each ball's own: a common one is known to a bearing alone."""
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
     name: str = ""
@@ -145,12 +148,13 @@ class BearingSet(InNotebooks):
     def row_scene(self, number: int, operation: Operation) -> Scene:
         """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
         row = self.rows[number]
-        choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_effects")
+        choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_motion")
         return Scene(
             row.bearing,
             operation,
             ring_effects=self.effects_of(row),
             readings=self.readings if row.readings is None else row.readings,
+            ball_effects=self.ball_effects,
             **{name: getattr(self, name) for name in choices},
         )
 

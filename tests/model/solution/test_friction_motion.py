@@ -376,6 +376,13 @@ def test_contacts_outside_their_grooves_are_no_equilibrium() -> None:
         ({"hertz_angle": "actual"}, "hertz_angle"),
         ({"operation": qs.Operation(speed=SPEED, radial_load_y=1.0, moment_z=0.0, tilt_y=0.0)}, "operation.tilt_z"),
         ({"operation": qs.Operation(speed=SPEED, axial_load=1e3, tilt_y=1e-3, tilt_z=0.0)}, "operation.tilt_y"),
+        (
+            {
+                "operation": qs.Operation(speed=SPEED, axial_load=1e4, radial_load_y=1e3, **UPRIGHT),
+                **{"ball_effects": BOTH, "raceway_control": OUTER, "orbit_radius": "displaced"},
+            },
+            "orbit_radius",
+        ),
         ({"ring_effects": (qs.BallDiameterDeviations(np.full(16, 1e-6)),)}, "unequal_balls"),
     ],
 )

@@ -216,7 +216,7 @@ def findings(
         imbalance, expressible = _imbalance(
             scene, solution, inner, outer, centrifugal, moment, psi, reactions, turned, inertial, force
         )
-        hertz = np.maximum(_hertz(scene, inner, diameter), _hertz(scene, outer, diameter))
+        hertz = np.maximum(hertz_error(scene, inner, diameter), hertz_error(scene, outer, diameter))
         closure = _closure(scene, solution, inner, outer, psi)
         control = _contradicted(scene, solution, inner, outer, there)
         small = MOST_IMBALANCE * _force_scale(scene, inner, outer, centrifugal, moment)[:, None]
@@ -622,7 +622,7 @@ def spin_constants(scene: qs.Scene, solution: qs.Solution, inner: Contacts, oute
     return found[0], found[1]
 
 
-def _hertz(scene: qs.Scene, contacts: Contacts, diameter: NDArray) -> NDArray:
+def hertz_error(scene: qs.Scene, contacts: Contacts, diameter: NDArray) -> NDArray:
     """Largest relative error of any ellipse's shape and of any load of a raceway's loaded contacts; shape (case,)."""
     where = contacts.loaded
     if not where.any():
