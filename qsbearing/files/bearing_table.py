@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing.files import catalogue
 from qsbearing.files.data_sheet_table import bearing_of_sheet, is_data_sheet, without_sheet
-from qsbearing.files.designations import iso15, read
+from qsbearing.files.designations import read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.keys import (
     BEARING,
@@ -23,11 +23,13 @@ from qsbearing.files.keys import (
     PRINTED,
     RACEWAYS,
     RATINGS,
+    SHEET_CHOICES,
     SHOULDERS,
     Key,
     required_of,
 )
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
+from qsbearing.inference import iso15
 from qsbearing.model.bearing import (
     BallBearing,
     BearingKind,
@@ -50,7 +52,7 @@ _OUTSIDE = {key.name for key in PRINTED}
 _EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
 """One given replaces the other of a catalogue's entry."""
 
-_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", "rating_practice")
+_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", *SHEET_CHOICES)
 _BEARING = table_model("bearing", (*BEARING, *IN_PLACE), _WORDS)
 
 

@@ -22,7 +22,7 @@ from qsbearing.files.keys import (
     SHEET_WORDS,
 )
 from qsbearing.files.table_checks import Errors, material, si
-from qsbearing.inference.data_sheet import DataSheet
+from qsbearing.inference.data_sheet import DataSheet, needs_ratings
 from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.validation import SceneError, printable
 
@@ -67,7 +67,8 @@ def bearing_of_sheet(
     for name in sorted(others & {*given}):
         cause = "Give groove_radius_coefficient, of both grooves, pitch_diameter_mm and diametral_clearance_mm"
         errors.append(FileErrorDetail(f"bearing.{name}", "is not used beside a data sheet", given[name], cause=cause))
-    missing = sorted((_SIZE | _RATINGS) - {*given})
+    needed = _SIZE | (_RATINGS if needs_ratings(given, "_mm") or _RATINGS & {*given} else set())
+    missing = sorted(needed - {*given})
     for number, name in enumerate(missing):
         cause = DIMENSIONS_ALONE if name in _RATINGS and not _RATINGS & {*missing[:number]} else PRINTED_THERE
         errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import StrEnum
 from typing import Any
 
 import numpy as np
@@ -40,11 +42,32 @@ _RANGES: dict[str, tuple[Quantity, float, float]] = {
     "f0": (RATIO, 2.0, 20.0),
     "pair_rigidity": (STIFFNESS, 1e5, 1e11),
     "pair_preload": (FORCE, 0.1, 1e8),
+    "outer_ball_pass": (RATIO, 0.5, 500.0),
+    "inner_ball_pass": (RATIO, 0.5, 500.0),
+    "ball_spin": (RATIO, 0.2, 500.0),
     "ball_count": (COUNT, 2.0, 1000.0),
     "ball_diameter": (LENGTH, 5e-5, 1.0),
     "pitch_diameter": (LENGTH, 1e-4, 20.0),
     "groove_radius_coefficient": (RATIO, 0.5001, LARGEST_USUAL_F),
 }
+
+
+class BallSizes(StrEnum):
+    """Which diameters are looked at."""
+
+    INCH = "inch"
+    """Steps of inches."""
+    ANY = "any"
+    """Beside them whole and half millimetres."""
+
+
+class RigidityKind(StrEnum):
+    """What a printed axial rigidity of a pair is."""
+
+    TANGENT = "tangent"
+    """The slope of load over displacement at the preload."""
+    UNLOADING = "unloading"
+    """The axial load that unloads one row, over the displacement at which it does."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,10 +80,10 @@ class DataSheet:
 
     bore_diameter: float = field(metadata=given_in("mm"))
     outside_diameter: float = field(metadata=given_in("mm"))
-    dynamic_load_rating: float = field(metadata=given_in("N"))
-    """C of one row [N]."""
-    static_load_rating: float = field(metadata=given_in("N"))
-    """C0 of one row [N]."""
+    dynamic_load_rating: float | None = field(default=None, metadata=given_in("N"))
+    """C of one row [N]; None where the balls are known without it, or guessed by proportions."""
+    static_load_rating: float | None = field(default=None, metadata=given_in("N"))
+    """C0 of one row [N]; likewise."""
     free_contact_angle: float | None = field(default=None, metadata=given_in("deg"))
     diametral_clearance: float | None = field(default=None, metadata=given_in("mm"))
     """In place of the free contact angle; of a deep groove bearing."""
@@ -78,12 +101,23 @@ class DataSheet:
     """Axial rigidity of a back-to-back pair at its preload [N/m]."""
     pair_preload: float | None = field(default=None, metadata=given_in("N"))
     """[N]."""
+    pair_rigidity_kind: RigidityKind | None = None
+    """None: as the maker is known to print it, else the tangent."""
+    outer_ball_pass: float | None = field(default=None, metadata=given_in())
+    """How often a ball passes a point of the outer ring in one revolution of the inner one [-]; with `inner_ball_pass`
+    it tells the ball set."""
+    inner_ball_pass: float | None = field(default=None, metadata=given_in())
+    """Likewise a point of the inner ring [-]."""
+    ball_spin: float | None = field(default=None, metadata=given_in())
+    """How often a ball turns about itself, or twice that, as makers print it [-]; a check."""
     ball_count: int | None = field(default=None, metadata=given_in("balls"))
     ball_diameter: float | None = field(default=None, metadata=given_in("mm"))
     pitch_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Of the circle of ball centres; None: halfway between bore and outside diameter."""
     groove_radius_coefficient: float | None = field(default=None, metadata=given_in())
     """f = r/D of both grooves."""
+    ball_sizes: BallSizes | None = None
+    """None: in inches, as nearly all are; of deep groove bearings of dimension series 18 in millimetres too."""
     ball_material: Material = STEEL
     ring_material: Material = STEEL
     name: str = ""
@@ -100,6 +134,9 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
     """Everything that is wrong with a data sheet."""
     given: dict[str, Any] = vars(sheet)
     errors = choose("bearing.kind", sheet.kind, BearingKind)[1]
+    for name, choices in _CHOICES.items():
+        if given[name] is not None:
+            errors += choose(f"bearing.{name}", given[name], choices)[1]
     for name, (quantity, low, high) in _RANGES.items():
         if np.ndim(given[name]):
             errors.append(ErrorDetail(f"bearing.{name}", "is an array; a data sheet is one row"))
@@ -108,6 +145,15 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
     for side in ("ball_material", "ring_material"):
         errors += material_errors(f"bearing.{side}", given[side])
     errors += practice_errors(sheet.maker, sheet.rating_practice, given)
+    errors += [
+        ErrorDetail(f"bearing.{one}", "missing", cause=cause)
+        for pair, cause in _PAIRS
+        for one, other in (pair, pair[::-1])
+        if given[one] is None and given[other] is not None
+    ]
+    if needs_ratings(given):
+        lacking = [name for name in _RATINGS if given[name] is None]
+        errors += [ErrorDetail(f"bearing.{name}", "missing", cause="As the data sheet prints it") for name in lacking]
     if sheet.free_contact_angle is None and sheet.diametral_clearance is None:
         field, cause = "free_contact_angle", "As the data sheet prints it"
         if sheet.kind == BearingKind.DEEP_GROOVE:
@@ -117,12 +163,32 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
         cause = "One follows from the other and the grooves, which are inferred: keep one"
         both = Sentence("is given together with {angle}", angle=Field("free_contact_angle"))
         errors.append(ErrorDetail("bearing.diametral_clearance", both, cause=cause))
-    for one, other in (("pair_preload", "pair_rigidity"), ("pair_rigidity", "pair_preload")):
-        if given[one] is None and given[other] is not None:
-            errors.append(ErrorDetail(f"bearing.{one}", "missing", cause="A rigidity belongs to its preload"))
     if not errors and sheet.outside_diameter <= 1.02 * sheet.bore_diameter:
         problem = f"leaves no room for rings around a bore of {sheet.bore_diameter / mm:.6g} mm"
         errors.append(ErrorDetail("bearing.outside_diameter", problem, sheet.outside_diameter, LENGTH))
     if not errors and sheet.ball_count is not None and sheet.ball_count != int(sheet.ball_count):
         errors.append(ErrorDetail("bearing.ball_count", "is not a whole number", float(sheet.ball_count), COUNT))
     return errors
+
+
+def needs_ratings(given: Mapping[str, Any], ending: str = "") -> bool:
+    """Whether only ratings tell the balls: neither given themselves nor by how often they pass, nor to be guessed.
+
+    Args:
+        given: numbers and words by name; what is None or lacks is not given.
+        ending: of the name of a length, its unit.
+    """
+    known = {name for name, each in given.items() if each is not None}
+    is_guessed = given.get("rating_practice") == RatingPractice.PROPORTIONS
+    return not (is_guessed or {"ball_count", f"ball_diameter{ending}"} <= known or set(_PASSES) <= known)
+
+
+_RATINGS = ("dynamic_load_rating", "static_load_rating")
+_PASSES = ("outer_ball_pass", "inner_ball_pass")
+_PAIRS = (
+    (("pair_preload", "pair_rigidity"), "A rigidity belongs to its preload"),
+    (_PASSES, "Both add up to the ball count"),
+    (_RATINGS, "As the data sheet prints it"),
+)
+"""Numbers of which one is given only with the other."""
+_CHOICES: dict[str, type[StrEnum]] = {"ball_sizes": BallSizes, "pair_rigidity_kind": RigidityKind}

@@ -14,8 +14,9 @@ import pytest
 
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.designations import Designation, iso15, read
+from qsbearing.files.designations import Designation, designation, read
 from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.inference import iso15
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.units import deg, mm
 from qsbearing.model.validation import SceneError
@@ -71,7 +72,7 @@ def test_a_suffix_on_which_makers_differ_is_asked_about() -> None:
     assert advice in catalogue.nearest("7014")
 
 
-PREFIXES = tomllib.loads((Path(iso15.__file__).parent / "designations.toml").read_text("utf-8"))["prefixes"]
+PREFIXES = tomllib.loads((Path(designation.__file__).parent / "designations.toml").read_text("utf-8"))["prefixes"]
 NUMBERS = (
     "71914", "7014", "7210", "7014C", "7014-C-T-P4S", "7014 CTYNSULP4", "7210 BEP", "7308 BECBP", "7910UCG", "6205",
     "6206-C3", "6308", "6804", "71914-E-T-P4S",

@@ -218,9 +218,13 @@ def of_a_data_sheet() -> tuple[Any, ...]:
         patched.setattr(infer, "MOST_LISTED", 2)
         sheet = deep_groove(25, 52, 14000, 7850)
         one, other = qs.infer_bearing(**sheet), qs.infer_bearing(**sheet, maker="NSK")
+        size = {key: each for key, each in sheet.items() if not key.endswith("_rating")}
+        guessed = qs.infer_bearing(**size, rating_practice="proportions")
+        spinning = qs.infer_bearing(**size, outer_ball_pass=3.578, inner_ball_pass=5.422, ball_spin=4.677)
     angular = replace(other.bearing, kind="angular_contact", inferred=other)
     unsolved = inferred.said(qs.solve(resting(angular, axial_load=-10.0)))
-    return (*one.remarks, *other.remarks, *(each.said() for each in unsolved))
+    lists = (one, other, guessed, spinning)
+    return (*(each for found in lists for each in found.remarks), *(each.said() for each in unsolved))
 
 
 @pytest.fixture(scope="module")
@@ -257,7 +261,7 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
 WORDS = (IN_FILE, PYTHON, ON_PAGE)
 ADDED = (
     "effects_missing", "effect_data_missing", "life_grooves_uncovered", "speed_rating_unknown",
-    "sheet_ratings_unstated", "hypotheses_differ", "rows_press",
+    "sheet_ratings_unstated", "hypotheses_differ", "rows_press", "sheet_guessed",
 )  # fmt: skip
 """Remarks that say what to give or to do."""
 

@@ -13,7 +13,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.designations.iso15 import table
+from qsbearing.inference.iso15 import table
 
 LONGEST = 60
 """Letters of a text that may be a designation."""
