@@ -114,7 +114,7 @@ DATA_SHEET = (
     key_of(number("ball_set", range=(1.0, 30.0))),
 )
 """What it may state besides; which of the ball sets that it allows is meant."""
-SHEET_CHOICES = ("rating_practice", "ball_sizes", "pair_rigidity_kind")
+SHEET_CHOICES = ("rating_practice", "size_steps", "pair_rigidity_kind", "clearance_class")
 SHEET_WORDS = ("maker", *SHEET_CHOICES)
 """What of a data sheet tells the balls and grooves that it does not print."""
 IN_PLACE = (*(key_of(number(name)) for name in COEFFICIENTS), *RACEWAYS, *PRINTED, *DATA_SHEET)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.inference import iso15
-from qsbearing.inference.data_sheet import BallSizes, DataSheet
+from qsbearing.inference.data_sheet import DataSheet, SizeSteps
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.units import mm
 
@@ -50,7 +50,7 @@ def is_thin(sheet: DataSheet) -> bool:
 def sizes_of(sheet: DataSheet) -> NDArray:
     """The ball diameters [m] that are looked at, as stated; else in inches, of thin deep groove bearings in both."""
     both = sheet.kind == BearingKind.DEEP_GROOVE and is_thin(sheet)
-    if (sheet.ball_sizes or (BallSizes.ANY if both else BallSizes.INCH)) == BallSizes.INCH:
+    if (sheet.size_steps or (SizeSteps.ANY if both else SizeSteps.INCH)) == SizeSteps.INCH:
         return INCH_SIZES
     nearest = np.abs(METRIC_SIZES[:, None] / INCH_SIZES - 1.0).min(axis=1)
     return np.concatenate([INCH_SIZES, METRIC_SIZES[nearest > SAME_SIZE]])

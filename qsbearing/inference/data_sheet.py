@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from qsbearing.inference.clearance import ClearanceClass, clearance_limits
 from qsbearing.inference.practice import RatingPractice, practice_errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
@@ -52,7 +53,7 @@ _RANGES: dict[str, tuple[Quantity, float, float]] = {
 }
 
 
-class BallSizes(StrEnum):
+class SizeSteps(StrEnum):
     """Which diameters are looked at."""
 
     INCH = "inch"
@@ -87,6 +88,8 @@ class DataSheet:
     free_contact_angle: float | None = field(default=None, metadata=given_in("deg"))
     diametral_clearance: float | None = field(default=None, metadata=given_in("mm"))
     """In place of the free contact angle; of a deep groove bearing."""
+    clearance_class: ClearanceClass | None = None
+    """In place of both, of a deep groove bearing: the clearance of ISO 5753-1 by its bore, usual, least and largest."""
     kind: BearingKind = BearingKind.ANGULAR_CONTACT
     maker: str = ""
     rating_practice: RatingPractice | None = None
@@ -116,11 +119,20 @@ class DataSheet:
     """Of the circle of ball centres; None: halfway between bore and outside diameter."""
     groove_radius_coefficient: float | None = field(default=None, metadata=given_in())
     """f = r/D of both grooves."""
-    ball_sizes: BallSizes | None = None
+    size_steps: SizeSteps | None = None
     """None: in inches, as nearly all are; of deep groove bearings of dimension series 18 in millimetres too."""
     ball_material: Material = STEEL
     ring_material: Material = STEEL
     name: str = ""
+
+    @property
+    def clearances(self) -> tuple[float, ...]:
+        """The usual diametral clearance [m], and where only its class is given the least and the largest; empty where
+        the free contact angle is given."""
+        if self.clearance_class is None:
+            return () if self.diametral_clearance is None else (self.diametral_clearance,)
+        least, most = clearance_limits(self.bore_diameter, ClearanceClass(self.clearance_class)) or (0.0, 0.0)
+        return 0.5 * (least + most), least, most
 
     @property
     def pitch(self) -> float:
@@ -154,21 +166,43 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
     if needs_ratings(given):
         lacking = [name for name in _RATINGS if given[name] is None]
         errors += [ErrorDetail(f"bearing.{name}", "missing", cause="As the data sheet prints it") for name in lacking]
-    if sheet.free_contact_angle is None and sheet.diametral_clearance is None:
-        field, cause = "free_contact_angle", "As the data sheet prints it"
-        if sheet.kind == BearingKind.DEEP_GROOVE:
-            field, cause = "diametral_clearance", "The ratings do not tell it: as mounted, of its class"
-        errors.append(ErrorDetail(f"bearing.{field}", "missing", cause=cause))
-    elif None not in (sheet.free_contact_angle, sheet.diametral_clearance):
-        cause = "One follows from the other and the grooves, which are inferred: keep one"
-        both = Sentence("is given together with {angle}", angle=Field("free_contact_angle"))
-        errors.append(ErrorDetail("bearing.diametral_clearance", both, cause=cause))
+    errors += _angle_errors(sheet)
     if not errors and sheet.outside_diameter <= 1.02 * sheet.bore_diameter:
         problem = f"leaves no room for rings around a bore of {sheet.bore_diameter / mm:.6g} mm"
         errors.append(ErrorDetail("bearing.outside_diameter", problem, sheet.outside_diameter, LENGTH))
     if not errors and sheet.ball_count is not None and sheet.ball_count != int(sheet.ball_count):
         errors.append(ErrorDetail("bearing.ball_count", "is not a whole number", float(sheet.ball_count), COUNT))
     return errors
+
+
+def _angle_errors(sheet: DataSheet) -> list[ErrorDetail]:
+    """Of the free contact angle and what stands in place of it."""
+    names = ("free_contact_angle", "diametral_clearance", "clearance_class")
+    given = [name for name in names if getattr(sheet, name) is not None]
+    if not given:
+        field, cause = "free_contact_angle", "As the data sheet prints it"
+        if sheet.kind == BearingKind.DEEP_GROOVE:
+            field, cause = "diametral_clearance", "The ratings do not tell it: as mounted, or clearance_class"
+        return [ErrorDetail(f"bearing.{field}", "missing", cause=cause)]
+    if len(given) > 1:
+        cause = "One follows from the other and the grooves, which are inferred: keep one"
+        both = Sentence("is given together with {angle}", angle=Field(given[0]))
+        return [ErrorDetail(f"bearing.{given[-1]}", both, cause=cause)]
+    return [] if sheet.clearance_class is None else _class_errors(sheet)
+
+
+def _class_errors(sheet: DataSheet) -> list[ErrorDetail]:
+    wrong = choose("bearing.clearance_class", sheet.clearance_class, ClearanceClass)[1]
+    if wrong or np.ndim(sheet.bore_diameter):
+        return wrong
+    if sheet.kind != BearingKind.DEEP_GROOVE:
+        problem, cause = "is of deep groove bearings", "Give free_contact_angle"
+        return [ErrorDetail("bearing.clearance_class", problem, str(sheet.clearance_class), cause=cause)]
+    if clearance_limits(sheet.bore_diameter, ClearanceClass(sheet.clearance_class or "CN")) is None:
+        problem = f"is not known of a bore of {sheet.bore_diameter / mm:.6g} mm"
+        cause = "Give diametral_clearance"
+        return [ErrorDetail("bearing.clearance_class", problem, str(sheet.clearance_class), cause=cause)]
+    return []
 
 
 def needs_ratings(given: Mapping[str, Any], ending: str = "") -> bool:
@@ -191,4 +225,4 @@ _PAIRS = (
     (_RATINGS, "As the data sheet prints it"),
 )
 """Numbers of which one is given only with the other."""
-_CHOICES: dict[str, type[StrEnum]] = {"ball_sizes": BallSizes, "pair_rigidity_kind": RigidityKind}
+_CHOICES: dict[str, type[StrEnum]] = {"size_steps": SizeSteps, "pair_rigidity_kind": RigidityKind}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
@@ -42,11 +42,13 @@ GROOVES = [1, 0, 2]
 
 @dataclass(frozen=True)
 class InferredBearing:
-    """Every bearing that a data sheet allows, best first; arrays of shape (case,), three cases to a ball set."""
+    """Every bearing that a data sheet allows, best first; arrays of shape (case,), three cases to a ball set, nine
+    where only the class of its clearance is known."""
 
     bearing: BallBearing
     """All of them: its numbers are arrays, which span the cases of a scene. Of a set's three cases the first has its
-    usual groove radius, the others have the least and the largest."""
+    usual groove radius, the others have the least and the largest; of nine the first three have the usual clearance,
+    the others the least and the largest."""
     set_number: NDArray
     """Which cases have the same balls; from 0."""
     misfit: NDArray
@@ -60,8 +62,8 @@ class InferredBearing:
 
     def at(self, case: int) -> BallBearing:
         """The bearing of one case; of case 0 that which fits best, which often is not the true one."""
-        names = ("ball_count", "ball_diameter", "inner_groove_radius", "outer_groove_radius", "free_contact_angle")
-        return replace(self.bearing, **{name: getattr(self.bearing, name)[case].item() for name in names})
+        own = {each.name: getattr(self.bearing, each.name) for each in fields(self.bearing)}
+        return replace(self.bearing, **{name: each[case].item() for name, each in own.items() if np.ndim(each)})
 
     @staticmethod
     def range_of(values: ArrayLike) -> Range:
@@ -75,11 +77,14 @@ class InferredBearing:
             values: of the result, shape (case,).
 
         Returns:
-            By `ball_count`, `ball_diameter` and `pair_rigidity`, those that are not given; 0: nothing, 1: all of it.
+            By `ball_count`, `ball_diameter`, `diametral_clearance` and `pair_rigidity`, those that are not given; 0:
+            nothing, 1: all of it.
         """
         names = [name for name in ("ball_count", "ball_diameter") if getattr(self.sheet, name) is None]
-        known = {name: np.asarray(getattr(self.bearing, name)) for name in names}
-        rigidity = self._rigidity if self.sheet.pair_rigidity is None else None
+        names += ["diametral_clearance"] * (self.sheet.clearance_class is not None)
+        known = {name: np.round(np.asarray(getattr(self.bearing, name)), 12) for name in names}
+        is_known = self.sheet.pair_rigidity is not None or self.sheet.clearance_class is not None
+        rigidity = None if is_known else self._rigidity  # of rows with clearance it would tell two numbers at once
         return shares_removed(np.asarray(values, float), self.set_number, known, rigidity)
 
     @cached_property
@@ -137,13 +142,20 @@ def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
             raise SceneError([ErrorDetail("bearing.pair_rigidity", problem, sheet.pair_rigidity, cause=_OTHER_KIND)])
     elif known is None and (fits.practice != RatingPractice.OWN_GROOVE).any():
         remarks.append(remark("sheet_groove_assumed", least=fits.groove.min(), most=fits.groove.max()).said())
-    f = fits.groove[:, GROOVES].reshape(-1)
-    repeated = [np.repeat(each, len(GROOVES)) for each in (*fits.sets, fits.misfit, fits.practice)]
-    number = np.repeat(np.arange(fits.misfit.size), len(GROOVES))
-    bearing = _bearing(sheet, BallSets(*repeated[:2]), f)
-    return InferredBearing(
-        bearing, number, repeated[2], repeated[3], sheet, tuple(dict.fromkeys(remarks)), tuple(others)
-    )
+    grooves, clearances = _cases(sheet)
+    f = fits.groove[:, grooves].reshape(-1)
+    repeated = [np.repeat(each, len(grooves)) for each in (*fits.sets, fits.misfit, fits.practice)]
+    number = np.repeat(np.arange(fits.misfit.size), len(grooves))
+    bearing = _bearing(sheet, BallSets(*repeated[:2]), f, np.tile(clearances, fits.misfit.size))
+    said = tuple(dict.fromkeys(remarks))
+    return InferredBearing(bearing, number, repeated[2], repeated[3], sheet, said, tuple(others))
+
+
+def _cases(sheet: DataSheet) -> tuple[NDArray, NDArray]:
+    """Which groove radius and which clearance [m] the cases of each set have, the usual ones first; NaN where the angle
+    is given."""
+    clearances = sheet.clearances or (np.nan,)
+    return np.tile(GROOVES, len(clearances)), np.repeat(clearances, len(GROOVES))
 
 
 _AS_KIND = {
@@ -196,7 +208,10 @@ def _guessed(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
     of = proportions_of(sheet)
     fits = None if of is None else likely_sets(sheet, of)
     if fits is None or not fits.misfit.size:
-        problem = "cannot guess its balls: no ball sets of this dimension series, kind and angle are known here"
+        problem = "tells no balls: none of this dimension series, kind and angle are known here"
+        if of is not None:
+            known = "" if sheet.ball_count is None else f" of {sheet.ball_count:g} balls"
+            problem = f"tells no ball set{known}: none is usual between these rings"
         cause = "Give dynamic_load_rating and static_load_rating, or outer_ball_pass and inner_ball_pass"
         raise SceneError([ErrorDetail("bearing.rating_practice", problem, "proportions", cause=cause)])
     remarks.append(remark("sheet_guessed").said())
@@ -237,13 +252,14 @@ def _no_set(sheet: DataSheet, practice: Practice) -> ErrorDetail:
     return ErrorDetail("bearing.static_load_rating", problem, sheet.static_load_rating, cause=cause)
 
 
-def _bearing(sheet: DataSheet, sets: BallSets, f: NDArray) -> BallBearing:
-    fields: dict[str, Any] = {
+def _bearing(sheet: DataSheet, sets: BallSets, f: NDArray, clearance: NDArray | None = None) -> BallBearing:
+    given: dict[str, Any] = {
         "ball_count": sets.counts, "ball_diameter": sets.diameters, "pitch_diameter": sheet.pitch,
         "inner_groove_radius": f * sets.diameters, "outer_groove_radius": f * sets.diameters,
         "ball_material": sheet.ball_material, "ring_material": sheet.ring_material,
         "kind": sheet.kind, "name": sheet.name, "outline": Outline(sheet.bore_diameter, sheet.outside_diameter),
     }  # fmt: skip
-    if sheet.diametral_clearance is not None:
-        return BallBearing.from_diametral_clearance(diametral_clearance=sheet.diametral_clearance, **fields)
-    return BallBearing(free_contact_angle=np.full(f.shape, sheet.free_contact_angle), **fields)
+    if sheet.clearances:
+        clearance = np.full(f.shape, sheet.clearances[0]) if clearance is None else clearance
+        return BallBearing.from_diametral_clearance(diametral_clearance=clearance, **given)
+    return BallBearing(free_contact_angle=np.full(f.shape, sheet.free_contact_angle), **given)

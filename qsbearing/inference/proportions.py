@@ -30,19 +30,19 @@ WIDENED = 0.015
 """Part by which the 2 and 98 % quantiles of known ball sets are widened."""
 _ANGULAR, _DEEP = BearingKind.ANGULAR_CONTACT, BearingKind.DEEP_GROOVE
 PROPORTIONS = {
-    (_ANGULAR, "19"): Proportions((0.524, 0.651), (0.669, 0.872)),
-    (_ANGULAR, "10"): Proportions((0.554, 0.623), (0.741, 0.898)),
-    (_ANGULAR, "02"): Proportions((0.526, 0.645), (0.661, 0.870)),
+    (_ANGULAR, "19"): Proportions((0.521, 0.645), (0.673, 0.862)),
+    (_ANGULAR, "10"): Proportions((0.555, 0.622), (0.742, 0.897)),
+    (_ANGULAR, "02"): Proportions((0.521, 0.645), (0.653, 0.872)),
     (_DEEP, "18"): Proportions((0.509, 0.625), (0.519, 0.665)),
-    (_DEEP, "19"): Proportions((0.521, 0.633), (0.526, 0.599)),
-    (_DEEP, "10"): Proportions((0.535, 0.645), (0.522, 0.613)),
-    (_DEEP, "02"): Proportions((0.508, 0.645), (0.537, 0.626)),
-    (_DEEP, "03"): Proportions((0.552, 0.653), (0.572, 0.627)),
+    (_DEEP, "19"): Proportions((0.521, 0.632), (0.526, 0.599)),
+    (_DEEP, "10"): Proportions((0.538, 0.656), (0.538, 0.613)),
+    (_DEEP, "02"): Proportions((0.519, 0.645), (0.522, 0.614)),
+    (_DEEP, "03"): Proportions((0.553, 0.645), (0.572, 0.626)),
     (_DEEP, "04"): Proportions((0.505, 0.645), (0.592, 0.676)),
 }
 """By kind and dimension series, of usual balls: GMN's S 619 and NTN's 79; NTN's 70; SNFA's E 2; deep groove bearings of
 NSK and SKF whose ratings allow one set."""
-OF_40_DEGREES = Proportions((0.600, 0.690), (0.800, 0.930))
+OF_40_DEGREES = Proportions((0.547, 0.665), (0.821, 0.994))
 """Of angular-contact bearings of 40 degrees, series 02 and 03: the sets that the ratings of SKF's 7208 BEP, 7210 BEP,
 7211 BEP, 7308 BEGAPH and 7310 BEP allow."""
 

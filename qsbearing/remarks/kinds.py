@@ -431,6 +431,7 @@ _ALL = (
          "{unsolved} of the {bearings} bearings that the data sheet allows are not solved, and in no range"),
     Kind("sheet_groove_assumed", NOTE, "data_sheet",
          "the ratings do not tell the groove radius: f = {least:.3f} to {most:.3f} is assumed"),
+    Kind("sheet_by_name", NOTE, "data_sheet", "taken from the name alone: {what}"),
     Kind("sheet_spin_twice", NOTE, "data_sheet",
          "ball_spin = {printed:g} is read as twice how often a ball turns about itself, {spin:.4g}"),
     Kind("sheet_guessed", CHECK, "data_sheet",

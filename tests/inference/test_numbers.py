@@ -116,7 +116,7 @@ def test_the_unloading_rigidity_of_hertz_at_a_constant_angle() -> None:
 
 def test_thin_deep_groove_bearings_may_have_balls_in_millimetres() -> None:
     assert (13, 3.5) in sets(qs.infer_bearing(**deep_groove(20, 32, 4000, 2470, maker="NSK")))
-    inch = refused(**deep_groove(20, 32, 4000, 2470, maker="NSK", ball_sizes="inch"))
+    inch = refused(**deep_groove(20, 32, 4000, 2470, maker="NSK", size_steps="inch"))
     assert "Nearest is 13 x 3.5 mm" in inch and "this size in millimetres is not looked at" in inch
 
 

@@ -25,6 +25,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import Callout, Section
 from qsbearing.files.file_keys import IN_FILE
+from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.inference import infer
@@ -221,9 +222,10 @@ def of_a_data_sheet() -> tuple[Any, ...]:
         size = {key: each for key, each in sheet.items() if not key.endswith("_rating")}
         guessed = qs.infer_bearing(**size, rating_practice="proportions")
         spinning = qs.infer_bearing(**size, outer_ball_pass=3.578, inner_ball_pass=5.422, ball_spin=4.677)
+    by_name = scene_of({"bearing": {"name": "SKF 6205"}, "operation": {"axial_load_N": 1.0}}, "", may_infer=True)
     angular = replace(other.bearing, kind="angular_contact", inferred=other)
     unsolved = inferred.said(qs.solve(resting(angular, axial_load=-10.0)))
-    lists = (one, other, guessed, spinning)
+    lists = (one, other, guessed, spinning, by_name.bearing.inferred)
     return (*(each for found in lists for each in found.remarks), *(each.said() for each in unsolved))
 
 
