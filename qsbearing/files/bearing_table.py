@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing.files import catalogue
 from qsbearing.files.data_sheet_table import bearing_of_sheet, is_data_sheet, without_sheet
-from qsbearing.files.designations import iso15, read
+from qsbearing.files.designations import read
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.keys import (
     BEARING,
@@ -23,11 +23,14 @@ from qsbearing.files.keys import (
     PRINTED,
     RACEWAYS,
     RATINGS,
+    SHEET_CHOICES,
     SHOULDERS,
     Key,
     required_of,
 )
+from qsbearing.files.sheet_by_name import clearance_by_name, designation_of, said_by_name, sheets_by_name
 from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
+from qsbearing.inference import iso15
 from qsbearing.model.bearing import (
     BallBearing,
     BearingKind,
@@ -50,7 +53,7 @@ _OUTSIDE = {key.name for key in PRINTED}
 _EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
 """One given replaces the other of a catalogue's entry."""
 
-_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", "rating_practice")
+_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", *SHEET_CHOICES)
 _BEARING = table_model("bearing", (*BEARING, *IN_PLACE), _WORDS)
 
 
@@ -72,10 +75,15 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
     if not isinstance(table, dict):
         return None
     good |= {side: table[side] for side in MATERIALS if side in table}
-    by_sheet = is_data_sheet({*good, *unusable})
-    good = designated(good, unusable)
+    sheets = sheets_by_name(good, unusable)
+    by_sheet = is_data_sheet({*good, *unusable}) or bool(sheets)
+    clearance = clearance_by_name(good, unusable) if by_sheet else {}
+    by_name = said_by_name(good, sheets, clearance)
+    good = designated(good, unusable) | clearance
     if by_sheet and ("name" not in good or catalogue.named(good["name"]) is None):
-        return bearing_of_sheet(good, label, _outline(good), errors, may_infer) if len(errors) == before else None
+        if len(errors) > before:
+            return None
+        return bearing_of_sheet(good, sheets, by_name, label, _outline(good), errors, may_infer)
     errors += without_sheet(good)
     # Which the model does not need: effects and readings take them, see `stated`.
     printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
@@ -129,8 +137,7 @@ def designated(given: dict[str, Any], unusable: Iterable[str] = ()) -> dict[str,
 
     Kind, angle and material only where numbers of the model are lacking: a bearing of one's own may have any name.
     """
-    name = given.get("name")
-    told = read(name) if isinstance(name, str) and catalogue.find(name) is None else None
+    told = designation_of(given)
     added: dict[str, Any] = {}
     if told is not None and not told.is_refused:
         lacking: Errors = []

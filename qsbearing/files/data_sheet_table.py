@@ -22,12 +22,13 @@ from qsbearing.files.keys import (
     SHEET_WORDS,
 )
 from qsbearing.files.table_checks import Errors, material, si
-from qsbearing.inference.data_sheet import DataSheet
+from qsbearing.inference.data_sheet import DataSheet, needs_ratings
 from qsbearing.model.bearing import BallBearing, Outline
 from qsbearing.model.validation import SceneError, printable
 
 if TYPE_CHECKING:
     from qsbearing.inference.infer import InferredBearing
+    from qsbearing.remarks.remark import Warned
 
 _BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_radius_coefficient"])
 _SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
@@ -56,9 +57,20 @@ def without_sheet(given: dict[str, Any]) -> Errors:
 
 
 def bearing_of_sheet(
-    given: dict[str, Any], label: str, outline: Outline | None, errors: Errors, may_infer: bool
+    given: dict[str, Any],
+    sheets: list[dict[str, Any]],
+    by_name: list[Warned],
+    label: str,
+    outline: Outline | None,
+    errors: Errors,
+    may_infer: bool,
 ) -> BallBearing | None:
-    """Every bearing that the data sheet allows, as arrays; None where errors were found and added."""
+    """Every bearing that the data sheet allows, as arrays; None where errors were found and added.
+
+    Args:
+        sheets: what the name adds, one table for each maker.
+        by_name: what is said of that.
+    """
     # Rarely asked for, and behind it are the readings, with scipy.
     from qsbearing.inference.infer import infer_bearing
 
@@ -67,7 +79,9 @@ def bearing_of_sheet(
     for name in sorted(others & {*given}):
         cause = "Give groove_radius_coefficient, of both grooves, pitch_diameter_mm and diametral_clearance_mm"
         errors.append(FileErrorDetail(f"bearing.{name}", "is not used beside a data sheet", given[name], cause=cause))
-    missing = sorted((_SIZE | _RATINGS) - {*given})
+    is_rated = needs_ratings(given, "_mm") or _RATINGS & {*given}
+    needed = _SIZE | (_RATINGS if is_rated and not sheets else set())
+    missing = sorted(needed - {*given})
     for number, name in enumerate(missing):
         cause = DIMENSIONS_ALONE if name in _RATINGS and not _RATINGS & {*missing[:number]} else PRINTED_THERE
         errors.append(FileErrorDetail(f"bearing.{name}", "missing", cause=cause))
@@ -79,12 +93,17 @@ def bearing_of_sheet(
     chosen = given.get("ball_set")
     told = read(given.get("name", ""))
     fields |= {"maker": told.maker} if told is not None else {}
-    fields |= si(_KEYS, given) | {name: given[name] for name in ("kind", *SHEET_WORDS) if name in given}
+    fields |= {"name": printable(given.get("name", label))}
+    rows = [given | each for each in sheets] or [given]
+    words = ("kind", *SHEET_WORDS)
     try:
-        inferred = infer_bearing(**fields, name=printable(given.get("name", label)))
+        inferred = infer_bearing(
+            *(DataSheet(**fields | si(_KEYS, row) | {name: row[name] for name in words if name in row}) for row in rows)
+        )
     except SceneError as error:
         errors += map(translate, error.errors)
         return None
+    inferred = replace(inferred, remarks=(*by_name, *inferred.remarks))
     if chosen is not None:
         return _chosen(inferred, chosen, outline, errors)
     if not may_infer:
@@ -134,5 +153,8 @@ def sheet_tables(bearing: BallBearing) -> dict[str, Any]:
     given = {name: getattr(sheet, name) for name in ("name", "kind", *SHEET_WORDS)}
     table: dict[str, Any] = {name: str(each) for name, each in given.items() if each}
     numbers = {key: getattr(sheet, key.field) for key in _KEYS}
+    if bearing.inferred.others:  # of several makers, which the name tells again
+        table.pop("maker", None)
+        numbers = {key: each for key, each in numbers.items() if key.name not in (*_RATINGS, "f0")}
     table |= {key.name: key.in_file(each) for key, each in numbers.items() if each is not None}
     return table if sheet.ball_count is None else table | {"ball_count": int(sheet.ball_count)}

@@ -117,7 +117,8 @@ DATA_SHEET = (
     key_of(number("ball_set", range=(1.0, 30.0))),
 )
 """What it may state besides; which of the ball sets that it allows is meant."""
-SHEET_WORDS = ("maker", "rating_practice")
+SHEET_CHOICES = ("rating_practice", "size_steps", "pair_rigidity_kind", "clearance_class")
+SHEET_WORDS = ("maker", *SHEET_CHOICES)
 """What of a data sheet tells the balls and grooves that it does not print."""
 _OF_GROOVES = (
     key_of(number(name, words=f"groove radius coefficient ${symbol}$"))

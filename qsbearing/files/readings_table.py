@@ -46,6 +46,8 @@ def asked_readings(
             continue
         choices, given = known[name].choices, stated.filled(name, given)
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
+        if stated.lacks_rating(name, good):
+            errors.append(FileErrorDetail(f"readings.{name}", "needs load ratings", cause=stated.unrated))
         asked[name] = si(reading_keys(name), good) | {choice: good[choice] for choice in choices if choice in good}
     if asked and len(errors) == before:  # what cannot be used would be missing as well
         from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them

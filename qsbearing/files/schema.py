@@ -31,6 +31,7 @@ from qsbearing.files.keys import (
     RING_COMPLIANCES,
     RING_EFFECTS,
     SEATS,
+    SHEET_CHOICES,
     SPECTRUM,
     TRACTION,
     Key,
@@ -105,15 +106,19 @@ def _required() -> Schema:
     return {"type": "object", "description": "What results must keep", "additionalProperties": each}
 
 
+_SHEETS = ([RATINGS[0].name], ["outer_ball_pass"], ["ball_count", "ball_diameter_mm"], ["rating_practice"])
+"""Keys by which a table is a data sheet."""
+
+
 def _bearing() -> Schema:
     name = {"anyOf": [{"enum": [entry.name for entry in catalogue.entries()]}, _WORD]}
     own = {"name": name, "maker": _WORD, "kind": _choice("kind", "bearing")}
-    own |= {"rating_practice": _choice("rating_practice", "bearing"), "preload": {"enum": list(CLASSES)}}
+    own |= {word: _choice(word, "bearing") for word in SHEET_CHOICES} | {"preload": {"enum": list(CLASSES)}}
     return closed(own | _numbers((*BEARING, *IN_PLACE), "bearing") | dict.fromkeys(MATERIALS, _MATERIAL))
 
 
 def _effects() -> Schema:
-    elsewhere = ("kind", "rating_practice", "law")
+    elsewhere = ("kind", *SHEET_CHOICES, "law")
     choices = {name: _choice(name, "effects") for name in CHOICES_OF_FILES if name not in elsewhere}
     choices[Traction.name] = _traction()
     own = {"ball": _list({"enum": list(BALL_EFFECTS)}), **choices, **_numbers(EFFECTS, "effects")}
@@ -198,7 +203,7 @@ def _rules() -> list[Schema]:
         either = [{"required": [in_file[each]]} for each in (CHANNELS[channel].load, CHANNELS[channel].displacement)]
         tilts.append({"if": acts, "then": {"anyOf": either}})
     needed = [key.name for key in BEARING if key.field in ("ball_count", "ball_diameter")]
-    own = {"anyOf": [{"required": each} for each in (["name"], [RATINGS[0].name], [*needed, *MATERIALS])]}
+    own = {"anyOf": [{"required": each} for each in (["name"], *_SHEETS, [*needed, *MATERIALS])]}
     one_of = {"anyOf": [_WORD, {"minProperties": 1, "maxProperties": 1}]}
     given = {
         "properties": {

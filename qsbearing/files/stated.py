@@ -19,13 +19,22 @@ from qsbearing.files.bearing_table import changed_keys, designated, kept
 from qsbearing.files.designations import read
 from qsbearing.files.file_keys import reading_keys, reading_tables, set_numbers
 from qsbearing.files.fits import CLASS
-from qsbearing.files.keys import BALL_DEVIATIONS, DIAMETERS, EFFECT_TABLES, MATERIAL, PRINTED, SEAT_FITS
+from qsbearing.files.keys import BALL_DEVIATIONS, DIAMETERS, EFFECT_TABLES, MATERIAL, PRINTED, RATINGS, SEAT_FITS
+from qsbearing.files.sheet_by_name import sheets_by_name
 from qsbearing.files.table_checks import Errors, as_it_is, checked, flattened, material, table_model
+from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.effects import ElasticRings, RingExpansion
 from qsbearing.model.material import STEEL
 
 _BY_GEOMETRY = {"dynamic_load_rating_N": {"rating", "rating_factor"}}
 """Keys beside which a rating is asked for by the geometry, so that it is none of a catalogue."""
+_RATINGS = {key.name for key in RATINGS}
+_RATED = RATINGS[0].name
+_GUESSED = (
+    "Its balls are guessed by proportions, from which lives are up to 8 times off: give dynamic_load_rating_N and "
+    "static_load_rating_N in [bearing], as printed"
+)
+_DIFFER = "Makers rate it differently: write whose it is before the number"
 _FITTED = {"housing_interference_um", "housing_fit"}
 _ELASTIC = tuple(key for key in MATERIAL if key.field in ("elastic_modulus", "poisson_ratio"))
 """What an elastic housing takes of its material."""
@@ -41,10 +50,23 @@ class Stated(NamedTuple):
     """Of the housing, for a ring expansion."""
     elastic: Mapping[str, Any] = _NONE
     """Of the housing, for an elastic outer ring."""
+    unrated: str = ""
+    """Why nothing tells C and C0 of the bearing, a sentence without its end; empty: they are given, or follow from the
+    balls."""
 
     def of_bearing(self, bearing: Any) -> Stated:
         """With the numbers of this table [bearing]."""
-        return self._replace(printed=_printed(bearing))
+        sheets = sheets_by_name(bearing) if isinstance(bearing, dict) else []
+        is_guess = isinstance(bearing, dict) and bearing.get("rating_practice") == RatingPractice.PROPORTIONS
+        is_guess |= any(_RATED not in each for each in sheets)
+        unrated = _DIFFER if len(sheets) > 1 else _GUESSED if is_guess else ""
+        rated = {key: each for key, each in sheets[0].items() if key in _RATINGS} if len(sheets) == 1 else {}
+        return self._replace(printed=_printed(bearing) | rated, unrated=unrated)
+
+    def lacks_rating(self, name: str, table: Mapping[str, Any]) -> bool:
+        """Whether a reading takes C or C0 that nothing tells."""
+        takes = {key for key, printed in printed_keys(name).items() if printed in _RATINGS}
+        return bool(self.unrated and takes and not takes & {*table})
 
     def filled(self, name: str, table: Any) -> Any:
         """The table of an effect or a reading with what it takes of all this."""

@@ -16,6 +16,8 @@ from qsbearing.files.file_keys import find
 from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, Key, named, required_of
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
+from qsbearing.inference.clearance import ClearanceClass
+from qsbearing.inference.data_sheet import RigidityKind, SizeSteps
 from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
@@ -28,6 +30,9 @@ from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence,
 CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
     "kind": BearingKind,
     "rating_practice": RatingPractice,
+    "size_steps": SizeSteps,
+    "pair_rigidity_kind": RigidityKind,
+    "clearance_class": ClearanceClass,
     "moment_shares": MomentShares,
     "law": TractionLaw,
     **CHOICES,

@@ -436,7 +436,14 @@ _ALL = (
     Kind("sheet_not_solved", CHECK, "data_sheet",
          "{unsolved} of the {bearings} bearings that the data sheet allows are not solved, and in no range"),
     Kind("sheet_groove_assumed", NOTE, "data_sheet",
-         "the standards' ratings do not tell the groove radius: f = 0.515 to 0.525 is assumed"),
+         "the ratings do not tell the groove radius: f = {least:.3f} to {most:.3f} is assumed"),
+    Kind("sheet_by_name", NOTE, "data_sheet", "taken from the name alone: {what}"),
+    Kind("sheet_spin_twice", NOTE, "data_sheet",
+         "ball_spin = {printed:g} is read as twice how often a ball turns about itself, {spin:.4g}"),
+    Kind("sheet_guessed", CHECK, "data_sheet",
+         "nobody here knows the ratings of this bearing: its balls are guessed by the proportions of its dimension "
+         "series, for stiffness and pressure with their range, not for a life. C and C0 as printed replace the guess: "
+         "{field} and the static one", field=Field("bearing.dynamic_load_rating")),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
          "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
          "are read so and as those of the bearing's own grooves. Add whose they are, such as {field}",

@@ -21,12 +21,13 @@ from qsbearing.results.tables import digits_of
 from qsbearing.studies.design.compare import main_results
 from qsbearing.studies.results import read
 
-OTHER_NUMBERS = {"pair_rigidity": "rigidity", "ball_count": "Z", "ball_diameter": "D"}
+OTHER_NUMBERS = {"pair_rigidity": "rigidity", "ball_count": "Z", "ball_diameter": "D", "diametral_clearance": "Pd"}
 """By which one more number is called in a heading."""
 OTHER_WORDS = {
     "pair_rigidity": "the axial rigidity of a pair at its preload",
     "ball_count": "the ball count Z",
     "ball_diameter": "the ball diameter D",
+    "diametral_clearance": "the diametral clearance Pd",
 }
 SAME = 1e-9
 """Part of a value below which a range is rounding."""

@@ -14,8 +14,10 @@ import pytest
 
 from qsbearing.files import catalogue
 from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.designations import Designation, iso15, read
+from qsbearing.files.designations import Designation, designation, read
 from qsbearing.files.scene_file import document_of, scene_of
+from qsbearing.files.sheet_by_name import sheets_by_name
+from qsbearing.inference import iso15
 from qsbearing.model.effects.ring_dimensions import ring_dimensions
 from qsbearing.model.units import deg, mm
 from qsbearing.model.validation import SceneError
@@ -71,7 +73,7 @@ def test_a_suffix_on_which_makers_differ_is_asked_about() -> None:
     assert advice in catalogue.nearest("7014")
 
 
-PREFIXES = tomllib.loads((Path(iso15.__file__).parent / "designations.toml").read_text("utf-8"))["prefixes"]
+PREFIXES = tomllib.loads((Path(designation.__file__).parent / "designations.toml").read_text("utf-8"))["prefixes"]
 NUMBERS = (
     "71914", "7014", "7210", "7014C", "7014-C-T-P4S", "7014 CTYNSULP4", "7210 BEP", "7308 BECBP", "7910UCG", "6205",
     "6206-C3", "6308", "6804", "71914-E-T-P4S",
@@ -198,9 +200,10 @@ def scene(**bearing: Any) -> Any:
 
 def test_what_a_designation_lacks_is_asked_for_once() -> None:
     errors: list[Any] = []
-    assert bearing_of({"bearing": {"name": "7014CD"}}, "", errors) is None
+    assert bearing_of({"bearing": {"name": "SKF 7014CE"}}, "", errors) is None
     (error,) = errors
     assert "70 x 110 x 20 mm" in error.cause and "15 deg" in error.cause and "dynamic_load_rating_N" in error.cause
+    assert "light balls" in error.cause, "whose proportions are others"
 
 
 EACH = {
@@ -211,9 +214,13 @@ EACH = {
 
 @pytest.mark.parametrize("name", ["6205", "SKF 6205", "7210 BE", "HSS71914C", "7210"])
 def test_what_is_given_is_not_asked_for(name: str) -> None:
-    """Of every selection of what a bearing needs: what is missing is named, and nothing else."""
+    """Of every selection of what a bearing needs: what is missing is named, and nothing else. Where nothing of a ball
+    set but its count is given, it follows from the name."""
     for taken in (each for size in range(len(EACH)) for each in combinations(EACH, size)):
         given = {key: EACH[key] for key in taken}
+        if sheets_by_name({"name": name, **given}):
+            assert given.keys() <= {"ball_count", "diametral_clearance_mm"}
+            continue
         errors: list[Any] = []
         made = bearing_of({"bearing": {"name": name, **given}}, "", errors)
         lacking = EACH.keys() - given.keys()

@@ -69,7 +69,7 @@ def gmn(rows: Rows, series: str, **others: Any) -> list[Known]:
 def read(name: str) -> list[dict[str, str]]:
     """A table of this folder."""
     with (DATA / f"{name}.csv").open(encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def snfa() -> dict[tuple[str, int], list[Known]]:
@@ -86,3 +86,13 @@ def snfa() -> dict[tuple[str, int], list[Known]]:
                 fields = sheet(float(row["bore_mm"]), float(row["outside_mm"]), angle, *ratings)
                 found[series, angle].append(Known(row["name"], fields, int(float(row["Z"])), diameter))
     return found
+
+
+def snfa_rigidities(known: Known) -> list[tuple[float, float, float]]:
+    """Of series VEB: preload [N], rigidity of a pair [N/m] and half of its last digit; unloading rigidities."""
+    angle = round(known.sheet["free_contact_angle"] / qs.deg)
+    rows = [row for row in read("snfa_veb") if row["size"] == known.name and int(row["angle_deg"]) == angle]
+    unit = 10.0 * qs.N / qs.um
+    return [
+        (10.0 * float(row["preload_daN"]), float(row["pair_rigidity_daN_per_um"]) * unit, 0.05 * unit) for row in rows
+    ]

@@ -1,11 +1,12 @@
-"""How often the list of a data sheet holds the printed ball set: the table of the guide's page.
+"""How often the list of a data sheet holds the printed ball set, and its range the printed rigidity: the table of the
+guide's page, on rows that chose the rules and on rows that judge them.
 
 python -m tests.inference.measured prints it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -13,15 +14,19 @@ import numpy as np
 import qsbearing as qs
 from fem_check.book.published import gmn_rows
 from qsbearing.inference.ball_sets import BallSets
+from qsbearing.inference.data_sheet import RigidityKind
 from qsbearing.inference.practice import FACTORS
 from qsbearing.inference.ratings_fit import ISO_GROOVES, ISO_STEEL, rated
 from qsbearing.inference.rigidity import pair_rigidity
 from qsbearing.readings import Rating, dynamic_load_rating, static_load_rating
-from tests.inference.data_sheets import Known, gmn, snfa
+from tests.inference.data_sheets import Known, gmn, snfa, snfa_rigidities
 
-HEADING = (
-    "| rows, read as | rows | refused | diameter in the list | set in the list | set first | sets listed, median |"
+HEADING = "| rows, read as | rows | refused | wrong list | wrong list of one set | set first | sets listed, median |"
+RIGIDITY_HEADING = (
+    "| rows | printed rigidities | in the range, Z known | range, median | in the range | range, median |"
 )
+Printed = Callable[[Known], Iterable[tuple[float, float, float]]]
+"""Preload [N], rigidity [N/m] and half of its last digit, of a row."""
 
 
 def over_iso(known: Known) -> tuple[float, float]:
@@ -42,70 +47,127 @@ def with_factors_of_the_others(series: list[Known]) -> list[Known]:
     ]
 
 
-def inferred(known: Known) -> qs.InferredBearing | None:
+def inferred(known: Known, **more: Any) -> qs.InferredBearing | None:
     """None where it is refused."""
     try:
-        return qs.infer_bearing(**known.sheet)
+        return qs.infer_bearing(**known.sheet, **more)
     except qs.SceneError:
         return None
 
 
+class Shares:
+    """What becomes of rows."""
+
+    def __init__(self, rows: Iterable[Known]) -> None:
+        found = [(known, inferred(known)) for known in rows]
+        lists = [(known.place(each), int(each.set_number[-1]) + 1) for known, each in found if each is not None]
+        self.rows = len(found)
+        self.refused = len(found) - len(lists)
+        self.wrong = sum(place < 0 for place, _ in lists)
+        self.wrong_of_one = sum(place < 0 and sets == 1 for place, sets in lists)
+        self.first = sum(place == 0 for place, _ in lists)
+        self.median = float(np.median([sets for _, sets in lists])) if lists else None
+
+
 def row(name: str, rows: Iterable[Known]) -> str:
     """A line of the table."""
-    found = [(known, inferred(known)) for known in rows]
-    lists = [(known, each) for known, each in found if each is not None]
-    places = [known.place(each) for known, each in lists]
-    counts = [
-        len(found) - len(lists),
-        sum(bool(known.has_diameter(each).any()) for known, each in lists),
-        sum(place >= 0 for place in places),
-        sum(place == 0 for place in places),
-    ]
-    shares = [f"{100.0 * count / len(found):.0f} %" for count in counts]
-    median = f"{np.median([each.set_number[-1] + 1 for _, each in lists]):g}" if lists else "-"
-    return f"| {' | '.join([name, str(len(found)), *shares, median])} |"
+    of = Shares(rows)
+    shares = [f"{100.0 * each / of.rows:.0f} %" for each in (of.refused, of.wrong, of.wrong_of_one, of.first)]
+    median = "-" if of.median is None else f"{of.median:g}"
+    return f"| {' | '.join([name, str(of.rows), *shares, median])} |"
 
 
-def table() -> list[str]:
-    """Its lines."""
-    rows = gmn_rows()
-    light = [known for angle in (17.0, 25.0) for known in with_factors_of_the_others(_of_angle(gmn(rows, "KH"), angle))]
-    others = [known for series in snfa().values() for known in with_factors_of_the_others(series)]
+def own_grooves(begin: str) -> list[Known]:
+    """GMN's series S 619, or its others, S 62 and the small sizes."""
     return [
-        HEADING,
-        "|---|---|---|---|---|---|---|",
-        row("GMN, series S; own grooves", gmn(rows, "S ", maker="GMN")),
-        row("GMN, series S; ISO as printed", gmn(rows, "S ", rating_practice="iso")),
-        row("GMN, series S; nothing stated", gmn(rows, "S ")),
-        row("GMN, series KH of light balls; nothing stated", gmn(rows, "KH")),
-        row("GMN, series KH of light balls; own grooves", gmn(rows, "KH", maker="GMN")),
-        row("GMN, series KH of light balls; factors of the series", light),
-        row("SNFA; nothing stated", [known for series in snfa().values() for known in series]),
-        row("SNFA; factors of the series", others),
+        known for known in gmn(gmn_rows(), "S ", maker="GMN") if known.name.startswith("S 619") == (begin == "S 619")
     ]
+
+
+def light() -> list[Known]:
+    """GMN's KH with the factors of its other rows."""
+    return [
+        known for angle in (17.0, 25.0) for known in with_factors_of_the_others(_of_angle(gmn(gmn_rows(), "KH"), angle))
+    ]
+
+
+def by_factors(*series: str) -> list[Known]:
+    """SNFA's with the factors of their other rows."""
+    return [each for (name, _), known in snfa().items() if name in series for each in with_factors_of_the_others(known)]
 
 
 def _of_angle(rows: list[Known], angle: float) -> list[Known]:
     return [known for known in rows if np.isclose(known.sheet["free_contact_angle"], angle * qs.deg)]
 
 
-def stiffness_shares() -> tuple[float, ...]:
-    """Of GMN's series S: how often the true rigidity of a pair at light, medium and heavy preload is in the range."""
-    inside = []
+def _unstated(rows: Iterable[Known]) -> list[Known]:
+    return [known._replace(sheet={key: each for key, each in known.sheet.items() if key != "maker"}) for known in rows]
+
+
+def table() -> list[str]:
+    """Its lines; those below "judge" chose nothing."""
+    others = [known for rows in snfa().values() for known in rows]
+    return [
+        HEADING,
+        "|---|---|---|---|---|---|---|",
+        row("*chose:* GMN S 619; own grooves", own_grooves("S 619")),
+        row("GMN S 619; nothing stated", _unstated(own_grooves("S 619"))),
+        row("GMN KH, light balls; factors of the series", light()),
+        row("GMN KH, light balls; own grooves", gmn(gmn_rows(), "KH", maker="GMN")),
+        row("*judge:* GMN S 62; own grooves", own_grooves("S 62")),
+        row("GMN S 62; nothing stated", _unstated(own_grooves("S 62"))),
+        row("SNFA SEA; factors of the series", by_factors("SEA")),
+        row("SNFA SEB; likewise", by_factors("SEB")),
+        row("SNFA EX; likewise", by_factors("EX")),
+        row("SNFA VEB, light balls; likewise", by_factors("VEB")),
+        row("**all that judge, read as stated**", judges()),
+        row("SNFA, all; nothing stated", others),
+        row("SNFA VEX, two series of one name; factors", by_factors("VEX")),
+    ]
+
+
+def judges() -> list[Known]:
+    """The rows by which the rules are judged."""
+    return own_grooves("S 62") + by_factors("SEA", "SEB", "EX", "VEB")
+
+
+def gmn_rigidities(known: Known) -> list[tuple[float, float, float]]:
+    """At light, medium and heavy preload."""
     rows: dict[str, Any] = {each["name"]: each for each in gmn_rows()}
-    for known in gmn(gmn_rows(), "S ", maker="GMN"):
-        printed = rows[known.name]
-        groove = printed["inferred_f"] * known.ball_diameter
-        lengths = known.ball_diameter, printed["dm_mm"] * qs.mm, groove, groove
-        true = qs.BallBearing(known.ball_count, *lengths, known.sheet["free_contact_angle"])
-        listed = qs.infer_bearing(**known.sheet)
-        preloads = [printed[f"Fv{size}"] for size in "LMS"]
-        ranges = [listed.range_of(pair_rigidity(listed.bearing, preload)) for preload in preloads]
-        found = pair_rigidity(true, np.array(preloads))
-        inside.append([each.least <= own <= each.most for each, own in zip(ranges, found, strict=True)])
-    return tuple(np.mean(inside, axis=0))
+    printed = rows[known.name]
+    return [(printed[f"Fv{size}"], printed[f"Cax{size}"] * qs.N / qs.um, 0.5 * qs.N / qs.um) for size in "LMS"]
+
+
+def coverage(rows: Iterable[Known], printed: Printed, kind: RigidityKind, counted: bool) -> tuple[int, float, float]:
+    """Of how many printed rigidities; the share within the range; the range over the printed one, median."""
+    inside, widths = [], []
+    for known in rows:
+        listed = inferred(known, **({"ball_count": known.ball_count} if counted else {}))
+        for preload, rigidity, last_digit in printed(known) if listed is not None else ():
+            assert listed is not None
+            between = listed.range_of(pair_rigidity(listed.bearing, preload, kind))
+            inside.append(between.least - last_digit <= rigidity <= between.most + last_digit)
+            widths.append(between.width / rigidity)
+    return len(inside), float(np.mean(inside)), float(np.median(widths))
+
+
+RIGIDITIES: dict[str, tuple[Callable[[], list[Known]], Printed, RigidityKind]] = {
+    "*chose:* GMN S 619": (lambda: own_grooves("S 619"), gmn_rigidities, RigidityKind.TANGENT),
+    "GMN KH": (light, gmn_rigidities, RigidityKind.TANGENT),
+    "*judge:* GMN S 62": (lambda: own_grooves("S 62"), gmn_rigidities, RigidityKind.TANGENT),
+    "SNFA VEB": (lambda: by_factors("VEB"), snfa_rigidities, RigidityKind.UNLOADING),
+}
+
+
+def rigidity_table() -> list[str]:
+    """Printed rigidities and the range of the list."""
+    lines = [RIGIDITY_HEADING, "|---|---|---|---|---|---|"]
+    for name, (rows, printed, kind) in RIGIDITIES.items():
+        (count, *known), (_, *unknown) = (coverage(rows(), printed, kind, counted) for counted in (True, False))
+        shares = " | ".join(f"{100.0 * each:.0f} %" for each in (*known, *unknown))
+        lines.append(f"| {name} | {count} | {shares} |")
+    return lines
 
 
 if __name__ == "__main__":
-    print("\n".join(table()))
-    print("true rigidity within the range, light, medium, heavy preload:", stiffness_shares())
+    print("\n".join([*table(), "", *rigidity_table()]))

@@ -2,14 +2,51 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from qsbearing.inference.data_sheet import RigidityKind
+from qsbearing.inference.proportions import OF_40_DEGREES, PROPORTIONS
 from tests.guide.pages import GUIDE
-from tests.inference.measured import stiffness_shares, table
+from tests.inference.measured import Shares, coverage, gmn_rigidities, judges, own_grooves, rigidity_table, table
+from tests.inference.measured_proportions import JUDGES, measured
+from tests.inference.measured_proportions import coverage as coverage_of_guess
+from tests.inference.measured_proportions import table as proportions_table
 
 
 @pytest.mark.heavy
-def test_the_measured_table_is_that_of_the_guide() -> None:
+def test_the_measured_tables_are_those_of_the_guide() -> None:
     page = (GUIDE / "data_sheet.md").read_text(encoding="utf-8")
     assert "\n".join(table()) in page
-    assert min(stiffness_shares()) >= 0.9
+    assert "\n".join(rigidity_table()) in page
+    assert "\n".join(proportions_table()) in page
+
+
+def test_wrong_lists_are_few_on_rows_that_chose_no_rule() -> None:
+    """All four wrong lists of one set are of EX 17 and EX 25, whose C is 15 % below that of their series."""
+    of = Shares(judges())
+    assert of.wrong <= 0.05 * of.rows
+    assert of.wrong_of_one <= 4
+
+
+def test_the_range_holds_the_printed_rigidity_of_rows_that_chose_no_rule() -> None:
+    count, inside, width = coverage(own_grooves("S 62"), gmn_rigidities, RigidityKind.TANGENT, counted=True)
+    assert count >= 90 and inside >= 0.93
+    assert width < 0.15, "a range of everything is no answer"
+
+
+def test_proportions_are_those_of_the_sets_that_they_come_from() -> None:
+    """To the last digit that is stated."""
+    stated = {f"{kind} {series}": of for (kind, series), of in PROPORTIONS.items()} | {"40 degrees": OF_40_DEGREES}
+    found = measured()
+    assert set(stated) == set(found)
+    for name, of in stated.items():
+        assert np.asarray(of) == pytest.approx(np.asarray(found[name]), abs=0.0006), name
+
+
+def test_guessed_balls_have_the_stiffness_of_printed_ones_in_the_range() -> None:
+    """Of rows that chose no proportions."""
+    for name in JUDGES:
+        _, inside, width, _ = coverage_of_guess(name)
+        assert inside >= 0.8, name
+        assert width < 0.2, "a range of everything is no answer"

@@ -25,6 +25,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import Callout, Section
 from qsbearing.files.file_keys import IN_FILE
+from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.inference import infer
@@ -218,9 +219,14 @@ def of_a_data_sheet() -> tuple[Any, ...]:
         patched.setattr(infer, "MOST_LISTED", 2)
         sheet = deep_groove(25, 52, 14000, 7850)
         one, other = qs.infer_bearing(**sheet), qs.infer_bearing(**sheet, maker="NSK")
+        size = {key: each for key, each in sheet.items() if not key.endswith("_rating")}
+        guessed = qs.infer_bearing(**size, rating_practice="proportions")
+        spinning = qs.infer_bearing(**size, outer_ball_pass=3.578, inner_ball_pass=5.422, ball_spin=4.677)
+    by_name = scene_of({"bearing": {"name": "SKF 6205"}, "operation": {"axial_load_N": 1.0}}, "", may_infer=True)
     angular = replace(other.bearing, kind="angular_contact", inferred=other)
     unsolved = inferred.said(qs.solve(resting(angular, axial_load=-10.0)))
-    return (*one.remarks, *other.remarks, *(each.said() for each in unsolved))
+    lists = (one, other, guessed, spinning, by_name.bearing.inferred)
+    return (*(each for found in lists for each in found.remarks), *(each.said() for each in unsolved))
 
 
 @pytest.fixture(scope="module")
@@ -257,7 +263,7 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
 WORDS = (IN_FILE, PYTHON, ON_PAGE)
 ADDED = (
     "effects_missing", "effect_data_missing", "life_grooves_uncovered", "speed_rating_unknown",
-    "sheet_ratings_unstated", "hypotheses_differ", "rows_press",
+    "sheet_ratings_unstated", "hypotheses_differ", "rows_press", "sheet_guessed",
 )  # fmt: skip
 """Remarks that say what to give or to do."""
 

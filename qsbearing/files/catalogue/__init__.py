@@ -121,7 +121,8 @@ def _told(told: Designation, lacking: Set[str]) -> str:
     """What a designation says, and what it needs besides."""
     same = [entry for entry in _of_size(told) if not entry.name.startswith("KH")]
     angle = f" and {told.angle:g} deg" if told.angle else ""
-    begun = f"It is {told.size}{angle}"
+    light = " of a series of light balls" if told.is_light else ""
+    begun = f"It is {told.size}{angle}{light}"
     unknown = (
         "" if told.is_prefix_known else f" Its prefix {told.prefix} is not known of such bearings, and is not used."
     )

@@ -13,7 +13,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.designations.iso15 import table
+from qsbearing.inference.iso15 import table
 
 LONGEST = 60
 """Letters of a text that may be a designation."""
@@ -21,7 +21,8 @@ _BORES = {"00": 10.0, "01": 12.0, "02": 15.0, "03": 17.0}
 _PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)", re.ASCII)
 _SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?", re.ASCII)
 _TOLERANCE = re.compile(r"P4[ASY]?|P[256](?!\d)|ABEC-?[13579]")
-_CERAMIC = re.compile(r"\bHC\b|SN24|\bHYBRID\b")
+_CLEARANCE = re.compile(r"(?<!H)C[2-5](?!\d)|(?<![A-Z0-9])CN(?![A-Z0-9])")
+_CERAMIC = re.compile(r"\bHC5?(?![A-BD-Z0-9])|SN24|\bHYBRID\b")
 _PLAIN = ("", "S", "KH", "HYS", "HYKH")
 """Prefixes of the catalogue's spindle bearings."""
 _SET = re.compile(r"(D[BFTGU]|[SU]U|U[AD]|T[BFTGU]T?|Q[BFTGU]C?|DD|FF|U)(EL|[A-DLMHSF])?(?![A-Z])")
@@ -62,6 +63,12 @@ class Designation:
     preload: str = ""
     """light, medium or heavy, of a set; empty: not told."""
     tolerance_class: str = ""
+    clearance_class: str = ""
+    """Of a deep-groove bearing: C2 to C5; empty: not told, which is the normal class."""
+    letters: str = ""
+    """Those that tell the angle: UC, ACD."""
+    is_light: bool = False
+    """Whether it is of a series that is known for balls smaller than the usual."""
     ignored: str = ""
     """What is left: cage, seals, lubrication, as it is written."""
     is_plain: bool = False
@@ -99,6 +106,7 @@ class Designation:
             self.arrangement and f"set {self.arrangement}: one row is described, [[rows]] makes a set",
             self.preload and f'preload class: write preload = "{self.preload}" or [preload]',
             self.tolerance_class and f"{self.tolerance_class}, except for fits by name",
+            self.clearance_class and f"{self.clearance_class}, without clearance_class",
             self.ignored,
         ]
         return "; ".join(part for part in parts if part)
@@ -161,9 +169,12 @@ def _completed(
     rest = rest.lstrip("-/")
     angle: float | None = None
     angles: tuple[tuple[str, float], ...] = ()
-    suffix = ""
+    suffix = letters = ""
     if kind == "angular_contact":
+        letters = rest
         maker, angle, angles, suffix, rest = _angle(maker, prefix, rest)
+        letters = "" if angle is None else letters[: len(letters) - len(rest)].rstrip("-/")
+    clearance, rest = _taken(_CLEARANCE, rest) if kind == "deep_groove" else (None, rest)
     tolerance, rest = _taken(_TOLERANCE, rest)
     as_set, rest = _taken(_SET, rest)
     arrangement, preload = (as_set[1], as_set[2] or "") if as_set else ("", "")
@@ -179,6 +190,8 @@ def _completed(
         text, maker=maker, prefix=prefix, is_prefix_known=is_known, suffix=suffix,
         series=series, dimension_series=dimension_series, kind=kind, bore=bore,
         outside=outside, width=width, angle=angle, angles=angles, ball_material="silicon nitride" * is_ceramic,
+        clearance_class=clearance[0] if clearance else "", letters=letters,
+        is_light=bool({prefix, letters, series} & {*facts["light"].get(maker, ())} - {""}),
         arrangement=arrangement, preload=meant.pop() if len(meant) == 1 else "",
         tolerance_class=tolerance[0].replace("-", "") if tolerance else "", ignored=ignored,
         is_plain=maker in ("", "GMN") and prefix in _PLAIN and ignored in ("", "TA"),

@@ -29,3 +29,11 @@ def width(bore: float, outside: float) -> float | None:
     """
     widths = [size[1] for (series, d), size in table().items() if (d, size[0]) == (bore, outside) and series != "00"]
     return widths[0] if widths else None
+
+
+@lru_cache(1000)
+def series_of(bore: float, outside: float) -> str:
+    """The dimension series of this bore and outside diameter [mm], "10" where it may be 00 too; empty: of none."""
+    pair = round(bore, 6), round(outside, 6)
+    series = [name for (name, d), size in table().items() if (d, size[0]) == pair and name != "00"]
+    return series[0] if series else ""
