@@ -23,7 +23,7 @@ SENTENCES = {
     "arguments_missing": "give [readings.{reading}] what it is computed from{missing}",
     "not_solved": "a case has no solution",
     "no_number": "it has no number here",
-    "estimate": "{what} {is_are} not in the model and may change {quantity} by {percent} %, more than is to spare",
+    "estimate": "{what} it would be {found}{unit}",
 }
 """Why a limit is open, by `limit.OPEN`."""
 COLOURS = {State.MET: "pass", State.NOT_MET: "fail", State.OPEN: "finding"}
@@ -58,8 +58,9 @@ def required_answers(solution: Solution | SetSolution, readings: Any) -> list[An
     if not asked(solution).require:
         return []
     from qsbearing.files.require_table import required_limits
+    from qsbearing.results.open_by_estimate import with_estimates
 
-    return answers(solution, required_limits(solution), readings)
+    return with_estimates(answers(solution, required_limits(solution), readings), solution, readings)
 
 
 def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> Answered:
@@ -115,14 +116,16 @@ def whose(answer: Answer) -> str:
 
 def verdict(answer: Answer) -> str:
     """The answer, with how much of the limit there is to spare."""
-    if math.isnan(answer.value) or answer.state is State.OPEN:
-        return str(answer.state)
-    if answer.state is State.MET and answer.spare < MET:
-        return "met, nothing to spare"
+    if answer.state is State.OPEN:
+        is_met = answer.reason is not None and answer.reason.code == "estimate"
+        return f"open, {_spare(answer)} to spare" if is_met else "open"
     if not abs(answer.spare) <= FAR:
         return f"{answer.state}, by far"
-    part = f"{plain(100.0 * abs(answer.spare), '.2g')} %"
-    return f"met, {part} to spare" if answer.state is State.MET else f"not met, {part} beyond"
+    return f"met, {_spare(answer)} to spare" if answer.state is State.MET else f"not met, {_spare(answer)} beyond"
+
+
+def _spare(answer: Answer) -> str:
+    return "nothing" if abs(answer.spare) < MET else f"{plain(100.0 * abs(answer.spare), '.2g')} %"
 
 
 FAR = 1.0
@@ -137,7 +140,26 @@ def why_open(answer: Answer, solution: Any) -> str:
     values = dict(reason.values)
     if reason.code == "arguments_missing":
         values["missing"] = _missing(reason, solution)
+    if reason.code == "estimate":
+        values = _estimated(answer, values)
     return SENTENCES[reason.code].format_map(values)
+
+
+def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
+    """What it would be with an effect that is left out, or by another hypothesis."""
+    from qsbearing.model.effects import EFFECTS
+
+    entry = next(each for each in EFFECTS if each.name == values["effect"])
+    is_choice = entry.switch.members is not None
+    under = f" ({values['under']})" if values["under"] else ""
+    what = f"by another {entry.name.replace('_', ' ')}{under}" if is_choice else ""
+    what = what or f"with {entry.what}{under}, which is left out,"
+    unit = printed_unit(answer.limit.unit)
+    return {
+        "what": what,
+        "found": numbers_of(answer._replace(value=values["found"]))[0],
+        "unit": f" {unit}" if unit else "",
+    }
 
 
 def _missing(reason: Reason, solution: Any) -> str:
@@ -158,7 +180,9 @@ def headline(required: Sequence[Answer]) -> str:
     count = {state: sum(each.state is state for each in required) for state in State}
     met = f"{count[State.MET]} of {len(required)} requirements met"
     if count[State.MET] == len(required):
-        met = "The requirement is met" if len(required) == 1 else f"All {len(required)} requirements are met"
+        met = {1: "The requirement is met", 2: "Both requirements are met"}.get(
+            len(required), f"All {len(required)} requirements are met"
+        )
     others = [f"{count[State.NOT_MET]} not met"] if count[State.NOT_MET] else []
     others += [f"{count[State.OPEN]} open"] if count[State.OPEN] else []
     return "; ".join([met, *others]) + "."
