@@ -15,7 +15,7 @@ import numpy as np
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.changes import Change, asked, changes, known_changes, rows_of
 from qsbearing.model.solution.judgement import judge
-from qsbearing.model.solution.limit import Answer, Reason, State, answers
+from qsbearing.model.solution.limit import Answer, Standing, WhyOpen, answers
 from qsbearing.remarks.missing_effects import MOST_CASES
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.remarks import every_remark
@@ -29,7 +29,7 @@ def with_estimates(given: Sequence[Answer], solution: Any, readings: Any) -> lis
     Args:
         readings: as `readings_record.all_taken` gives them.
     """
-    met = [each for each in given if each.state is State.MET]
+    met = [each for each in given if each.state is Standing.MET]
     if not met or not np.all(solution.converged) or np.prod(solution.shape) > MOST_CASES:
         return list(given)
     every_remark(solution, readings)  # which solves what matters most
@@ -63,9 +63,9 @@ def _otherwise(solution: Any, met: Sequence[Answer]) -> Iterator[tuple[str, Answ
 
 
 def _judged(given: Answer, otherwise: Iterable[tuple[str, Answer, Change]]) -> Answer:
-    missed = [each for each in otherwise if each[1].state is State.NOT_MET]
-    if given.state is not State.MET or not missed:
+    missed = [each for each in otherwise if each[1].state is Standing.NOT_MET]
+    if given.state is not Standing.MET or not missed:
         return given
     name, worst, change = min(missed, key=lambda each: each[1].spare)
     values = {"effect": name, "under": change.under, "found": worst.value}
-    return given._replace(state=State.OPEN, reason=Reason("estimate", values))
+    return given._replace(state=Standing.OPEN, reason=WhyOpen("estimate", values))

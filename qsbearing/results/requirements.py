@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.changes import asked
-from qsbearing.model.solution.limit import MET, Answer, Limit, Reason, State, answers
+from qsbearing.model.solution.limit import MET, Answer, Limit, Standing, WhyOpen, answers
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.remarks.wording import listed
 from qsbearing.results.built_in_limits import WITHOUT_LIMIT, built_in_answers, not_checked
@@ -26,7 +26,7 @@ SENTENCES = {
     "estimate": "{what} it would be {found}{unit}",
 }
 """Why a limit is open, by `limit.OPEN`."""
-COLOURS = {State.MET: "pass", State.NOT_MET: "fail", State.OPEN: "finding"}
+COLOURS = {Standing.MET: "pass", Standing.NOT_MET: "fail", Standing.OPEN: "finding"}
 DIGITS = range(4, 12)
 
 
@@ -41,7 +41,7 @@ class Answered(NamedTuple):
     @property
     def is_missed(self) -> bool:
         """Whether a requirement is not met."""
-        return any(each.state is State.NOT_MET for each in self.required)
+        return any(each.state is Standing.NOT_MET for each in self.required)
 
     @property
     def not_checked(self) -> dict[str, str]:
@@ -116,12 +116,12 @@ def whose(answer: Answer) -> str:
 
 def verdict(answer: Answer) -> str:
     """The answer, with how much of the limit there is to spare."""
-    if answer.state is State.OPEN:
+    if answer.state is Standing.OPEN:
         is_met = answer.reason is not None and answer.reason.code == "estimate"
         return f"open, {_spare(answer)} to spare" if is_met else "open"
     if not abs(answer.spare) <= FAR:
         return f"{answer.state}, by far"
-    return f"met, {_spare(answer)} to spare" if answer.state is State.MET else f"not met, {_spare(answer)} beyond"
+    return f"met, {_spare(answer)} to spare" if answer.state is Standing.MET else f"not met, {_spare(answer)} beyond"
 
 
 def _spare(answer: Answer) -> str:
@@ -162,7 +162,7 @@ def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
     }
 
 
-def _missing(reason: Reason, solution: Any) -> str:
+def _missing(reason: WhyOpen, solution: Any) -> str:
     """Which arguments a reading lacks, by their keys."""
     from qsbearing.files.file_errors import translate
     from qsbearing.readings.asked import LUBRICANT, asked_errors
@@ -177,14 +177,14 @@ def _missing(reason: Reason, solution: Any) -> str:
 
 def headline(required: Sequence[Answer]) -> str:
     """How many are met, in a sentence."""
-    count = {state: sum(each.state is state for each in required) for state in State}
-    met = f"{count[State.MET]} of {len(required)} requirements met"
-    if count[State.MET] == len(required):
+    count = {state: sum(each.state is state for each in required) for state in Standing}
+    met = f"{count[Standing.MET]} of {len(required)} requirements met"
+    if count[Standing.MET] == len(required):
         met = {1: "The requirement is met", 2: "Both requirements are met"}.get(
             len(required), f"All {len(required)} requirements are met"
         )
-    others = [f"{count[State.NOT_MET]} not met"] if count[State.NOT_MET] else []
-    others += [f"{count[State.OPEN]} open"] if count[State.OPEN] else []
+    others = [f"{count[Standing.NOT_MET]} not met"] if count[Standing.NOT_MET] else []
+    others += [f"{count[Standing.OPEN]} open"] if count[Standing.OPEN] else []
     return "; ".join([met, *others]) + "."
 
 

@@ -11,7 +11,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.solution.limit import Answer, State
+from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.pictures import margins as picture
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
@@ -37,7 +37,7 @@ def named(solution: qs.Solution) -> dict[str, Answer]:
 
 def with_value(answer: Answer, value: float) -> Answer:
     """The same, had it been this number."""
-    return answer._replace(value=value, state=State.NOT_MET if value > answer.bound else State.MET)
+    return answer._replace(value=value, state=Standing.NOT_MET if value > answer.bound else Standing.MET)
 
 
 def test_each_limit_is_compared_with_its_number() -> None:

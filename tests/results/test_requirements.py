@@ -25,7 +25,7 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.scene.requirement import Requirement
-from qsbearing.model.solution.limit import MET, Answer, State, answers
+from qsbearing.model.solution.limit import MET, Answer, Standing, answers
 from qsbearing.results.built_in_limits import BUILT_IN
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.requirements import answered, headline, required_answers, verdict, whose
@@ -69,8 +69,8 @@ def test_the_worst_ball_and_raceway_count_and_are_named() -> None:
     inner, outer = solution.inner.max_pressure / 1e6, solution.outer.max_pressure / 1e6
     assert both.value == pytest.approx(inner.max(), rel=1e-12) and inner.max() > outer.max()
     assert (both.worst.raceway, both.worst.ball) == ("inner", int(inner.argmax()))
-    assert both.margin == pytest.approx(1700.0 - inner.max()) and both.state is State.MET
-    assert one.value == pytest.approx(outer.min(), rel=1e-12) and one.state is State.NOT_MET
+    assert both.margin == pytest.approx(1700.0 - inner.max()) and both.state is Standing.MET
+    assert one.value == pytest.approx(outer.min(), rel=1e-12) and one.state is Standing.NOT_MET
     assert one.worst.ball == int(outer.argmin()) and "outer raceway" in whose(one)
     assert one.worst.azimuth_deg == pytest.approx(math.degrees(solution.azimuth[one.worst.ball]))
 
@@ -97,13 +97,13 @@ def test_signed_results_count_by_their_size_but_for_negative_limits() -> None:
     size, algebraic, moves, moves_algebraically = given
     moment, y = solution.gyroscopic_moment * 1e3, solution.displacement[1] * 1e6
     assert (moment < 0.0).all() and y < -0.5
-    assert size.value == pytest.approx(np.abs(moment).max()) and size.state is State.NOT_MET
+    assert size.value == pytest.approx(np.abs(moment).max()) and size.state is Standing.NOT_MET
     assert size.limit.is_of_sizes and not algebraic.limit.is_of_sizes
-    assert algebraic.value == pytest.approx(moment.max()) and algebraic.state is State.MET
-    assert moves.value == pytest.approx(-y) and moves.state is State.NOT_MET
-    assert moves_algebraically.value == pytest.approx(y) and moves_algebraically.state is State.MET
+    assert algebraic.value == pytest.approx(moment.max()) and algebraic.state is Standing.MET
+    assert moves.value == pytest.approx(-y) and moves.state is Standing.NOT_MET
+    assert moves_algebraically.value == pytest.approx(y) and moves_algebraically.state is Standing.MET
     least, most = asked(SCENE, {"displacement_radial_y_um": {"least": -9, "most": 0.5}}, operation=LOADED | moved)[1]
-    assert least.value == most.value == pytest.approx(y) and {least.state, most.state} == {State.MET}
+    assert least.value == most.value == pytest.approx(y) and {least.state, most.state} == {Standing.MET}
     smallest = only(SCENE, {"gyroscopic_moment": ">= 10"}, operation=LOADED | moved)
     assert smallest.value == pytest.approx(np.abs(moment).min())
 
@@ -111,15 +111,20 @@ def test_signed_results_count_by_their_size_but_for_negative_limits() -> None:
 def test_a_limit_that_is_reached_is_met() -> None:
     value = only(SCENE, {"effective_stiffness_axial": ">= 1"}).value
     for sense, factor, state in (
-        (">=", 1.0, State.MET), ("<=", 1.0, State.MET), (">=", 1.0 + 0.5 * MET, State.MET),
-        (">=", 1.0 + 2.0 * MET, State.NOT_MET), ("<=", 1.0 - 2.0 * MET, State.NOT_MET),
+        (">=", 1.0, Standing.MET), ("<=", 1.0, Standing.MET), (">=", 1.0 + 0.5 * MET, Standing.MET),
+        (">=", 1.0 + 2.0 * MET, Standing.NOT_MET), ("<=", 1.0 - 2.0 * MET, Standing.NOT_MET),
     ):  # fmt: skip
         assert only(SCENE, {"effective_stiffness_axial": f"{sense} {value * factor!r}"}).state is state, (sense, factor)
 
 
 def test_two_ends_are_two_limits() -> None:
     least, most = asked(SCENE, {"effective_stiffness_axial": {"least": 45, "most": 60, "source": "customer"}})[1]
-    assert (least.limit.sense, least.state, most.limit.sense, most.state) == (">=", State.NOT_MET, "<=", State.MET)
+    assert (least.limit.sense, least.state, most.limit.sense, most.state) == (
+        ">=",
+        Standing.NOT_MET,
+        "<=",
+        Standing.MET,
+    )
     assert least.limit.source == most.limit.source == "customer"
 
 
@@ -127,17 +132,17 @@ def test_what_cannot_be_judged_is_open() -> None:
     """Arguments missing, not called for, no number, no solution."""
     require = {"film.film_parameter": ">= 1", "inner_ring.seat_pressure_MPa": ">= 1", "life.basic_duration_h": ">= 1"}
     solution, (film, seat, life) = asked(SCENE, require)
-    assert [each.state for each in (film, seat, life)] == [State.OPEN, State.OPEN, State.MET]
+    assert [each.state for each in (film, seat, life)] == [Standing.OPEN, Standing.OPEN, Standing.MET]
     assert film.reason is not None and film.reason.code == "arguments_missing"
     assert seat.reason is not None and seat.reason.code == "not_called_for"
     record = whole_record(solution, all_taken(solution))["requirements"]
     assert "needs an oil" in record[0]["text"] and record[0]["found"] is None
     held = {key: value for key, value in LOADED.items() if key != "axial_load_N"} | {"axial_displacement_um": 10}
     stiff = only(SCENE, {"effective_stiffness_axial": ">= 1"}, operation=held)
-    assert stiff.state is State.OPEN and stiff.reason is not None and stiff.reason.code == "no_number"
+    assert stiff.state is Standing.OPEN and stiff.reason is not None and stiff.reason.code == "no_number"
     falls = {"axial_load_N": 100, "radial_load_y_N": 1e7, "tilt_y_mrad": 0, "tilt_z_mrad": 0}
     lost = only(SCENE, {"max_pressure": "<= 1"}, operation=falls)
-    assert lost.state is State.OPEN and lost.reason is not None and lost.reason.code == "not_solved"
+    assert lost.state is Standing.OPEN and lost.reason is not None and lost.reason.code == "not_solved"
 
 
 def test_a_name_of_a_reading_asks_for_it() -> None:
@@ -174,7 +179,7 @@ def test_what_an_effect_left_out_would_use_up_is_open() -> None:
     stiff = {"effective_stiffness_axial": ">= 40.5"}
     solution, (as_it_stands,) = asked(SCENE, stiff)
     (answer,) = required_answers(solution, all_taken(solution))
-    assert as_it_stands.state is State.MET and answer.state is State.OPEN and answer.value == as_it_stands.value
+    assert as_it_stands.state is Standing.MET and answer.state is Standing.OPEN and answer.value == as_it_stands.value
     assert answer.reason is not None and answer.reason.code == "estimate"
     effect, found = answer.reason.values["effect"], answer.reason.values["found"]
     assert effect == "elastic_rings" and 0.5 * answer.value < found < 40.5
@@ -182,7 +187,7 @@ def test_what_an_effect_left_out_would_use_up_is_open() -> None:
     record = whole_record(solution, all_taken(solution))["requirements"][0]
     assert record["text"] == f"with the deflection of the rings (free), which is left out, it would be {found:.4g} N/µm"
     far = solve_any(made(SCENE, {"effective_stiffness_axial": ">= 20", "displacement_radial_y_um": "<= 0.1"}))
-    assert [each.state for each in required_answers(far, all_taken(far))] == [State.MET, State.NOT_MET]
+    assert [each.state for each in required_answers(far, all_taken(far))] == [Standing.MET, Standing.NOT_MET]
 
 
 def test_what_remarks_do_not_try_counts_where_little_is_to_spare() -> None:
@@ -197,7 +202,7 @@ def test_what_remarks_do_not_try_counts_where_little_is_to_spare() -> None:
     bound = {"inner.max_pressure_MPa": f"{sense} {0.5 * (exact + value)!r}"}
     solution = solve_any(made(cold, bound, **still))
     (answer,) = required_answers(solution, all_taken(solution))
-    assert answer.state is State.OPEN and answer.reason is not None
+    assert answer.state is Standing.OPEN and answer.reason is not None
     assert answer.reason.values["effect"] == "hertz_form"
 
 
@@ -254,7 +259,7 @@ def test_python_takes_the_table_and_says_what_is_wrong_with_it() -> None:
     bearing = qs.load_scene("B218").bearing
     scene = qs.Scene(bearing, qs.Operation(axial_load=1e3), require={"inner.max_pressure_MPa": "<= 1700"})  # type: ignore[arg-type]
     assert scene.require == (Requirement("inner.max_pressure_MPa", "<=", 1700.0),)
-    assert required_answers(qs.solve(scene), {})[0].state is State.MET
+    assert required_answers(qs.solve(scene), {})[0].state is Standing.MET
     with pytest.raises(qs.SceneError, match="has no sense"):
         qs.Scene(bearing, require={"inner.max_pressure_MPa": 1700})  # type: ignore[arg-type]
     wrong = qs.Scene(bearing, qs.Operation(axial_load=1e3), require={"presure": "<= 1"})  # type: ignore[arg-type]
