@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.scene_file import scene_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.pictures import margins as picture
@@ -63,6 +64,28 @@ def test_a_contact_at_the_shoulder_uses_all_of_its_limit() -> None:
     part = float(take_asked(solution)["overrun"].inner.overrun_load[0] / solution.inner.load[0])
     used = of(scene.operation, readings=asked)["inner contact to groove edge"].used
     assert used == pytest.approx(part ** (-1.0 / 3.0), rel=1e-9)
+
+
+def test_ring_stress_is_that_of_the_worst_state() -> None:
+    """With the largest interference that a named fit allows; of warm rings on a fit without a name, at rest."""
+    tables: dict[str, Any] = {
+        "bearing": {"name": "7210C"},
+        "operation": {"speed_rpm": 3000, "axial_load_N": 500},
+        "effects": {"ring_expansion": {"shaft_fit": "k5"}},
+    }
+    solution = qs.solve(scene_of(tables, ""))
+    rings = solution.scene.ring_expansion
+    assert rings is not None and rings.shaft_fit is not None and solution.inner_ring is not None
+    tight = replace(rings, shaft_interference=rings.shaft_fit.most)
+    largest = tight.states(solution.scene.bearing, solution.scene.operation)[0].equivalent_stress / 1e6
+    answer = named(solution)["ring stress"]
+    assert answer.value == pytest.approx(float(largest)) and answer.worst.raceway == ""
+    assert answer.value > 1.2 * float(solution.inner_ring.equivalent_stress) / 1e6
+    assert answer.limit.source == "yield strength; the inner ring in operation with its fit at the largest interference"
+    warm = {"shaft_interference_um": 20, "inner_ring_temperature_C": 60, "shaft_temperature_C": 20}
+    tables["effects"] = {"ring_expansion": warm}
+    loose = named(qs.solve(scene_of(tables, "")))["ring stress"]
+    assert loose.limit.source == "yield strength; the inner ring at rest and cold"
 
 
 def test_the_row_that_is_closest_stands_for_its_set() -> None:

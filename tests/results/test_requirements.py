@@ -145,6 +145,15 @@ def test_what_cannot_be_judged_is_open() -> None:
     assert lost.state is Standing.OPEN and lost.reason is not None and lost.reason.code == "not_solved"
 
 
+@pytest.mark.parametrize(("least", "state"), [(0.0, Standing.OPEN), (99.0, Standing.NOT_MET)])
+def test_of_two_raceways_one_of_which_is_unknown_the_other_alone_can_fail(least: float, state: Standing) -> None:
+    """The outer shoulder is not given."""
+    shoulder = {"overrun": {"inner_shoulder_diameter_mm": 64}}
+    bearing = SCENE["bearing"] | {"groove_radius_coefficient": 0.52}
+    answer = only(SCENE, {"overrun.edge_distance": f">= {least}"}, readings=shoulder, bearing=bearing)
+    assert answer.state is state and (answer.worst.raceway == "inner") == (state is Standing.NOT_MET)
+
+
 def test_a_name_of_a_reading_asks_for_it() -> None:
     scene = made(SCENE, {"static_safety.contact_safety": ">= 2", "film.film_parameter": ">= 1"})
     assert set(scene.readings) == {"static_safety"}
