@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 SENTENCES = {
     "not_called_for": "the scene does not call for it: name in [effects] what it belongs to",
     "arguments_missing": "give [readings.{reading}] what it is computed from{missing}",
-    "not_solved": "a case has no solution",
+    "not_solved": "there is no solution to read it off",
     "no_number": "it has no number here",
     "estimate": "{what} it would be {found}{unit}",
 }
@@ -37,11 +37,6 @@ class Answered(NamedTuple):
     """To what its scene or set requires."""
     built_in: list[Answer]
     """To the limits that hold anyway."""
-
-    @property
-    def is_missed(self) -> bool:
-        """Whether a requirement is not met."""
-        return any(each.state is Standing.NOT_MET for each in self.required)
 
     @property
     def not_checked(self) -> dict[str, str]:
@@ -244,11 +239,16 @@ def _record(answer: Answer, solution: Any) -> dict[str, Any]:
         "margin_percent": _number(100.0 * answer.spare),
         "size": limit.is_of_sizes,
         "of": of,
-        "reason": None if answer.reason is None else {"code": answer.reason.code, "values": answer.reason.values},
+        "reason": None if answer.reason is None else _reason(answer.reason),
         "text": why_open(answer, solution) or verdict(answer),
         "source": limit.source,
         "origin": str(limit.origin),
     }
+
+
+def _reason(of: WhyOpen) -> dict[str, Any]:
+    values = {name: each if isinstance(each, str) else _number(each) for name, each in of.values.items()}
+    return {"code": of.code, "values": values}
 
 
 def _number(value: Any) -> float | None:

@@ -182,7 +182,7 @@ def _at(solution: Any, limit: Limit, place: Place, readings: Any) -> Answer:
     none = Answer(limit, Standing.OPEN, np.nan, np.nan, place, Worst(place.row))
     values = place._replace(over="").of(solution, readings)
     if values is None:
-        return none._replace(reason=_absent(place))
+        return none._replace(reason=_absent(place) if np.all(solution.converged) else _without_number(solution))
     bounds, values = np.broadcast_arrays(np.asarray(limit.value, float), _counted(values, place))
     index = _worst(values, _beyond(limit, values, bounds), place)
     lacks = None if np.all(_known(values, place)) else _without_number(solution)
