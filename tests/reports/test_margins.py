@@ -193,9 +193,13 @@ def test_bars_end_where_their_limit_is_used_up() -> None:
         qs.solve(qs.Scene(B218, qs.Operation(axial_load=5_000.0, radial_load_y=load, tilt_y=0.0, tilt_z=0.0)))
         for load in (0.0, 2_000.0)
     )
-    bars = [("a", 0.4, "4 of 10"), ("b", 30.0, "300 of 10")]
+    bars = [picture.Bar("a", 0.4, "4 of 10"), picture.Bar("b", 30.0, "300 of 10")]
     assert len(picture.margins(bars, alike).axes) == 1
     above, below = picture.margins(bars, apart).axes
+    colours = [
+        patch.get_facecolor() for patch in picture.margins([*bars, bars[0]._replace(is_open=True)]).axes[0].patches
+    ]
+    assert len({*colours[3:]}) == 3, "met, beyond, open"
     np.testing.assert_allclose([each.get_width() for each in above.patches], [1.25, 1.25, 0.4, 1.25])
     heights = [each.get_height() for each in below.patches]
     np.testing.assert_allclose(heights, np.concatenate([apart.inner.load, apart.outer.load]))
