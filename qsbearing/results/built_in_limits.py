@@ -258,7 +258,7 @@ BUILT_IN = (
     BuiltIn(
         "thermal speed limit",
         "with more friction the preload runs away, or the limit of temperature is reached, at less",
-        "[thermal], of one operating point",
+        "[thermal], of one operating point, and a speed at which steady states end: `qsbearing heat` or `report`",
         _runaway,
         takes_solves=True,
     ),

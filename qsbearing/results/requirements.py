@@ -207,7 +207,7 @@ def unchecked(of: Answered) -> str:
     """What was not checked, by name, in a sentence or two."""
     required = " ".join(each.limit.name for each in of.required)
     others = [each for each in WITHOUT_LIMIT if each.partition(" ")[0] not in required]
-    parts = [f"Not checked, for want of input: {listed(of.not_checked)}." if of.not_checked else ""]
+    parts = [f"Not checked: {listed(of.not_checked)}." if of.not_checked else ""]
     parts += [f"Not required, and without a limit of its own: {listed(others)}." if others else ""]
     return " ".join(filter(None, parts))
 
