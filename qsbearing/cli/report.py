@@ -13,7 +13,7 @@ import click
 
 from qsbearing.cli.files import BOXES, check_installed, fill, folder
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_wrote, refuse
-from qsbearing.cli.scene import answers_to_required, load_scene_or_set, solve
+from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -67,7 +67,7 @@ def report(scene: str, out: str) -> None:
     made_from = _from_folder(path, page.parent) if is_file(path) else ""
     fill(forms, lambda: replace(make(), made_from=made_from))
     print_wrote(forms)
-    if any(each.state == "not met" for each in required):
+    if is_missed(required):
         sys.exit(NOT_MET)
 
 

@@ -13,7 +13,7 @@ import click
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
-from qsbearing.cli.scene import answers_to_required, load_scene_or_set, solve
+from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -133,7 +133,7 @@ def run(
         write_files(writers, make)
         if model is not None:
             note("\n".join([f"{model.count} attributes written into {into}", *model.notes]))
-        if any(each.state == "not met" for each in outcome.required):
+        if is_missed(outcome.required):
             sys.exit(NOT_MET)
 
 

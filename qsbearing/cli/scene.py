@@ -121,6 +121,11 @@ def answers_to_required(solution: Any, readings: Any = None) -> list[Answer]:
         refuse(str(error))
 
 
+def is_missed(required: list[Answer]) -> bool:
+    """Whether a requirement is not met."""
+    return any(each.state == "not met" for each in required)
+
+
 @contextmanager
 def solving() -> Iterator[None]:
     """Say on a terminal, once, that it takes longer than anybody waits in silence; ends with exit code 2 where what is

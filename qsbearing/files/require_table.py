@@ -38,7 +38,7 @@ from qsbearing.systems.sets.set_groups import (
 )
 
 
-class Known(NamedTuple):
+class PossibleResults(NamedTuple):
     """What a scene or set may have of results."""
 
     groups: list[Group]
@@ -60,19 +60,19 @@ class Known(NamedTuple):
         return {each.name: each for each in every}
 
 
-def _known(of_shaft: Iterable[Group] | None, heat: Iterable[Group], rows: int, is_all: bool) -> Known:
+def _known(of_shaft: Iterable[Group] | None, heat: Iterable[Group], rows: int, is_all: bool) -> PossibleResults:
     if of_shaft is None:
-        return Known([*every_group(), *heat], [], 0, is_all)
-    return Known([*of_shaft, STEADY, *heat, SYSTEM], groups_of_row(every_group()), rows, is_all)
+        return PossibleResults([*every_group(), *heat], [], 0, is_all)
+    return PossibleResults([*of_shaft, STEADY, *heat, SYSTEM], groups_of_row(every_group()), rows, is_all)
 
 
-def known_in(document: Mapping[str, Any]) -> Known:
+def known_in(document: Mapping[str, Any]) -> PossibleResults:
     """Of the file of a scene or set."""
     rows, is_all = document.get("rows"), "thermal" not in document and "shaft" not in document
     return _known([*OF_SHAFT, SLIDE] if isinstance(rows, list) else None, (), len(rows or ()), is_all)
 
 
-def known_of(of: Any, solution: Any = None) -> Known:
+def known_of(of: Any, solution: Any = None) -> PossibleResults:
     """Of a scene or set; with its solution all that there is."""
     heat = groups_of_heat(solution.thermal) if solution is not None else []
     is_all = solution is not None or of.thermal is None
@@ -83,7 +83,9 @@ def known_of(of: Any, solution: Any = None) -> Known:
     return _known(groups_of_shaft(of), heat, len(of.rows), is_all and not (of.shaft is not None and of.shaft.points))
 
 
-def limits_named(required: Iterable[Requirement], known: Known, path: str = REQUIRE) -> tuple[list[Limit], Errors]:
+def limits_named(
+    required: Iterable[Requirement], known: PossibleResults, path: str = REQUIRE
+) -> tuple[list[Limit], Errors]:
     """The limits that are meant, and everything that is wrong with their names."""
     required = list(required)
     limits: list[Limit] = []
@@ -92,14 +94,14 @@ def limits_named(required: Iterable[Requirement], known: Known, path: str = REQU
     for each in required:
         places = known.places(each.name)
         if problem := _problem(each.name, places, known):
-            errors[each.name] = FileErrorDetail(f"{path}.{each.name}", problem[0], cause=problem[1])
+            errors[each.name] = FileErrorDetail(f"{REQUIRE}.{each.name}", problem[0], cause=problem[1])
         elif places:
             ends = tuple(ending(place, each.sense, each.name in negative) for place in places)
             limits.append(Limit(ends, each.sense, each.value, each.source, name=each.name))
     return limits, list(errors.values())
 
 
-def _problem(name: str, places: tuple[Place, ...], known: Known) -> tuple[str, str] | None:
+def _problem(name: str, places: tuple[Place, ...], known: PossibleResults) -> tuple[str, str] | None:
     if any(place.result.is_azimuth for place in places):
         return AZIMUTH, "Limit a load or an angle there"
     if places or not known.is_all:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,19 @@ from qsbearing.pictures.style import GREY, RED, STYLE, balls, carry_alike, figur
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Bar = tuple[str, float, str]
-"""A limit, the part of it that is used, and both numbers in words."""
+
+class Bar(NamedTuple):
+    """How much of a limit is used."""
+
+    name: str
+    used: float
+    """Part of it."""
+    words: str
+    """Both numbers."""
+    is_open: bool = False
+    """Whether it cannot be judged."""
+
+
 LIGHT = "0.91"
 WIDTH, LOADS = 5.6, 1.7
 """Of the picture, which a phone shows whole, and height of the loads [inches]."""
@@ -44,19 +55,24 @@ def margins(bars: Sequence[Bar], solution: Solution | None = None) -> Figure:
 
 def _draw_bars(axes: Any, bars: Sequence[Bar]) -> None:
     places = np.arange(len(bars))[::-1]
-    used = np.array([min(part, MOST) for _, part, _ in bars])
+    used = np.array([min(each.used, MOST) for each in bars])
     axes.barh(places, MOST, height=0.5, color=LIGHT)
-    axes.barh(places, used, height=0.5, color=[RED if part > 1.0 else STYLE["outer"]["color"] for part in used])
+    axes.barh(places, used, height=0.5, color=list(map(_colour, bars)))
     axes.axvline(1.0, color=GREY, linewidth=1.0)
-    axes.set_yticks(places, [name for name, *_ in bars], fontsize=9)
-    for place, (*_, words) in zip(places, bars, strict=True):
-        axes.text(MOST + 0.03, place, words, fontsize=9, va="center")
+    axes.set_yticks(places, [each.name for each in bars], fontsize=9)
+    for place, each in zip(places, bars, strict=True):
+        axes.text(MOST + 0.03, place, each.words, fontsize=9, va="center")
     axes.set_xlim(0.0, MOST)
     axes.set_ylim(-0.6, len(bars) - 0.4)
     axes.set_xticks([0.0, 0.5, 1.0], ["0", "50 %", "limit"], fontsize=8)
     axes.tick_params(length=0)
     for spine in axes.spines.values():
         spine.set_visible(False)
+
+
+def _colour(of: Bar) -> str:
+    """Red beyond the limit; that of the inner raceway where it is open."""
+    return RED if of.used > 1.0 else str(STYLE["inner" if of.is_open else "outer"]["color"])
 
 
 def _draw_loads(axes: Any, solution: Solution) -> None:

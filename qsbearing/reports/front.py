@@ -11,8 +11,10 @@ from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Picture, Section
 from qsbearing.files.file_keys import OTHER_TABLES, REPORT
 from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.limit import Standing
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
+from qsbearing.pictures.margins import Bar
 from qsbearing.pictures.margins import margins as draw_margins
 from qsbearing.remarks.remark import Remark
 from qsbearing.remarks.wording import capital
@@ -60,15 +62,18 @@ def head(
     ]
 
 
+OPEN_BARS = ". Orange: open"
+
+
 def _drawn(limits: Answered, solution: Solution | SetSolution) -> Picture:
     """How much of each limit is used."""
     every = [each for each in (*limits.required, *limits.built_in) if np.isfinite(each.value)]
-    bars = [(name_of(each), each.used, text_of(each)) for each in every]
+    bars = [Bar(name_of(each), each.used, text_of(each), each.state is Standing.OPEN) for each in every]
     sources = "; ".join(f"{each.limit.name}: {each.limit.source or 'required'}" for each in every)
     return picture(
         draw_margins(bars, solution if isinstance(solution, Solution) else None),
-        "; ".join(f"{name} {text}" for name, _, text in bars),
-        f"How much of each limit is used: {sources}",
+        "; ".join(f"{each.name} {each.words}" for each in bars),
+        f"How much of each limit is used: {sources}{OPEN_BARS * any(each.is_open for each in bars)}",
     )
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Block, Callout
-from qsbearing.model.solution.limit import Answer, State
+from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.remark import Remark, row_name
@@ -35,7 +35,7 @@ def verdict(
         rows: of a set, to name them.
     """
     worst = min((each.kind.severity for each in said), default=Severity.GOOD_TO_KNOW)
-    beyond = [each for each in every if each.state is State.NOT_MET]
+    beyond = [each for each in every if each.state is Standing.NOT_MET]
     doubts = [each.limit.doubt for each in every if each.limit.doubt]
     if beyond:
         first = " ".join(
@@ -50,8 +50,8 @@ def verdict(
         first = f"Within every limit that was checked; the closest is {_of_limit(nearest, rows)}."
     text = " ".join(filter(None, (headline(required) if required else "", first, *doubts, THEN[worst])))
     states = {each.state for each in required}
-    is_bad = any(each.unless is None for each in beyond) or worst is Severity.WRONG_MODEL or State.NOT_MET in states
-    is_good = not beyond and not doubts and worst is Severity.GOOD_TO_KNOW and states <= {State.MET}
+    is_bad = any(each.unless is None for each in beyond) or worst is Severity.WRONG_MODEL or Standing.NOT_MET in states
+    is_good = not beyond and not doubts and worst is Severity.GOOD_TO_KNOW and states <= {Standing.MET}
     return Callout(text, "fail" if is_bad else "pass" if is_good else "warning")
 
 
@@ -60,7 +60,7 @@ def of_requirements(required: Sequence[Answer], solution: Any) -> list[Block]:
     if not required:
         return []
     states = {each.state for each in required}
-    status = "fail" if State.NOT_MET in states else "warning" if State.OPEN in states else "pass"
+    status = "fail" if Standing.NOT_MET in states else "warning" if Standing.OPEN in states else "pass"
     return [Callout(headline(required), status), *blocks(required, solution)[1:]]
 
 

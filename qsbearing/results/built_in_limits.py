@@ -87,7 +87,7 @@ def _friction(part: Part) -> Iterator[Limit]:
         given = slip.friction_coefficient
     places = tuple(part.place(group, FRICTION._replace(path=_of_loaded), MAX) for group in CONTACTS)
     if given is not None:
-        yield Limit(places, "<=", np.asarray(given, float), "input; beyond it balls slip")
+        yield Limit(places, "<=", np.asarray(given, float)[..., None], "input; beyond it balls slip")
         return
     others = (Estimate(FRICTION_BEYOND, "the contacts offer that much friction"),)
     yield Limit(
@@ -135,12 +135,12 @@ def _yield(part: Part) -> Iterator[Limit]:
         stress, state = max(_stresses(part.solution, rings, number), key=lambda each: float(np.max(each[0])))
         if np.max(stress) > 0.0:
             result = next(each for each in group.results if each.name == "equivalent_stress")
-            place = part.place(group._replace(holder=Found(stress)), result._replace(path=""))
+            place = part.place(group._replace(holder=KnownNumber(stress)), result._replace(path=""))
             source = f"yield strength; the {side} ring {state}"
             yield Limit((place,), "<=", np.asarray(rings.yield_strength, float) / MPa, source)
 
 
-class Found(NamedTuple):
+class KnownNumber(NamedTuple):
     """What has a number that is known already."""
 
     values: NDArray
@@ -185,7 +185,7 @@ def _preload(part: Part) -> Iterator[Limit]:
     given, alone, _ = (each[..., part.row - 1] if part.row else each for each in loads.arrays)
     if np.all(given > 0.0):
         result = next(each for each in group.results if each.name == "alone")
-        place = part.place(group._replace(holder=Found(alone), axis=""), result._replace(path=""))
+        place = part.place(group._replace(holder=KnownNumber(alone), axis=""), result._replace(path=""))
         yield Limit((place,), "<=", EXCESSIVE * given, f"{EXCESSIVE:g} times its given value")
 
 
@@ -258,7 +258,7 @@ BUILT_IN = (
     BuiltIn(
         "thermal speed limit",
         "with more friction the preload runs away, or the limit of temperature is reached, at less",
-        "[thermal], of one operating point",
+        "[thermal], of one operating point, and a speed at which steady states end: `qsbearing heat` or `report`",
         _runaway,
         takes_solves=True,
     ),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.changes import asked
-from qsbearing.model.solution.limit import MET, Answer, Limit, Reason, State, answers
+from qsbearing.model.solution.limit import MET, Answer, Limit, Standing, WhyOpen, answers
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.remarks.wording import listed
 from qsbearing.results.built_in_limits import WITHOUT_LIMIT, built_in_answers, not_checked
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 SENTENCES = {
     "not_called_for": "the scene does not call for it: name in [effects] what it belongs to",
     "arguments_missing": "give [readings.{reading}] what it is computed from{missing}",
-    "not_solved": "a case has no solution",
+    "not_solved": "there is no solution to read it off",
     "no_number": "it has no number here",
-    "estimate": "{what} {is_are} not in the model and may change {quantity} by {percent} %, more than is to spare",
+    "estimate": "{what} it would be {found}{unit}",
 }
 """Why a limit is open, by `limit.OPEN`."""
-COLOURS = {State.MET: "pass", State.NOT_MET: "fail", State.OPEN: "finding"}
+COLOURS = {Standing.MET: "pass", Standing.NOT_MET: "fail", Standing.OPEN: "finding"}
 DIGITS = range(4, 12)
 
 
@@ -37,11 +37,6 @@ class Answered(NamedTuple):
     """To what its scene or set requires."""
     built_in: list[Answer]
     """To the limits that hold anyway."""
-
-    @property
-    def is_missed(self) -> bool:
-        """Whether a requirement is not met."""
-        return any(each.state is State.NOT_MET for each in self.required)
 
     @property
     def not_checked(self) -> dict[str, str]:
@@ -58,8 +53,9 @@ def required_answers(solution: Solution | SetSolution, readings: Any) -> list[An
     if not asked(solution).require:
         return []
     from qsbearing.files.require_table import required_limits
+    from qsbearing.results.open_by_estimate import with_estimates
 
-    return answers(solution, required_limits(solution), readings)
+    return with_estimates(answers(solution, required_limits(solution), readings), solution, readings)
 
 
 def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> Answered:
@@ -115,14 +111,16 @@ def whose(answer: Answer) -> str:
 
 def verdict(answer: Answer) -> str:
     """The answer, with how much of the limit there is to spare."""
-    if math.isnan(answer.value) or answer.state is State.OPEN:
-        return str(answer.state)
-    if answer.state is State.MET and answer.spare < MET:
-        return "met, nothing to spare"
+    if answer.state is Standing.OPEN:
+        is_met = answer.reason is not None and answer.reason.code == "estimate"
+        return f"open, {_spare(answer)} to spare" if is_met else "open"
     if not abs(answer.spare) <= FAR:
         return f"{answer.state}, by far"
-    part = f"{plain(100.0 * abs(answer.spare), '.2g')} %"
-    return f"met, {part} to spare" if answer.state is State.MET else f"not met, {part} beyond"
+    return f"met, {_spare(answer)} to spare" if answer.state is Standing.MET else f"not met, {_spare(answer)} beyond"
+
+
+def _spare(answer: Answer) -> str:
+    return "nothing" if abs(answer.spare) < MET else f"{plain(100.0 * abs(answer.spare), '.2g')} %"
 
 
 FAR = 1.0
@@ -137,10 +135,29 @@ def why_open(answer: Answer, solution: Any) -> str:
     values = dict(reason.values)
     if reason.code == "arguments_missing":
         values["missing"] = _missing(reason, solution)
+    if reason.code == "estimate":
+        values = _estimated(answer, values)
     return SENTENCES[reason.code].format_map(values)
 
 
-def _missing(reason: Reason, solution: Any) -> str:
+def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
+    """What it would be with an effect that is left out, or by another hypothesis."""
+    from qsbearing.model.effects import EFFECTS
+
+    entry = next(each for each in EFFECTS if each.name == values["effect"])
+    is_choice = entry.switch.members is not None
+    under = f" ({values['under']})" if values["under"] else ""
+    what = f"by another {entry.name.replace('_', ' ')}{under}" if is_choice else ""
+    what = what or f"with {entry.what}{under}, which is left out,"
+    unit = printed_unit(answer.limit.unit)
+    return {
+        "what": what,
+        "found": numbers_of(answer._replace(value=values["found"]))[0],
+        "unit": f" {unit}" if unit else "",
+    }
+
+
+def _missing(reason: WhyOpen, solution: Any) -> str:
     """Which arguments a reading lacks, by their keys."""
     from qsbearing.files.file_errors import translate
     from qsbearing.readings.asked import LUBRICANT, asked_errors
@@ -155,12 +172,14 @@ def _missing(reason: Reason, solution: Any) -> str:
 
 def headline(required: Sequence[Answer]) -> str:
     """How many are met, in a sentence."""
-    count = {state: sum(each.state is state for each in required) for state in State}
-    met = f"{count[State.MET]} of {len(required)} requirements met"
-    if count[State.MET] == len(required):
-        met = "The requirement is met" if len(required) == 1 else f"All {len(required)} requirements are met"
-    others = [f"{count[State.NOT_MET]} not met"] if count[State.NOT_MET] else []
-    others += [f"{count[State.OPEN]} open"] if count[State.OPEN] else []
+    count = {state: sum(each.state is state for each in required) for state in Standing}
+    met = f"{count[Standing.MET]} of {len(required)} requirements met"
+    if count[Standing.MET] == len(required):
+        met = {1: "The requirement is met", 2: "Both requirements are met"}.get(
+            len(required), f"All {len(required)} requirements are met"
+        )
+    others = [f"{count[Standing.NOT_MET]} not met"] if count[Standing.NOT_MET] else []
+    others += [f"{count[Standing.OPEN]} open"] if count[Standing.OPEN] else []
     return "; ".join([met, *others]) + "."
 
 
@@ -188,7 +207,7 @@ def unchecked(of: Answered) -> str:
     """What was not checked, by name, in a sentence or two."""
     required = " ".join(each.limit.name for each in of.required)
     others = [each for each in WITHOUT_LIMIT if each.partition(" ")[0] not in required]
-    parts = [f"Not checked, for want of input: {listed(of.not_checked)}." if of.not_checked else ""]
+    parts = [f"Not checked: {listed(of.not_checked)}." if of.not_checked else ""]
     parts += [f"Not required, and without a limit of its own: {listed(others)}." if others else ""]
     return " ".join(filter(None, parts))
 
@@ -220,11 +239,16 @@ def _record(answer: Answer, solution: Any) -> dict[str, Any]:
         "margin_percent": _number(100.0 * answer.spare),
         "size": limit.is_of_sizes,
         "of": of,
-        "reason": None if answer.reason is None else {"code": answer.reason.code, "values": answer.reason.values},
+        "reason": None if answer.reason is None else _reason(answer.reason),
         "text": why_open(answer, solution) or verdict(answer),
         "source": limit.source,
         "origin": str(limit.origin),
     }
+
+
+def _reason(of: WhyOpen) -> dict[str, Any]:
+    values = {name: each if isinstance(each, str) else _number(each) for name, each in of.values.items()}
+    return {"code": of.code, "values": values}
 
 
 def _number(value: Any) -> float | None:

@@ -17,7 +17,7 @@ import pytest
 from fem_check import cli as fem_cli
 from qsbearing import cli
 from qsbearing.cli import ended
-from qsbearing.cli.output import BAD_INPUT, SOLVED, UNSOLVED
+from qsbearing.cli.output import BAD_INPUT, NOT_MET, SOLVED, UNSOLVED
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import refused
 from tests.guide.pages import GUIDE
@@ -111,7 +111,7 @@ def test_what_no_command_expects_has_its_own_code_and_a_sentence(
 def test_the_guide_has_every_code() -> None:
     section = (GUIDE / "how_to.md").read_text(encoding="utf-8").partition("## Exit codes\n")[2].partition("\n## ")[0]
     told = [int(code) for code in re.findall(r"\d+", " ".join(re.findall(r"^\| ([\d, ]+) \|", section, re.MULTILINE)))]
-    assert told == [SOLVED, UNSOLVED, BAD_INPUT, ended.DEFECT, 128 + signal.SIGINT, 128 + signal.SIGTERM]
+    assert told == [SOLVED, UNSOLVED, BAD_INPUT, NOT_MET, ended.DEFECT, 128 + signal.SIGINT, 128 + signal.SIGTERM]
     assert ended.TRACEBACK in section
 
 

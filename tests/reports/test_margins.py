@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.scene_file import scene_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.solution.limit import Answer, State
+from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.pictures import margins as picture
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
@@ -37,7 +38,7 @@ def named(solution: qs.Solution) -> dict[str, Answer]:
 
 def with_value(answer: Answer, value: float) -> Answer:
     """The same, had it been this number."""
-    return answer._replace(value=value, state=State.NOT_MET if value > answer.bound else State.MET)
+    return answer._replace(value=value, state=Standing.NOT_MET if value > answer.bound else Standing.MET)
 
 
 def test_each_limit_is_compared_with_its_number() -> None:
@@ -63,6 +64,28 @@ def test_a_contact_at_the_shoulder_uses_all_of_its_limit() -> None:
     part = float(take_asked(solution)["overrun"].inner.overrun_load[0] / solution.inner.load[0])
     used = of(scene.operation, readings=asked)["inner contact to groove edge"].used
     assert used == pytest.approx(part ** (-1.0 / 3.0), rel=1e-9)
+
+
+def test_ring_stress_is_that_of_the_worst_state() -> None:
+    """With the largest interference that a named fit allows; of warm rings on a fit without a name, at rest."""
+    tables: dict[str, Any] = {
+        "bearing": {"name": "7210C"},
+        "operation": {"speed_rpm": 3000, "axial_load_N": 500},
+        "effects": {"ring_expansion": {"shaft_fit": "k5"}},
+    }
+    solution = qs.solve(scene_of(tables, ""))
+    rings = solution.scene.ring_expansion
+    assert rings is not None and rings.shaft_fit is not None and solution.inner_ring is not None
+    tight = replace(rings, shaft_interference=rings.shaft_fit.most)
+    largest = tight.states(solution.scene.bearing, solution.scene.operation)[0].equivalent_stress / 1e6
+    answer = named(solution)["ring stress"]
+    assert answer.value == pytest.approx(float(largest)) and answer.worst.raceway == ""
+    assert answer.value > 1.2 * float(solution.inner_ring.equivalent_stress) / 1e6
+    assert answer.limit.source == "yield strength; the inner ring in operation with its fit at the largest interference"
+    warm = {"shaft_interference_um": 20, "inner_ring_temperature_C": 60, "shaft_temperature_C": 20}
+    tables["effects"] = {"ring_expansion": warm}
+    loose = named(qs.solve(scene_of(tables, "")))["ring stress"]
+    assert loose.limit.source == "yield strength; the inner ring at rest and cold"
 
 
 def test_the_row_that_is_closest_stands_for_its_set() -> None:
@@ -170,9 +193,13 @@ def test_bars_end_where_their_limit_is_used_up() -> None:
         qs.solve(qs.Scene(B218, qs.Operation(axial_load=5_000.0, radial_load_y=load, tilt_y=0.0, tilt_z=0.0)))
         for load in (0.0, 2_000.0)
     )
-    bars = [("a", 0.4, "4 of 10"), ("b", 30.0, "300 of 10")]
+    bars = [picture.Bar("a", 0.4, "4 of 10"), picture.Bar("b", 30.0, "300 of 10")]
     assert len(picture.margins(bars, alike).axes) == 1
     above, below = picture.margins(bars, apart).axes
+    colours = [
+        patch.get_facecolor() for patch in picture.margins([*bars, bars[0]._replace(is_open=True)]).axes[0].patches
+    ]
+    assert len({*colours[3:]}) == 3, "met, beyond, open"
     np.testing.assert_allclose([each.get_width() for each in above.patches], [1.25, 1.25, 0.4, 1.25])
     heights = [each.get_height() for each in below.patches]
     np.testing.assert_allclose(heights, np.concatenate([apart.inner.load, apart.outer.load]))

@@ -57,8 +57,9 @@ class Tools:
         return described(topic)
 
     def solve(self, scene: Tables, balls: bool = False) -> Answer:
-        """Solve a bearing, a set of rows or a load spectrum: status, message, remarks, displacements, loads, stiffness
-        and the readings that it asks for. With balls: also each ball's contacts."""
+        """Solve a bearing, a set of rows or a load spectrum: status, message, answers to what its [require] says,
+        remarks, displacements, loads, stiffness and the readings that it asks for. With balls: also each ball's
+        contacts."""
         of = self._scene_or_set(scene)
         solution = solve_any(of)
         record = with_input(of, whole_record(solution, all_taken(solution)))

@@ -37,6 +37,8 @@ class Change:
     """With it; shape (*cases, 5), as of a solution. None where nothing was solved."""
     stiffness: NDArray | None = None
     """Likewise: the diagonal."""
+    solution: Any = None
+    """With it, of few cases; None where nothing was solved."""
 
     @property
     def largest(self) -> NDArray:
@@ -75,6 +77,15 @@ def alternatives(entry: Entry, solution: Any) -> list[Change]:
     if entry.name not in known:
         known[entry.name] = _against_others(entry, solution)
     return known[entry.name]
+
+
+def known_changes(solution: Any) -> dict[str, list[Change]]:
+    """What has been found so far, by the names of effects and choices."""
+    return _KNOWN.get(solution, {})
+
+
+MOST_KEPT = 64
+"""Cases of a solution that is kept (chosen: more points than a load spectrum has)."""
 
 
 def _against_others(entry: Entry, solution: Any) -> list[Change]:
@@ -118,7 +129,8 @@ def _change(assumed: Assumed, solution: Any) -> Change:
 
 def _made(assumed: Assumed, errors: dict[str, NDArray], other: Any) -> Change:
     tangent = np.diagonal(other.stiffness, axis1=-2, axis2=-1)
-    return Change(assumed.under, assumed.what, errors, np.asarray(other.converged), other.displacement, tangent)
+    kept = other if np.prod(other.shape) <= MOST_KEPT else None
+    return Change(assumed.under, assumed.what, errors, np.asarray(other.converged), other.displacement, tangent, kept)
 
 
 def asked(solution: Any) -> Any:

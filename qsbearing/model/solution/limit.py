@@ -3,7 +3,7 @@ spare. A limit holds for the worst ball, raceway, row and case of what its name 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from enum import StrEnum
 from typing import Any, NamedTuple
 
@@ -64,7 +64,7 @@ class Limit(NamedTuple):
         return self.places[0].over in SIZES
 
 
-class State(StrEnum):
+class Standing(StrEnum):
     """How a limit is answered."""
 
     MET = "met"
@@ -86,7 +86,7 @@ class Worst(NamedTuple):
     """Of several cases, from 1."""
 
 
-class Reason(NamedTuple):
+class WhyOpen(NamedTuple):
     """Why a limit is open; the sentence is made when somebody reads it."""
 
     code: str
@@ -103,14 +103,14 @@ class Answer(NamedTuple):
     """How a solution answers a limit."""
 
     limit: Limit
-    state: State
+    state: Standing
     value: float
     """Of the worst, in the unit of the result; NaN where there is none."""
     bound: float
     """The limit there."""
     place: Place
     worst: Worst
-    reason: Reason | None = None
+    reason: WhyOpen | None = None
     """Of one that is open."""
 
     @property
@@ -170,7 +170,7 @@ def spare(solution: Any, limits: Iterable[Limit], readings: Any = None) -> NDArr
 def _answer(solution: Any, limit: Limit, readings: Any) -> Answer:
     """That of the worst place; not met where one is not, else open where one is."""
     every = [_at(solution, limit, place, readings) for place in limit.places]
-    for state in (State.NOT_MET, State.OPEN):
+    for state in (Standing.NOT_MET, Standing.OPEN):
         if some := [each for each in every if each.state is state]:
             return min(some, key=lambda each: each.spare)
     return min(every, key=lambda each: each.spare)
@@ -179,37 +179,36 @@ def _answer(solution: Any, limit: Limit, readings: Any) -> Answer:
 def _at(solution: Any, limit: Limit, place: Place, readings: Any) -> Answer:
     """Of one place."""
     where = Worst(place.row, place.group.raceway)
-    none = Answer(limit, State.OPEN, np.nan, np.nan, place, where)
+    none = Answer(limit, Standing.OPEN, np.nan, np.nan, place, Worst(place.row))
     values = place._replace(over="").of(solution, readings)
     if values is None:
-        return none._replace(reason=_absent(place), worst=Worst(place.row))
+        return none._replace(reason=_absent(place) if np.all(solution.converged) else _without_number(solution))
     bounds, values = np.broadcast_arrays(np.asarray(limit.value, float), _counted(values, place))
-    beyond = values - bounds if limit.sense == "<=" else bounds - values
-    with np.errstate(divide="ignore", invalid="ignore"):
-        index = _worst(values, np.where(bounds == 0.0, beyond, beyond / np.abs(bounds)), place)
-    if index is None or not np.all(_known(values, place)):
-        is_solved = bool(np.all(solution.converged))
-        none = none._replace(reason=Reason("no_number" if is_solved else "not_solved", {}))
+    index = _worst(values, _beyond(limit, values, bounds), place)
+    lacks = None if np.all(_known(values, place)) else _without_number(solution)
     if index is None:
-        return none
-    answer = Answer(
-        limit,
-        State.NOT_MET if beyond[index] > MET * abs(bounds[index]) else State.MET,
-        float(values[index]),
-        float(bounds[index]),
-        place,
-        _with_index(where, index, solution, place, values),
-    )
-    return (
-        answer
-        if answer.state is State.NOT_MET or none.reason is None
-        else answer._replace(state=State.OPEN, reason=none.reason)
-    )
+        return none._replace(reason=lacks)
+    value, bound = float(values[index]), float(bounds[index])
+    worst = _with_index(where, index, solution, place, values)
+    answer = Answer(limit, Standing.MET, value, bound, place, worst)
+    if answer.margin < -MET * abs(bound):
+        return answer._replace(state=Standing.NOT_MET)
+    return answer if lacks is None else answer._replace(state=Standing.OPEN, reason=lacks)
 
 
-def _absent(place: Place) -> Reason:
+def _beyond(limit: Limit, values: NDArray, bounds: NDArray) -> NDArray:
+    """By what part of the limit each is beyond it; of a limit of zero by how much."""
+    beyond = values - bounds if limit.sense == "<=" else bounds - values
+    return np.asarray(beyond / np.where(bounds == 0.0, 1.0, np.abs(bounds)))
+
+
+def _without_number(solution: Any) -> WhyOpen:
+    return WhyOpen("no_number" if np.all(solution.converged) else "not_solved", {})
+
+
+def _absent(place: Place) -> WhyOpen:
     reading = place.group.reading
-    return Reason("arguments_missing", {"reading": reading}) if reading else Reason("not_called_for", {})
+    return WhyOpen("arguments_missing", {"reading": reading}) if reading else WhyOpen("not_called_for", {})
 
 
 def _counted(values: NDArray, place: Place) -> NDArray:
@@ -257,8 +256,3 @@ def ending(place: Place, sense: str, is_algebraic: bool = False) -> Place:
     by_size = place.result.is_signed and not is_algebraic
     over = {"<=": SIZE, ">=": LEAST_SIZE}[sense] if by_size else {"<=": MAX, ">=": MIN}[sense]
     return place._replace(over=over) if by_size or place.is_per_ball else place
-
-
-def expanded(limits: Iterable[Limit]) -> Iterator[Limit]:
-    """Each place of a limit as a limit of its own."""
-    return (each._replace(places=(place,)) for each in limits for place in each.places)
