@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.solution.result_keys import BALL, Group, Result
 
 TRACTION = "traction"
@@ -48,17 +45,12 @@ OF_CONTACT = (
 )
 
 
-def is_moved(scene: Any) -> bool:
-    """Whether friction moves the balls of a scene."""
-    return bool(scene.raceway_control == RacewayControl.FRICTION)
-
-
-_WHOLE = Group(OF_BEARING, prefix=TRACTION, holder="friction", table=(TRACTION,), source=BALANCE, by_words=True)
+_WHOLE = Group(OF_BEARING, prefix=TRACTION, holder="balance", table=(TRACTION,), source=BALANCE, by_words=True)
 _BALLS = _WHOLE._replace(results=OF_BALL, axis=BALL, table=(TRACTION, "balls"))
 TRACTION_GROUPS = (
     _WHOLE,
     *(
-        _BALLS._replace(results=OF_CONTACT, raceway=side, holder=f"friction.{side}", table=(TRACTION, "balls", side))
+        _BALLS._replace(results=OF_CONTACT, raceway=side, holder=f"balance.{side}", table=(TRACTION, "balls", side))
         for side in SIDES
     ),
     _BALLS,
