@@ -29,11 +29,10 @@ def friction_errors(scene: Any) -> list[ErrorDetail]:
 
 def _choice_errors(scene: Any) -> list[ErrorDetail]:
     """Of what is given beside friction, in whose place it stands."""
-    errors = []
-    if isinstance(scene.ball_effects, tuple) and {getattr(each, "name", "") for each in scene.ball_effects} != BOTH:
+    errors, named = [], [getattr(each, "name", "") for each in scene.ball_effects]
+    if named and set(named) != BOTH:
         cause = f"Ask for both, {' and '.join(sorted(BOTH))}"
         problem = "must have all of the balls' inertia where friction moves them"
-        named = [getattr(each, "name", "") for each in scene.ball_effects]
         errors.append(ErrorDetail("ball_effects", problem, named, cause=cause))
     for moment in filter(lambda each: isinstance(each, GyroscopicMoment), scene.ball_effects):
         if moment.friction_coefficient is not None:

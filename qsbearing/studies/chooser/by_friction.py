@@ -1,5 +1,5 @@
-"""What friction itself gives beside the hypotheses of raceway control: a scene solved with balls that it moves, over the
-range of its coefficient."""
+"""What friction itself gives beside the hypotheses of raceway control: the scene solved with balls that it moves, over
+a range of its coefficient."""
 
 from __future__ import annotations
 
