@@ -19,17 +19,17 @@ OF_BEARING = (
            aliases=_aliases("cage_speed", "rpm")),
     Result("heat", "W", "heat of friction in all contacts", r"P", path="told_heat"),
     Result("torque", "N mm", "torque of the balls on the inner ring", "M", is_signed=True),
-    Result("gyroscopic_margin", words="friction coefficient over what outer control asks for, least of all balls",
+    Result("gyroscopic_margin", words="friction over what outer control asks for",
            path="least_gyroscopic_margin", aliases=_aliases("gyroscopic_margin")),
-    Result("skid_margin", words="drag at which a ball skids over its drag, least of all balls",
+    Result("skid_margin", words="drag at which balls skid over their drag",
            path="least_skid_margin", aliases=_aliases("skid_margin")),
     Result("friction_coefficient", words="friction coefficient of the contacts", symbol=r"\mu"),
 )  # fmt: skip
 OF_BALL = (
-    Result("attitude", "deg", "angle of the ball's axis to the bearing's, in its own plane", r"\beta",
+    Result("attitude", "deg", "attitude of the ball's axis, in its plane", r"\beta",
            path="attitude_angle", is_signed=True, heading="attitude"),
-    Result("yaw", "deg", "angle of the ball's axis out of that plane", r"\beta'", path="yaw_angle", is_signed=True),
-    Result("drag", "N", "against the ball's orbit", "F_d", is_signed=True),
+    Result("yaw", "deg", "yaw of the ball's axis, out of its plane", r"\beta'", path="yaw_angle", is_signed=True),
+    Result("drag", "N", "drag against the ball's orbit", "F_d", is_signed=True),
 )  # fmt: skip
 OF_CONTACT = (
     Result("slip_across", "m/s", "slip of the ball at the centre, across the groove", "v_t", is_signed=True),
