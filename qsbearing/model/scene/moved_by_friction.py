@@ -49,9 +49,6 @@ def _choice_errors(scene: Any) -> list[ErrorDetail]:
         cause = f"Give {mu:g} in both" if np.ndim(mu) == 0 else "Give one in both"
         problem = "is not that which moves the balls"
         errors.append(ErrorDetail("readings.friction.friction_coefficient", problem, cause=cause))
-    if scene.tolerance is not None:
-        cause = "Name the effects, or choose them under a hypothesis of raceway control"
-        errors.append(ErrorDetail("tolerance", "is given, but friction knows no effects to choose", cause=cause))
     return errors
 
 

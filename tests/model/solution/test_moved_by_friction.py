@@ -185,7 +185,6 @@ def test_skidding_is_told_and_no_solution() -> None:
         ({"traction": 0.07}, "traction"),
         ({"readings": {"friction": {"friction_coefficient": 0.05}}}, "readings.friction.friction_coefficient"),
         ({"hertz_angle": "actual"}, "hertz_angle"),
-        ({"tolerance": 0.01}, "tolerance"),
         ({"operation": qs.Operation(**THRUST, radial_load_y=1e3, moment_z=0.0, tilt_y=0.0)}, "operation.tilt_z"),
         ({"operation": qs.Operation(**THRUST, moment_y=1.0)}, "operation.tilt_y"),
         ({"ring_effects": (qs.BallDiameterDeviations(np.full(16, 1e-6)),)}, "unequal_balls"),
@@ -218,6 +217,16 @@ def test_heat_is_that_of_the_balance() -> None:
     assert taken.torque == pytest.approx(-motion.torque, rel=1e-9)
     linear = qs.solve(moved(qs.Traction(0.07, law="linear")))
     assert friction_of(linear).told_heat is None and np.isnan(qs.readings.friction(linear, 0.07).power)
+
+
+def test_effects_chosen_automatically_keep_what_is_asked_for_and_never_add_it() -> None:
+    chosen = qs.solve(moved(qs.Traction(0.07)), effects="auto", accuracy=0.01)
+    assert chosen.choice is not None and chosen.friction is not None
+    assert abs(chosen.displacement[0] / qs.solve(moved(qs.Traction(0.07))).displacement[0] - 1.0) < 0.01
+    other = qs.solve(replace(moved(), raceway_control="outer"), effects="auto", accuracy=1e-4)
+    assert other.scene.raceway_control == "outer" and other.friction is None
+    slow = qs.solve(moved(qs.Traction(0.07), THRUST | {"speed": 10 * qs.rpm}), effects="auto")
+    assert slow.friction is None and slow.scene.ball_effects == (), "at low speed nothing of it matters"
 
 
 def test_hypotheses_know_nothing_of_it() -> None:
