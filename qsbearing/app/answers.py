@@ -51,6 +51,8 @@ SECTION = "section"
 """The picture that comes with the key results."""
 KEPT = 4
 """Solutions that are kept for the next question on the same input, such as another picture."""
+OF_HYPOTHESES, OF_FRICTION = ("moment_shares", "friction_coefficient"), ("traction",)
+"""Of [effects], what means something under a hypothesis of raceway control, or with friction alone."""
 OF_SET = (
     "A set of rows: this page changes speed, loads and preload, and switches effects. All other numbers of rows "
     "and shaft are as the file has them: to change these, change the file and open it again."
@@ -218,4 +220,13 @@ def _read(document: Tables, label: str) -> Scene | BearingSet:
     if "spectrum" in document:
         cause = "`qsbearing run` and `qsbearing report` take it; this page shows one operating point"
         raise SceneFileError(label or "scene", [FileErrorDetail("", "is several operating points", cause=cause)])
-    return scene_or_set_of(document, label or "scene", label)
+    return scene_or_set_of(_of_its_control(document), label or "scene", label)
+
+
+def _of_its_control(document: Tables) -> Tables:
+    """The tables without what belongs to another raceway control than the one that the page's list has chosen."""
+    table = document.get("effects")
+    if not isinstance(table, dict):
+        return document
+    beside = OF_HYPOTHESES if table.get("raceway_control") == "friction" else OF_FRICTION
+    return document | {"effects": {name: each for name, each in table.items() if name not in beside}}

@@ -293,9 +293,11 @@ def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
 
 
 def traction_record(solution: Solution, index: CasePlace = ()) -> dict[str, Any]:
-    """What the balance of friction says, under its key; nothing by a hypothesis and at rest."""
-    if solution.friction is None:
+    """What the balance of friction says, under its key, null at rest; nothing by a hypothesis."""
+    if solution.balance is None:
         return {}
+    if solution.friction is None:
+        return {TRACTION: None}
     from qsbearing.results.traction_record import of_balance  # loaded only where friction moves the balls
 
     return {TRACTION: of_balance(solution, index)}

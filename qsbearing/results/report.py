@@ -70,8 +70,10 @@ def heat_tables(record: dict[str, Any]) -> list[Block]:
 
 
 def tables(solution: Solution) -> list[Table]:
-    """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion."""
-    return _tables(solution, record(solution, {}, said=()))
+    """The tables of a single case that is solved: ring, stiffness, contacts, ellipses, motion, friction."""
+    of_case = record(solution, {}, said=())
+    of_balance = [each for each in _balance(solution, of_case) if isinstance(each, Table)]
+    return [*_tables(solution, of_case), *of_balance]
 
 
 def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:

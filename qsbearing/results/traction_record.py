@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.model.effects.traction import ACCURACY, ANGLES, FRICTION_COEFFICIENT, RADII, Traction
+from qsbearing.model.effects.traction import ACCURACY, ANGLES, FRICTION_COEFFICIENT, LARGEST_ERROR, RADII, Traction
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.friction_band import Band, friction_band
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
@@ -41,12 +41,13 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
 
 
 def _points(law: Traction) -> dict[str, Any]:
-    """Of each contact; and the relative error that they leave in displacements, where it is known."""
+    """Of each contact; and the relative errors that they leave in displacements, where they are known."""
     is_usual = (law.radial_points, law.points_around) == (RADII, ANGLES)
     return {
         "along_radius": law.radial_points,
         "around": law.points_around,
         "relative_error": ACCURACY if is_usual else None,
+        "largest_relative_error": LARGEST_ERROR if is_usual else None,
     }
 
 
@@ -101,7 +102,8 @@ def _how(balance: dict[str, Any]) -> str:
     points, law = balance["points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
     said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
     if points["relative_error"] is not None:
-        said += f"; they leave an error of about {points['relative_error']:g} in displacements"
+        said += f"; they leave an error of about {100.0 * points['relative_error']:g} % in displacements, up to "
+        said += f"{100.0 * points['largest_relative_error']:g} % in random thrust cases"
     if balance["friction_coefficient_is_assumed"]:
         said += f". The friction coefficient of {FRICTION_COEFFICIENT:g} is assumed"
     return f"{said}."

@@ -237,3 +237,17 @@ def test_the_page_may_load_nothing_from_elsewhere(address: str) -> None:
 def test_the_command_refuses_what_run_refuses() -> None:
     result = CliRunner().invoke(cli, ["app", "no_such_bearing"])
     assert result.exit_code == 2 and "neither a file nor a bearing" in result.stderr
+
+
+def test_friction_is_a_choice_in_the_list(scene: dict[str, Any]) -> None:
+    tables = copy.deepcopy(scene)
+    effects = tables["document"]["effects"]
+    assert effects["moment_shares"] == "controlling"
+    (field,) = (each for each in inputs.fields(tables["document"]) if each["key"] == "effects.raceway_control")
+    assert "friction" in field["options"]
+    effects |= {"raceway_control": "friction", "traction": {"friction_coefficient": 0.05}}
+    answer = answers.solved(**tables)
+    back = answers.saved(**tables)
+    assert 'raceway_control = "friction"' in back["text"] and "moment_shares" not in back["text"]
+    effects["raceway_control"] = "outer"
+    assert answer != answers.solved(**tables) == answers.solved(**scene)

@@ -153,6 +153,7 @@ def of_solutions() -> Iterator[Any]:
         turning(8000, axial_load=2e3, radial_load_y=4e3, **UPRIGHT),
         turning(9000, effects=(qs.GyroscopicMoment(friction_coefficient=0.02),), axial_load=2e3),
         turning(speeds, effects=moment, control=INNER, axial_load=200.0),
+        replace(turning(6000, axial_load=2e3), raceway_control="friction", traction=qs.Traction(cage_drag=14.0)),
         qs.Scene(B218, heavy, ring_effects=(rings,)),
         qs.Scene(B218, fast, ring_effects=(rings,)),
         qs.Scene(B218, qs.Operation(), ring_effects=(rings,), preload=qs.Preload(rigid=300.0)),

@@ -226,7 +226,10 @@ def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_ba
         return change
 
     def others(scene: Any) -> list[Assumed]:
-        return other_than(scene, [(as_setting(field, each), towards(each)(scene)) for each in type(fine)])
+        try:
+            return other_than(scene, [(as_setting(field, each), towards(each)(scene)) for each in type(fine)])
+        except SceneError:  # with some member, such as the finest, the scene is none
+            return []
 
     return Switch(towards(fine, kept), towards(coarse, kept), field, members=Members(others, fine))
 

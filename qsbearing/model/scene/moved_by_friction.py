@@ -30,11 +30,10 @@ def friction_errors(scene: Any) -> list[ErrorDetail]:
 
 def _choice_errors(scene: Any) -> list[ErrorDetail]:
     """Of what is given beside friction, in whose place it stands."""
-    errors = []
-    if isinstance(scene.ball_effects, tuple) and {getattr(each, "name", "") for each in scene.ball_effects} != BOTH:
+    errors, named = [], [getattr(each, "name", "") for each in scene.ball_effects]
+    if named and set(named) != BOTH:
         cause = f"Ask for both, {' and '.join(sorted(BOTH))}"
         problem = "must have all of the balls' inertia where friction moves them"
-        named = [getattr(each, "name", "") for each in scene.ball_effects]
         errors.append(ErrorDetail("ball_effects", problem, named, cause=cause))
     for moment in filter(lambda each: isinstance(each, GyroscopicMoment), scene.ball_effects):
         if moment.friction_coefficient is not None:
@@ -51,9 +50,6 @@ def _choice_errors(scene: Any) -> list[ErrorDetail]:
         cause = f"Give {mu:g} in both" if np.ndim(mu) == 0 else "Give one in both"
         problem = "is not that which moves the balls"
         errors.append(ErrorDetail("readings.friction.friction_coefficient", problem, cause=cause))
-    if scene.tolerance is not None:
-        cause = "Name the effects, or choose them under a hypothesis of raceway control"
-        errors.append(ErrorDetail("tolerance", "is given, but friction knows no effects to choose", cause=cause))
     return errors
 
 

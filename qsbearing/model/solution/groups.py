@@ -29,7 +29,7 @@ class SolvedScene(Solved, Protocol):
 
     scene: Scene
     thermal: Any
-    friction: Any
+    balance: Any
 
     @property
     def stiffness(self) -> NDArray: ...

@@ -29,6 +29,7 @@ class Moved:
     def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray) -> None:
         self.motion = motion
         self._still, self._which = ~turns, which
+        self.is_at_rest = not turns.any()
         self.known = _read_off(motion)
         """Arrays (*cases, ball) by the kernel's row and number."""
         if self._still.any():

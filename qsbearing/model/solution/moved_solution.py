@@ -46,5 +46,5 @@ def solve_moved(
     results["load"][(cases["displacement_given"] != 0) & is_held] = np.nan  # moments are not worked out
     results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
-    moved = Moved(motion, turns, which) if turns.any() else None
+    moved = Moved(motion, turns, which)
     return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)

@@ -66,8 +66,10 @@ class Solution(SolutionOfCases):
         self.solve_alike = solve
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
         self._moved = moved
-        self.friction: FrictionMotion | None = None if moved is None else moved.motion
-        """The balance that moved the balls; None by a hypothesis, and at rest."""
+        self.balance: FrictionMotion | None = None if moved is None else moved.motion
+        """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
+        self.friction = None if moved is None or moved.is_at_rest else moved.motion
+        """The same; None at rest as well."""
         known = None if moved is None else moved.known
         self.solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
         """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""

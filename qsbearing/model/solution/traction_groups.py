@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.solution.result_keys import BALL, Group, Result
 
 TRACTION = "traction"
@@ -22,17 +19,17 @@ OF_BEARING = (
            aliases=_aliases("cage_speed", "rpm")),
     Result("heat", "W", "heat of friction in all contacts", r"P", path="told_heat"),
     Result("torque", "N mm", "torque of the balls on the inner ring", "M", is_signed=True),
-    Result("gyroscopic_margin", words="friction coefficient over what outer control asks for, least of all balls",
+    Result("gyroscopic_margin", words="friction over what outer control asks for",
            path="least_gyroscopic_margin", aliases=_aliases("gyroscopic_margin")),
-    Result("skid_margin", words="drag at which a ball skids over its drag, least of all balls",
+    Result("skid_margin", words="drag at which balls skid over their drag",
            path="least_skid_margin", aliases=_aliases("skid_margin")),
     Result("friction_coefficient", words="friction coefficient of the contacts", symbol=r"\mu"),
 )  # fmt: skip
 OF_BALL = (
-    Result("attitude", "deg", "angle of the ball's axis to the bearing's, in its own plane", r"\beta",
+    Result("attitude", "deg", "attitude of the ball's axis, in its plane", r"\beta",
            path="attitude_angle", is_signed=True, heading="attitude"),
-    Result("yaw", "deg", "angle of the ball's axis out of that plane", r"\beta'", path="yaw_angle", is_signed=True),
-    Result("drag", "N", "against the ball's orbit", "F_d", is_signed=True),
+    Result("yaw", "deg", "yaw of the ball's axis, out of its plane", r"\beta'", path="yaw_angle", is_signed=True),
+    Result("drag", "N", "drag against the ball's orbit", "F_d", is_signed=True),
 )  # fmt: skip
 OF_CONTACT = (
     Result("slip_across", "m/s", "slip of the ball at the centre, across the groove", "v_t", is_signed=True),
@@ -48,17 +45,12 @@ OF_CONTACT = (
 )
 
 
-def is_moved(scene: Any) -> bool:
-    """Whether friction moves the balls of a scene."""
-    return bool(scene.raceway_control == RacewayControl.FRICTION)
-
-
-_WHOLE = Group(OF_BEARING, prefix=TRACTION, holder="friction", table=(TRACTION,), source=BALANCE, by_words=True)
+_WHOLE = Group(OF_BEARING, prefix=TRACTION, holder="balance", table=(TRACTION,), source=BALANCE, by_words=True)
 _BALLS = _WHOLE._replace(results=OF_BALL, axis=BALL, table=(TRACTION, "balls"))
 TRACTION_GROUPS = (
     _WHOLE,
     *(
-        _BALLS._replace(results=OF_CONTACT, raceway=side, holder=f"friction.{side}", table=(TRACTION, "balls", side))
+        _BALLS._replace(results=OF_CONTACT, raceway=side, holder=f"balance.{side}", table=(TRACTION, "balls", side))
         for side in SIDES
     ),
     _BALLS,

@@ -33,6 +33,7 @@ from qsbearing.model.validation import Setting
 from qsbearing.remarks.kinds import needed
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
+from qsbearing.studies.chooser.by_friction import by_friction
 
 NEEDED, NOT_NEEDED, NOT_ASSESSED = "needed", "not needed", "not assessed"
 DATA_MISSING = "likely needed, data missing"
@@ -75,6 +76,8 @@ class Assessment:
     """By how much `actual` changes displacements; of others see `assumed`."""
     needs: str = ""
     """What to give to add it: of what the scene and the catalogue do not have."""
+    by_friction: dict[str, Any] | None = None
+    """`ByFriction`: of raceway control, what friction itself gives; null else."""
 
     @property
     def solved(self) -> list[dict[str, float | None]]:
@@ -154,6 +157,9 @@ def _row(entry: Entry, solution: Solution, tolerance: float, words: Words) -> As
             actual, by, ratio = _solved(finer, coarser)
             change = change if is_timed else SolvedChange(actual, by)
     row = row_of(entry, solution, entry.is_in(scene), change, tolerance, words)
+    moved_by = by_friction(entry, solution)
+    if moved_by is not None:
+        row = replace(row, by_friction=vars(moved_by), why="; ".join(filter(None, (row.why, moved_by.text))))
     if change.actual is None:
         return row
     judged = judge(entry, solution)

@@ -29,6 +29,7 @@ from qsbearing.studies.cost import figures
 from tests.guide.pages import blocks, run_page
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks.coordinate_drawing import coordinate_drawing
+from tests.verification.benchmarks.friction_drawing import over_friction
 from tests.verification.benchmarks.sector_drawing import bearing_sector
 
 GUIDE = Path(qs.__file__).parent / "guide"
@@ -163,6 +164,7 @@ def main() -> None:
     (GUIDE / "spindle.svg").write_text(svg(spindle.picture(spindle.read())), encoding="utf-8")
     (GUIDE / "deformed_shaft.svg").write_text(svg(deformed_spindle()), encoding="utf-8")
     (GUIDE / "span.svg").write_text(svg(span_of_pairs()), encoding="utf-8")
+    (GUIDE / "ball_axis.svg").write_text(svg(over_friction()), encoding="utf-8")
     (GUIDE / "b218_life.svg").write_text(svg(life_against(lives())), encoding="utf-8")
 
 
