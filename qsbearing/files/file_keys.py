@@ -38,7 +38,7 @@ OTHER_TABLES = {
     ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
 }
 """Tables that change no result, with their keys."""
-_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient")
+_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "ball_motion", "friction_coefficient")
 _OF_EFFECTS = {"ball_effects": "ball"}
 
 

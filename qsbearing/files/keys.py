@@ -155,7 +155,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "preload": named(PRELOAD),
     "effects": (
         *("ball", "raceway_control", "moment_shares", *named(EFFECTS)),
-        *("orbit_radius", "hertz_angle", "hertz_form", "tilt_lever", BALL_DEVIATIONS.name, *EFFECT_TABLES),
+        *("orbit_radius", "ball_motion", "hertz_angle", "hertz_form", "tilt_lever"),
+        *(BALL_DEVIATIONS.name, *EFFECT_TABLES),
     ),
     "readings": (),
     "thermal": (),
