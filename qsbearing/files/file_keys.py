@@ -41,7 +41,15 @@ OTHER_TABLES = {
     ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
 }
 """Tables that change no result, with their keys."""
-_EFFECTS = ("ball_effects", "raceway_control", "orbit_radius", "friction_coefficient", "moment_shares", "hertz_angle")
+_EFFECTS = (
+    "ball_effects",
+    "raceway_control",
+    "orbit_radius",
+    "ball_motion",
+    "friction_coefficient",
+    "moment_shares",
+    "hertz_angle",
+)
 _OF_EFFECTS = {"ball_effects": "ball"}
 
 

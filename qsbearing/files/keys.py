@@ -166,8 +166,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "preload": named(PRELOAD),
     "effects": (
         *("ball", "raceway_control", "moment_shares", *named(EFFECTS)),
-        *("orbit_radius", "hertz_angle", "hertz_form", "tilt_lever", BALL_DEVIATIONS.name, *EFFECT_TABLES),
-        Traction.name,
+        *("orbit_radius", "ball_motion", "hertz_angle", "hertz_form", "tilt_lever"),
+        *(BALL_DEVIATIONS.name, *EFFECT_TABLES, Traction.name),
     ),
     "readings": (),
     "thermal": (),

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.effects import EFFECTS, QUANTITIES
+from qsbearing.model.effects.ball_motion import BallMotion
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
@@ -42,6 +43,7 @@ ROLLING = {
     RacewayControl.FRICTION: "Friction in both contacts moves each ball, in balance with its loads and inertia.",
     RacewayControl.MINIMUM_DISSIPATION: "Each ball spins so that the friction power is least (a hypothesis).",
 }
+ALIKE = "All balls have the mean axis and orbital speed, as a cage without clearance imposes (a hypothesis)."
 UNBOUNDED = (
     "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
     "table of inertia and motion."
@@ -67,6 +69,8 @@ def assumptions(scene: Scene) -> list[str]:
         said.append(FREE_ANGLE)
     if scene.raceway_control is not None:
         said.append(ROLLING[scene.raceway_control])
+    if scene.ball_motion is BallMotion.COMMON:
+        said.append(ALIKE)
     if scene.gyroscopic_moment is not None:
         said.append(UNBOUNDED if scene.gyroscopic_moment.friction_coefficient is None else BOUNDED)
     return said

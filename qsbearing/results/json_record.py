@@ -157,6 +157,7 @@ def choices(scene: Scene) -> dict[str, str | None]:
         "hertz_form": str(scene.hertz_form),
         "tilt_lever": str(scene.tilt_lever),
         "orbit_radius": str(scene.orbit_radius) if scene.ball_effects else None,
+        "ball_motion": str(scene.ball_motion) if scene.ball_effects else None,
     }
 
 

@@ -224,6 +224,8 @@ def asked_for(record: dict[str, Any]) -> str:
         named += f"; moment shares: {choices['moment_shares']}"
     if choices["orbit_radius"] == "displaced":
         named += "; each ball on its own orbit"
+    if choices["ball_motion"] == "common":
+        named += "; all balls moving alike"
     for name, usual in (("hertz_angle", "free"), ("hertz_form", "exact"), ("tilt_lever", "groove_centre")):
         if choices[name] != usual:
             named += f"; {name}: {choices[name]}"

@@ -790,3 +790,19 @@ def test_a_bad_value_does_not_hide_that_its_channel_is_doubled(load: Any) -> Non
     assert len(problems) == 2
     assert "finite" in problems[0]
     assert "never both" in problems[1]
+
+
+@pytest.mark.parametrize(
+    ("effects", "words"),
+    [
+        ({"raceway_control": '"per_ball"'}, "raceway_control = 'per_ball'"),
+        ({"orbit_radius": '"displaced"'}, "orbit_radius = 'displaced'"),
+        ({"ball": "[]", "raceway_control": None}, "no ball effect"),
+    ],
+)
+def test_a_common_motion_is_read_and_refused_by_its_key(load: Any, effects: dict[str, str | None], words: str) -> None:
+    asked = {"ball_motion": '"common"'}
+    assert load(scene_text(effects=asked)).ball_motion == "common"
+    assert load(scene_text()).ball_motion == "own"
+    with pytest.raises(qs.SceneError, match=f"effects.ball_motion = 'common': .*{re.escape(words)}"):
+        load(scene_text(effects=asked | effects))

@@ -20,17 +20,16 @@ Example       Scene(bearing, operation, effects, RacewayControl.OUTER, ball_moti
 
 from __future__ import annotations
 
-from dataclasses import replace
 from enum import StrEnum
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects.entry import Assumed, Entry, Members, as_setting, choice, largest, other_than
+from qsbearing.model.effects.entry import Entry, choice, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.parting import by_friction
-from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.model.validation import ErrorDetail
 
 
 class BallMotion(StrEnum):
@@ -80,23 +79,13 @@ def _apart(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy, apart / largest_load, 0.0)
 
 
-def _others(of: Any) -> list[Assumed]:
-    """The scene with the other member, where it may have it."""
-    if not of.ball_effects:
-        return []
-    other = BallMotion.OWN if of.ball_motion == BallMotion.COMMON else BallMotion.COMMON
-    try:
-        return other_than(of, [(as_setting("ball_motion", other), replace(of, ball_motion=other))])
-    except SceneError:
-        return []
-
-
-_SWITCH = choice("ball_motion", BallMotion.OWN, BallMotion.COMMON, of_balls=True)._replace(members=Members(_others))
+_SWITCH = choice("ball_motion", BallMotion.OWN, BallMotion.COMMON, of_balls=True)
+assert _SWITCH.members is not None
 
 ENTRY = Entry(
     "ball_motion",
     "the hypothesis of the balls' motion round the bearing (the other instead)",
-    _SWITCH,
+    _SWITCH._replace(members=_SWITCH.members._replace(finest=None)),  # a hypothesis has none
     indicator=largest(_apart),
     errors=by_friction(_apart),
     hypothesis="how far balls follow their azimuths is a hypothesis, which the model cannot test",

@@ -108,10 +108,7 @@ class Entry:
 
     def finer(self, scene: Any) -> Any:
         """The scene with it, as far as it can be added: not to a set of rows at one place, whose balls are shared."""
-        try:
-            return self.switch.finer(scene)
-        except SceneError:
-            return scene
+        return _as_far(self.switch.finer, scene)
 
     def coarser(self, scene: Any) -> Any:
         """The scene without it."""
@@ -226,12 +223,17 @@ def choice(field: str, coarse: Any, fine: Any, kept: tuple[Any, ...] = (), of_ba
         return change
 
     def others(scene: Any) -> list[Assumed]:
-        try:
-            return other_than(scene, [(as_setting(field, each), towards(each)(scene)) for each in type(fine)])
-        except SceneError:  # with some member, such as the finest, the scene is none
-            return []
+        return other_than(scene, [(as_setting(field, each), _as_far(towards(each), scene)) for each in type(fine)])
 
     return Switch(towards(fine, kept), towards(coarse, kept), field, members=Members(others, fine))
+
+
+def _as_far(change: Change, scene: Any) -> Any:
+    """The scene changed; as it is where its other choices do not go with the change."""
+    try:
+        return change(scene)
+    except SceneError:
+        return scene
 
 
 def as_setting(field: str, member: Any) -> str:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from qsbearing.model.effects.entry import Assumed, as_setting, other_than, part_of_effect
+from qsbearing.model.validation import SceneError
 
 SHARES = "moment_shares"
 FRICTION = "friction"
@@ -39,10 +40,12 @@ def other_controls(of: Any) -> list[Assumed]:
         return []
     every = []
     for control in type(of.raceway_control):
-        under, named = of, as_setting("raceway_control", control)
         if control == FRICTION:
             continue
-        if control != of.raceway_control:
-            under = under_control(of, control)
+        named = as_setting("raceway_control", control)
+        try:
+            under = of if control == of.raceway_control else under_control(of, control)
+        except SceneError:  # which the scene's other choices leave out
+            continue
         every += [(", ".join(filter(None, (named, how))), each) for how, each in _ways_of_sharing(under)]
     return other_than(of, every)

@@ -105,8 +105,8 @@ class BearingSet(InNotebooks):
         # Whether a preload has rows to press against is known only once groups name rows that there are.
         preload = [] if numbers else _preload_errors(self)
         errors = [*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)]
+        errors += [*_friction_errors(self), *_motion_errors(self.ball_motion)]
         raise_if_any(errors + read_requirements(self))
-        raise_if_any(_friction_errors(self))
         rows = (
             row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
             for row in self.rows
@@ -398,6 +398,14 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
                     path = f"row {number}.ring_expansion.{body}_temperature"
                     errors.append(ErrorDetail(path, Sentence("differs from {there}", there=there), cause=cause))
     return errors
+
+
+def _motion_errors(motion: BallMotion) -> list[ErrorDetail]:
+    """Of a common motion, which the balance of a set does not look for."""
+    if motion != BallMotion.COMMON:
+        return []
+    cause = "Leave it out: the balls of a set have the motion of their azimuths"
+    return [ErrorDetail("ball_motion", "is known of single bearings alone", str(motion), cause=cause)]
 
 
 def _scene_errors(of: BearingSet) -> list[ErrorDetail]:

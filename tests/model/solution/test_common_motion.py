@@ -150,3 +150,12 @@ def test_what_cannot_move_alike_is_refused(changed: dict[str, Any], words: str) 
     with pytest.raises(SceneError, match=words) as caught:
         scene(**changed)
     assert [each.field for each in caught.value.errors] == ["ball_motion"]
+
+
+def test_sets_refuse_it() -> None:
+    """Their balance has no common motion."""
+    rows = qs.Row(B218, 0.0, "+x"), qs.Row(B218, 0.1, "-x")
+    operation = qs.Operation(speed=1e3, axial_load=1e3)
+    with pytest.raises(SceneError, match="single bearings alone") as caught:
+        qs.BearingSet(rows, operation, ball_effects=BOTH, raceway_control=OUTER, ball_motion="common")
+    assert [each.field for each in caught.value.errors] == ["ball_motion"]

@@ -203,6 +203,29 @@ def test_outer_control_is_the_limit_of_great_friction_in_flat_contacts(
     assert np.abs(found.outer.spin_speed[0]) < share * np.abs(found.inner.spin_speed[0])
 
 
+def test_on_curved_contacts_the_inner_raceway_keeps_a_share() -> None:
+    """However great friction is: no axis is without slip all over such a contact."""
+    for friction in (1.0, 10.0, 100.0):
+        found = balanced(friction_motion(THRUST, law(friction, 0.01), **MIDDLE))
+        inner, outer = found.inner.traction[0], found.outer.traction[0]
+        assert inner / (inner + outer) == pytest.approx(0.068, abs=5e-4)
+        assert found.displacement[0] * 1e6 == pytest.approx(15.8, abs=0.05)
+
+
+def test_pressed_the_other_way_it_is_the_mirror_image() -> None:
+    """w is (wx, -wy, -wz) then, and forces across the grooves and along the axis turn round."""
+    both_ways = replace(B218, kind="deep_groove")
+    right, left = (balanced(friction_motion(scene(both_ways, load, 10_000), Traction())) for load in (17.8e3, -17.8e3))
+    np.testing.assert_allclose(left.angular_velocity, right.angular_velocity * (1.0, -1.0, -1.0), rtol=1e-9)
+    np.testing.assert_allclose(left.orbital_speed, right.orbital_speed, rtol=1e-10)
+    for name in ("inner", "outer"):
+        one, other = getattr(left, name), getattr(right, name)
+        np.testing.assert_allclose(one.angle, -other.angle, rtol=1e-10)
+        np.testing.assert_allclose(one.traction, -other.traction, rtol=1e-9)
+        np.testing.assert_allclose(one.sideways, other.sideways, rtol=1e-8)
+        np.testing.assert_allclose(one.heat, other.heat, rtol=1e-8)
+
+
 def test_linear_friction_is_shared_as_the_loads_are() -> None:
     found = friction_motion(THRUST, LINEAR, radii=2, angles=4)
     ratio = found.inner.traction[0] / found.outer.traction[0]
