@@ -19,8 +19,15 @@ def words_of(table: Table) -> set[str]:
     return {word for text in texts for word in str(text.word if isinstance(text, Badge) else text).split()}
 
 
-def broken(table: Table, width: int) -> set[str]:
-    """What is not there as it should be, at a width."""
-    lines = shown([table], width).splitlines()
-    assert max(map(len, lines)) <= width
-    return words_of(table) - {word for line in lines for word in line.split()}
+def broken(table: Table, *widths: int) -> set[str]:
+    """What is not there as it should be, at any of these widths."""
+    lacking: set[str] = set()
+    longest = max(widths) + 1
+    for width in sorted(widths, reverse=True):
+        if longest <= width:
+            break  # as it stands at the wider one (`test_what_fits_is_laid_out_alike`)
+        lines = shown([table], width).splitlines()
+        longest = max(map(len, lines))
+        assert longest <= width
+        lacking |= words_of(table) - {word for line in lines for word in line.split()}
+    return lacking

@@ -83,6 +83,14 @@ def test_no_name_is_broken(table: Table, width: int) -> None:
     assert broken(table, width) == set()
 
 
+@given(st.one_of(tables(), st.just(WIDE)), st.integers(60, 119))
+def test_what_fits_is_laid_out_alike(table: Table, width: int) -> None:
+    """In a narrower terminal as in a wider one."""
+    wide = text_of([table], 120)
+    if max(map(len, wide.splitlines())) <= width:
+        assert text_of([table], width) == wide
+
+
 @given(tables(), st.integers(60, 120))
 def test_columns_are_left_out_by_their_order_and_said_to_be(table: Table, width: int) -> None:
     text = text_of([table], width)

@@ -27,7 +27,7 @@ def tables_have_whole_names(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def checked(blocks: Any, width: int | None = None) -> str:
         for each in (each for each in blocks if isinstance(each, Table)) if isinstance(blocks, Sequence) else ():
-            assert [broken(each, width) for width in WIDTHS] == [set() for _ in WIDTHS], each.caption
+            assert broken(each, *WIDTHS) == set(), each.caption
         return shown(blocks, width)
 
     monkeypatch.setattr(terminal, "text_of", checked)

@@ -46,6 +46,7 @@ RING_LANES = record(
     ("matrix", np.float64, (5, 5, LANES)),
     *_arrays("worst", "worst_own", "total", "inertial", "contact", "least"),  # of `assemble_balls`
     *_arrays("regularisation", "largest_approach", "farthest", "turn", "fraction", "before"),  # of Newton's method
+    *_arrays("pivot"),  # of `solve_lanes`
     *_arrays("inner_spin", "outer_spin"),  # of equal balls, for minimum dissipation
     *_arrays("steps", "is_near", "is_open", "is_unusual"),  # 0 or 1, as packed loops like it
     *((name, np.int64, (LANES,)) for name in ("case", "iterations", "closings", "is_last", "is_closed")),

@@ -28,9 +28,9 @@ from qsbearing.model.kernel.assembly import assembled_residual, close_loops, lea
 from qsbearing.model.kernel.ball_inertia import is_moving
 from qsbearing.model.kernel.initial_guess import guess_thrust, is_thrust_like
 from qsbearing.model.kernel.lane_assembly import evaluate_lanes
+from qsbearing.model.kernel.lane_linear import leave_out_others, solve_lanes
 from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, lane_memory
 from qsbearing.model.kernel.least_thrust import is_below_least_thrust
-from qsbearing.model.kernel.linear import solve_in_place
 from qsbearing.model.kernel.loop_closure import inner_length, inner_span, outer_length, set_inner_line, set_outer_line
 from qsbearing.model.kernel.newton import CLOSINGS, NEAR, NEARLY, OPEN_ITERATIONS, SOLVED, UNSOLVED, verdict
 from qsbearing.model.kernel.newton_step import (
@@ -284,9 +284,7 @@ def judge(
     """What `newton` does between assembly and step, for a lane; whether it is solved, and stands in the workspace."""
     for p in range(work.channel_count):
         i = work.channel[p]
-        work.imbalance[p], work.right_side[p] = ring.imbalance[i, lane], ring.right_side[i, lane]
-        for q in range(work.channel_count):
-            work.matrix[p, q] = ring.matrix[i, work.channel[q], lane]
+        work.imbalance[p], work.matrix[p, p] = ring.imbalance[i, lane], ring.matrix[i, i, lane]
     work.regularisation = ring.regularisation[lane]
     residual, own_residual = assembled_residual(
         case, work, ring.worst[lane], ring.worst_own[lane], ring.total[lane], ring.inertial[lane], ring.contact[lane]
@@ -306,19 +304,27 @@ def judge(
         leave(ring, lane_balls, lane, work, balls)
         work.residual, work.iterations = residual, ring.iterations[lane]
         return True
-    if (
-        ring.iterations[lane] >= OPEN_ITERATIONS
-        or ring.largest_approach[lane] <= 0.0
-        or not solve_in_place(work.matrix, work.right_side, work.channel_count)
-    ):
+    if ring.iterations[lane] >= OPEN_ITERATIONS or ring.largest_approach[lane] <= 0.0:
         ring.case[lane] = NONE
         return False
     for p in range(work.channel_count):
-        ring.step[work.channel[p], lane] = -work.right_side[p]
+        i = work.channel[p]
+        ring.matrix[i, i, lane] = work.matrix[p, p]
     ring.before[lane], ring.is_closed[lane], ring.is_last[lane] = residual, 0, 1 if convergence == NEARLY else 0
     ring.steps[lane], ring.is_near[lane] = 1.0, 1.0 if residual < NEAR else 0.0
     ring.iterations[lane] += 1
     return False
+
+
+@kernel
+def set_steps(ring: recarray, work: recarray) -> None:
+    """The rings' steps, from what `solve_lanes` left."""
+    for lane in range(LANES):
+        ring.is_unusual[lane] = 0.0 if ring.pivot[lane] > 0.0 else 1.0
+    for p in range(work.channel_count):
+        i = work.channel[p]
+        for lane in range(LANES):
+            ring.step[i, lane] = kept(-ring.right_side[i, lane] if ring.steps[lane] != 0.0 else ring.step[i, lane])
 
 
 @kernel
@@ -347,11 +353,14 @@ def solve_alike(
             return entered
         evaluate_lanes(ring, lane_balls, work.ball_count, cases[like], first_control(cases[like]))
         for lane in range(LANES):
-            ring.steps[lane], ring.is_unusual[lane], k = 0.0, 0.0, ring.case[lane]
+            ring.steps[lane], k = 0.0, ring.case[lane]
             if k != NONE and judge(ring, lane_balls, lane, cases[k], work, balls, tolerance):
                 ring.case[lane] = NONE
                 if is_sound(cases[k], work, balls):
                     deliver_solved(cases[k], work, balls, SOUND, results[k], positions[k], controls[k])
+        leave_out_others(ring, work)
+        solve_lanes(ring)
+        set_steps(ring, work)
         propose_lanes(ring, lane_balls, work.ball_count)
         take_step_lanes(cases, ring, lane_balls, work, balls)
         for lane in range(LANES):

@@ -227,13 +227,14 @@ class CaseMaker:
         shift = self._values["axial_datum_shift"]
         return shift if np.ndim(shift) == 0 else np.broadcast_to(shift, self.shape).reshape(-1)
 
-    def make(self, start: int = 0, stop: int | None = None) -> NDArray:
-        """Case records of the flattened cases [start, stop)."""
+    def make(self, start: int = 0, stop: int | None = None, into: NDArray | None = None) -> NDArray:
+        """Case records of the flattened cases [start, stop), in an array of their own or in this one."""
         stop = self.count if stop is None else stop
         numbers = self._numbers(self._stretch(start, stop), self.has_unequal_balls(start, stop))
+        cases = np.empty(stop - start, CASE) if into is None else into
         if not self.shape and self._deviations is None:
-            return np.array([numbers], CASE)  # at once: a third of the time that the fields take one by one
-        cases = np.empty(stop - start, CASE)
+            cases[0] = numbers  # at once: a third of the time that the fields take one by one
+            return cases
         for name, number in zip(CASE.fields or (), numbers, strict=True):
             if isinstance(number, tuple):
                 for i, each in enumerate(number):

@@ -17,7 +17,7 @@ from qsbearing.model.effects.ball_expansion import BallExpansion
 from qsbearing.model.effects.ball_motion import BallMotion
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.admissibility import CONVERGED
-from qsbearing.model.kernel.case import RESULT
+from qsbearing.model.kernel.case import CASE, RESULT
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.closing_seats import solve_closing, with_touching
 from qsbearing.model.solution.common_motion import solve_common
@@ -104,22 +104,19 @@ def _solve(
     maker = CaseMaker(scene, _preloaded(scene, preloaded), motion)
     count = maker.count
     states = _start(start, maker)
-    made: dict[int, NDArray] = {}
+    cases = np.empty(count, CASE) if count <= KEPT else None
     workers = thread_count(threads)
 
     in_lanes = start is None and count >= LEAST_BATCH and are_lanes_fast_for(count)
 
     def solve_stretch(part: slice) -> None:
-        records = maker.make(part.start, part.stop)
-        if count <= KEPT:
-            made[part.start] = records
+        records = maker.make(part.start, part.stop, None if cases is None else cases[part])
         results, positions, controls = (array[part] for array in states)
         own = maker.own_balls(records, part.start)
         into = results, positions, controls
         solve_records(records, maker.ball_axis, own, tolerance, start is not None, into, in_lanes=in_lanes)
 
     in_threads(solve_stretch, count, workers)
-    cases = np.concatenate([made[begin] for begin in sorted(made)]) if len(made) > 1 else made.get(0)
     again = partial(solve, threads=threads)
     return Solution(maker, cases, *states, time.perf_counter() - began, workers, preloaded, again)
 

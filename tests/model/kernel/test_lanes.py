@@ -18,6 +18,7 @@ from qsbearing.model.kernel import lanes
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.kernel.lane_assembly import evaluate_ball_lanes
+from qsbearing.model.kernel.lane_linear import solve_lanes
 from qsbearing.model.kernel.lane_state import BALL_LANES, LANES, RING_LANES, lane_memory
 from qsbearing.model.kernel.lanes import propose_lanes, step_ball_lanes
 from qsbearing.model.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
@@ -266,6 +267,9 @@ def test_loops_over_lanes_are_packed() -> None:
     def propose(rings: NDArray, balls: NDArray) -> None:
         propose_lanes(rings[0], balls, 1)
 
+    def solve(rings: NDArray, balls: NDArray) -> None:
+        solve_lanes(rings[0])
+
     least_of = {
         evaluate: 200,
         evaluate_without_moment: 100,
@@ -273,6 +277,7 @@ def test_loops_over_lanes_are_packed() -> None:
         evaluate_least_dissipation: 200,
         step: 50,
         propose: 10,
+        solve: 40,
     }
     for function, least in least_of.items():
         compiled = numba_kernel.njit(**numba_kernel.OPTIONS)(numba_kernel.Dispatchers(functions).filled(function))
