@@ -11,7 +11,17 @@ from numpy.typing import NDArray
 
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import head, label_of, with_unit, without_unit
-from qsbearing.pictures.style import GREY, RED, ROW_LINES, figure_of_size, logarithmic, of_results, plain
+from qsbearing.pictures.style import (
+    GREY,
+    RED,
+    ROW_LINES,
+    figure_of_size,
+    logarithmic,
+    logarithmic_levels,
+    of_results,
+    plain,
+    spans_decades,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,6 +29,7 @@ if TYPE_CHECKING:
 
 OPTIMUM: dict[str, Any] = {"marker": "*", "markersize": 14, "color": "#e69f00", "markeredgecolor": "black"}
 FORBIDDEN = "0.80"
+LEVELS = 9
 
 
 @dataclass(frozen=True)
@@ -88,10 +99,7 @@ def draw_region(x: Along, y: Along | None, shown: Sequence[Bounded], objective: 
     for each in shown:
         values = np.ma.masked_invalid(each.values)
         if each.name == objective and values.count() and values.max() > values.min():
-            from matplotlib.ticker import MaxNLocator
-
-            levels = MaxNLocator(9).tick_values(values.min(), values.max())
-            contour_lines(axes, x.values, y.values, values, list(levels))
+            contour_lines(axes, x.values, y.values, values, _levels(each.unit, values))
             axes.plot([], [], color="black", linewidth=0.5, label=with_unit(label_of(each.name).whole, each.unit))
     axes.plot([x.best], [y.best], linestyle="none", label=best, clip_on=False, zorder=5, **OPTIMUM)
     _patches(axes, bool(outside.any()), not known.all())
@@ -124,6 +132,15 @@ def _lines(axes: Axes, x: Along, y: Along, shown: Sequence[Bounded]) -> None:
             else:
                 label += ": everywhere" if most <= 0.0 and sense != "=" else ": nowhere"
             axes.plot([], [], color=colour, linewidth=1.6, linestyle=dashes, label=label)
+
+
+def _levels(unit: str, values: Any) -> list[float]:
+    """Of the contours of the result that is made least or largest."""
+    from matplotlib.ticker import MaxNLocator
+
+    if spans_decades(unit, values.compressed()):
+        return logarithmic_levels(float(values.min()), float(values.max()), LEVELS)
+    return list(MaxNLocator(LEVELS).tick_values(values.min(), values.max()))
 
 
 def _curves(x: Along, shown: Sequence[Bounded], title: str, best: str) -> Figure:

@@ -120,15 +120,34 @@ OF_LIVES = ("h", "Mrev")
 """Units of lives, and of no other result."""
 
 
-def of_results(axis: Any, unit: str, values: ArrayLike) -> bool:
-    """The scale of an axis of results: of lives, which change by powers of ten, logarithmic where they differ by more
-    than a decade; whether it is."""
+def spans_decades(unit: str, values: ArrayLike) -> bool:
+    """Whether these are lives that differ by more than a decade: lives change by powers of ten."""
     known = np.asarray(values, float)
     known = known[np.isfinite(known)]
-    is_log = unit in OF_LIVES and known.size > 0 and 0.0 < DECADE * known.min() < known.max()
+    return unit in OF_LIVES and known.size > 0 and bool(0.0 < DECADE * known.min() < known.max())
+
+
+def of_results(axis: Any, unit: str, values: ArrayLike) -> bool:
+    """The scale of an axis of results: of lives that span decades logarithmic; whether it is."""
+    is_log = spans_decades(unit, values)
     if is_log:
         logarithmic(axis)
-    return bool(is_log)
+    return is_log
+
+
+STEPS = (1.0, 2.0, 5.0), (1.0, 3.0), (1.0,)
+"""Of a decade, the finest first."""
+
+
+def logarithmic_levels(low: float, high: float, most: int) -> list[float]:
+    """Round numbers from below the lowest to above the highest value, evenly spread over powers of ten; about so many
+    between them."""
+    decades = np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1.0)
+    every = [np.array([step * 10.0**power for power in decades for step in steps]) for steps in STEPS]
+    fine = next((each for each in every if ((each > low) & (each < high)).sum() <= most), every[-1])
+    first = max(int(np.searchsorted(fine, low, "right")) - 1, 0)
+    levels = fine[first : int(np.searchsorted(fine, high)) + 1].tolist()
+    return levels[:: -(-len(levels) // (most + 2))] if len(levels) > most + 2 else levels
 
 
 def plain(axes: Axes) -> None:

@@ -12,8 +12,8 @@ from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.changes import asked
-from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING
-from qsbearing.model.solution.result_keys import BALL, DISPLACEMENT, LOAD, STIFFNESS, Group, Place, Result, value_at
+from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING, channels
+from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Group, Place, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
@@ -122,13 +122,18 @@ def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index
         noise: loads of each channel up to which they are rounding [N, N m].
     """
     solved = bool(np.asarray(solution.converged)[index])
-    moved, load = solution.displacement[index], solution.load[index]
+    rounding = {"displacement": DISPLACEMENT_NOISE, "load": noise}
+    motion: dict[str, Any] = {}
+    stiffness: dict[str, Any] = {}
+    for group in channels(RING):
+        values = value_at(group.holder, solution)[index]
+        if group.prefix in rounding:
+            values = np.where(np.abs(values) <= rounding[group.prefix], 0.0, values)
+        (stiffness if group.results is STIFFNESS else motion)[group.prefix] = of_channels(group.results, values)
     return {
-        "displacement": of_channels(DISPLACEMENT, np.where(np.abs(moved) <= DISPLACEMENT_NOISE, 0.0, moved)),
-        "load": of_channels(LOAD, np.where(np.abs(load) <= noise, 0.0, load)),
+        **motion,
         "channels": CHANNEL_UNITS,
-        "locked_stiffness": of_channels(STIFFNESS, solution.locked_stiffness[index]),
-        "effective_stiffness": of_channels(STIFFNESS, solution.effective_stiffness[index]),
+        **stiffness,
         "stiffness_SI": _matrix_rows(solution.stiffness[index]) if solved else None,
         "compliance_SI": _matrix_rows(solution.compliance[index]) if solved else None,
     }

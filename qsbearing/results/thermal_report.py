@@ -13,6 +13,7 @@ from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.results.readings_record import number
 from qsbearing.results.tables import digits_of
+from qsbearing.systems.heat.heat_groups import WHOLE
 from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
 
 
@@ -29,8 +30,7 @@ def thermal_record(state: ThermalState, index: CasePlace = ()) -> dict[str, Any]
             {"from": one, "to": other, "heat_W": number(np.asarray(value)[index])}
             for (one, other), value in state.flows.items()
         ],
-        "imbalance_W": number(state.imbalance[index]),
-        "feedback": number(state.feedback[index]),
+        **{each.in_record: number(each.of(state, index)) for each in WHOLE.results},
         "limit_C": thermal.limit_temperature - zero_celsius,
         "solves": state.solves,
     }
@@ -59,7 +59,7 @@ def speeds_record(state: ThermalState) -> dict[str, Any]:
     }
 
 
-WHOLE = "With Palmgren's friction of the whole bearing"
+OF_WHOLE_BEARING = "With Palmgren's friction of the whole bearing"
 
 
 def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
@@ -72,9 +72,9 @@ def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
         return None
     if whole.state is None:
         reasons = " ".join(f"{translate(each)}." for each in whole.errors)
-        return {"message": f"{WHOLE}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
+        return {"message": f"{OF_WHOLE_BEARING}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
     record, assumed = speeds_record(whole.state), whole.assumed
-    basis = f"{WHOLE} (assumed: {', '.join(assumed)})" if assumed else WHOLE
+    basis = f"{OF_WHOLE_BEARING} (assumed: {', '.join(assumed)})" if assumed else WHOLE
     return {**record, "message": f"{basis}: {record['message'][0].lower()}{record['message'][1:]}", "assumed": assumed}
 
 

@@ -388,7 +388,7 @@ def test_a_damaged_record_is_named(tmp_path: Path) -> None:
     folder = records.folder_of(tmp_path)
     folder.mkdir()
     (folder / "iso_76_factors.json").write_text('{"case": "iso_76_factors"}')
-    with pytest.raises(records_store.RecordError, match="lacks .*title"):
+    with pytest.raises(records_store.RecordError, match=r"lacks .*title"):
         records.read_all(tmp_path)
     (folder / "iso_76_factors.json").write_text("{")
     with pytest.raises(records_store.RecordError, match="no record of the book"):

@@ -17,7 +17,7 @@ from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import Label, head, label_curves, label_of, place_named, title_panel
 from qsbearing.pictures.study.maps import extended_below_zero
 from qsbearing.pictures.study.spread import rank_correlation
-from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, label_places
+from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, label_places, logarithmic_levels
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -327,6 +327,29 @@ def test_lives_of_raceways_share_a_panel_and_lives_have_axes_of_powers_of_ten() 
     axes = picture(results.assign(lives), y=list(lives)).axes
     assert [each.get_yscale() for each in axes] == ["log", "log"]
     assert [line.get_color() for line in axes[0].lines] == [STYLE[side]["color"] for side in ("inner", "outer")]
+
+
+def test_contours_of_lives_that_span_decades_are_evenly_spread_over_powers_of_ten() -> None:
+    results = sweep(Study.of("b218", {"axial_load_N": "1000:40000:9", "speed_rpm": "1000:9000:9"}))
+    load = results["axial_load_N"].values[:, None] * np.ones(9)
+    lives = results.assign(life_duration=(("axial_load_N", "speed_rpm"), 1e17 / load**3, {"units": "h"}))
+    (axes,) = picture(lives, kind="map", y=["life_duration"]).axes
+    _, lines = (each for each in axes.collections if isinstance(each, QuadContourSet))
+    steps = np.diff(np.log10(lines.levels))
+    assert 4 <= len(steps) <= 8 and steps.max() < 2.0 * steps.min()
+    assert all(f"{level:.3e}".startswith(("1.000", "2.000", "3.000", "5.000")) for level in lines.levels)
+    narrow = results.assign(life_duration=(("axial_load_N", "speed_rpm"), 1e4 + 1.01 * load, {"units": "h"}))
+    (axes,) = picture(narrow, kind="map", y=["life_duration"]).axes
+    *_, lines = (each for each in axes.collections if isinstance(each, QuadContourSet))
+    steps = np.diff(lines.levels)
+    assert np.allclose(steps, steps[0]), "within a decade as others"
+
+
+@pytest.mark.parametrize(("low", "high"), [(1e3, 2e4), (7.0, 3e9), (1e-3, 1e40), (2.0, 50.0)])
+def test_levels_of_powers_of_ten_enclose_all_values(low: float, high: float) -> None:
+    levels = logarithmic_levels(low, high, 9)
+    assert levels[0] <= low and 3 <= len(levels) <= 11
+    assert levels[-1] >= high or levels[-1] * (levels[-1] / levels[-2]) > high
 
 
 def test_a_dataset_says_what_pictures_tell_results_by() -> None:

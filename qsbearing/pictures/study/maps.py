@@ -12,7 +12,7 @@ from qsbearing.model.solution.groups import FRICTION
 from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import key_heading, label_in, place_named, title_panel, with_unit
 from qsbearing.pictures.study.selection import BALL, SAMPLE, Selection
-from qsbearing.pictures.style import GREY, SLIP, figure_of_size
+from qsbearing.pictures.style import GREY, SLIP, figure_of_size, logarithmic_levels, spans_decades
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,6 +53,10 @@ def _map(axes: Axes, chosen: Selection, name: str) -> None:
         _steps(axes, x, y, z, _least_load(chosen))
     elif _is_friction(name):
         _slip(axes, x, y, z)
+    elif spans_decades(unit, z.compressed()):
+        levels = logarithmic_levels(float(z.min()), float(z.max()), LEVELS)
+        axes.contourf(x, y, z, levels, cmap=_colours(), norm="log", extend="max")
+        contour_lines(axes, x, y, z, levels[1:-1])
     else:
         filled = axes.contourf(x, y, z, LEVELS, cmap=_colours())
         contour_lines(axes, x, y, z, list(filled.levels)[1:-1])
