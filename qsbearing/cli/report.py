@@ -7,10 +7,11 @@ import re
 import shlex
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.files import BOXES, check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import load_scene_or_set, solve
@@ -51,7 +52,7 @@ def report(scene: str, out: str) -> None:
     name = (path.stem if is_file(path) else scene).lower()
     page = Path(out) / f"{name}_report.html"
     _refuse_another(page, path)
-    make = _maker(asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
+    make = _maker(asked, document_at(scene), text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -92,7 +93,7 @@ def _refuse_another(page: Path, path: Path) -> None:
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 
 
-def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
+def _maker(asked: Scene | BearingSet, tables: dict[str, Any], source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
     from qsbearing.remarks.of_solution import message
 
@@ -103,4 +104,13 @@ def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[],
         sys.exit(UNSOLVED)
     from qsbearing.reports.of_any import document_of_any
 
-    return lambda: document_of_any(solution, asked, source, command)
+    return lambda: _with_other_sets(document_of_any(solution, asked, source, command), asked, tables)
+
+
+def _with_other_sets(made: Document, asked: Scene | BearingSet, tables: dict[str, Any]) -> Document:
+    """With the range over the ball sets of a bearing that is a list, before how the report was made."""
+    from qsbearing.documents.model import Section
+
+    blocks = blocks_of_lists(tables, asked)
+    *sections, last = made.sections
+    return replace(made, sections=[*sections, Section("Other ball sets", blocks), last]) if blocks else made

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -67,13 +68,12 @@ def bearing_of_sheet(
 ) -> BallBearing | None:
     """Every bearing that the data sheet allows, as arrays; None where errors were found and added.
 
+    Where one is needed it is that of the set chosen, or the one that fits best, whose name says so.
+
     Args:
         sheets: what the name adds, one table for each maker.
         by_name: what is said of that.
     """
-    # Rarely asked for, and behind it are the readings, with scipy.
-    from qsbearing.inference.infer import infer_bearing
-
     before = len(errors)
     others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
     for name in sorted(others & {*given}):
@@ -97,21 +97,25 @@ def bearing_of_sheet(
     rows = [given | each for each in sheets] or [given]
     words = ("kind", *SHEET_WORDS)
     try:
-        inferred = infer_bearing(
-            *(DataSheet(**fields | si(_KEYS, row) | {name: row[name] for name in words if name in row}) for row in rows)
+        sheets_given = (
+            DataSheet(**fields | si(_KEYS, row) | {name: row[name] for name in words if name in row}) for row in rows
         )
+        inferred = _inferred(*sheets_given)
     except SceneError as error:
         errors += map(translate, error.errors)
         return None
     inferred = replace(inferred, remarks=(*by_name, *inferred.remarks))
-    if chosen is not None:
-        return _chosen(inferred, chosen, outline, errors)
-    if not may_infer:
-        errors.append(
-            FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(inferred))
-        )
-        return None
+    if chosen is not None or not may_infer:
+        return _chosen(inferred, 1 if chosen is None else chosen, outline, errors)
     return replace(inferred.bearing, inferred=inferred, outline=outline)
+
+
+@lru_cache(16)  # a search reads a file's tables a thousand times
+def _inferred(*sheets: DataSheet) -> InferredBearing:
+    # Rarely asked for, and behind it are the readings, with scipy.
+    from qsbearing.inference.infer import infer_bearing
+
+    return infer_bearing(*sheets)
 
 
 def _chosen(inferred: InferredBearing, number: float, outline: Outline | None, errors: Errors) -> BallBearing | None:

@@ -14,7 +14,6 @@ from qsbearing.files.keys import COEFFICIENTS, RACEWAYS, RATINGS
 from qsbearing.inference.clearance import ClearanceClass, clearance_limits
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.inference.practice import RatingPractice
-from qsbearing.inference.proportions import proportions_of
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Warned, remark
@@ -63,6 +62,8 @@ def _guess(told: Designation) -> list[dict[str, Any]]:
     """Of a usual series: none of light balls, nor of a prefix that nobody here knows."""
     if told.is_light or not told.is_prefix_known or told.outside is None:
         return []
+    from qsbearing.inference.proportions import proportions_of  # behind it are the readings, with scipy
+
     sheet = DataSheet(
         bore_diameter=told.bore * mm,
         outside_diameter=told.outside * mm,

@@ -20,6 +20,7 @@ from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.tables import digits_of
 from qsbearing.studies.design.compare import main_results
 from qsbearing.studies.results import read
+from qsbearing.systems.sets.set_solution import SetSolution
 
 OTHER_NUMBERS = {"pair_rigidity": "rigidity", "ball_count": "Z", "ball_diameter": "D", "diametral_clearance": "Pd"}
 """By which one more number is called in a heading."""
@@ -47,14 +48,23 @@ class Ranged(NamedTuple):
         return self.place.column
 
     @property
+    def words(self) -> str:
+        """As people read it."""
+        return self.place._replace(group=self.place.group._replace(before="")).name.replace("_", " ")
+
+    def ends(self, numbers: NDArray) -> tuple[str, str, str, str]:
+        """The least and the ball set that makes it, the most and that set, of the sets' numbers from 0."""
+        least, most = map(digits_of, self.range[:2])
+        return least, str(numbers[self.range.least_case] + 1), most, str(numbers[self.range.most_case] + 1)
+
+    @property
     def is_wide(self) -> bool:
         """Whether there is more than rounding."""
         return self.range.width > SAME * max(abs(self.range.least), abs(self.range.most))
 
 
-def ranges(solution: Solution) -> list[Ranged]:
+def ranges(solution: Solution | SetSolution, inferred: InferredBearing) -> list[Ranged]:
     """The main results and every number of the readings, of a solution over the bearings of a data sheet."""
-    inferred: InferredBearing = solution.scene.bearing.inferred
     kept = main_results(solution)
     solved = np.asarray(solution.converged)
     out = []
@@ -83,7 +93,7 @@ def _of_bearings(each: Remark) -> Remark:
 def inferred_record(solution: Solution) -> dict[str, Any]:
     """The ranges as plain data: `inferred`, and beside it the sets, which of them make the ends, and the shares."""
     inferred: InferredBearing = solution.scene.bearing.inferred
-    every = ranges(solution)
+    every = ranges(solution, inferred)
     numbers = inferred.set_number
     return {
         "inferred": {each.key: [each.range.least, each.range.most] for each in every},
@@ -126,18 +136,13 @@ def _only_one(inferred: InferredBearing) -> str:
 def inferred_tables(solution: Solution) -> list[Block]:
     """The ranges and the sets for people."""
     inferred: InferredBearing = solution.scene.bearing.inferred
-    every, numbers = ranges(solution), inferred.set_number
+    every, numbers = ranges(solution, inferred), inferred.set_number
     others = [name for name in OTHER_NUMBERS if any(name in each.removed for each in every)]
     heading = ("inferred", "", "least", "of set", "most", "of set", *(f"{OTHER_NUMBERS[name]}\n%" for name in others))
     rows = []
     for each in (each for each in every if each.is_wide):
-        name = each.place._replace(group=each.place.group._replace(before="")).name.replace("_", " ")
-        ends = [
-            (digits_of(value), str(numbers[case] + 1))
-            for value, case in zip(each.range[:2], each.range[2:], strict=True)
-        ]
         removed = [f"{100.0 * each.removed[name]:.0f}" for name in others]
-        rows.append((name, printed_unit(each.place.unit), *ends[0], *ends[1], *removed))
+        rows.append((each.words, printed_unit(each.place.unit), *each.ends(numbers), *removed))
     sets = [
         (
             str(number),
