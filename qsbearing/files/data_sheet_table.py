@@ -35,6 +35,7 @@ _BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_ra
 _SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
 _OF_SHEET = (*(key.name for key in DATA_SHEET), *SHEET_WORDS)
 _KEYS = tuple(key for key in (*BEARING, *IN_PLACE) if key.field in DataSheet.__dataclass_fields__)
+CLEARANCE_CLASS = "clearance_class"
 PRINTED_THERE = "As the data sheet prints it"
 DIMENSIONS_ALONE = (
     f"{PRINTED_THERE}. Dimensions alone do not tell the balls: some series have them a third smaller than others, and "
@@ -43,9 +44,12 @@ DIMENSIONS_ALONE = (
 
 
 def is_data_sheet(given: Collection[str]) -> bool:
-    """Whether these keys of [bearing] are a data sheet: ratings or dimensions in place of balls or grooves."""
+    """Whether these keys of [bearing] are a data sheet: ratings or dimensions in place of balls or grooves, or a class
+    in place of the clearance."""
     has = {*given, *(radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii)}
     lacking = (_BALLS | _RADII) - has
+    if CLEARANCE_CLASS in has:
+        return True
     return bool(lacking) and (bool(has & {*_RATINGS, *_OF_SHEET}) or (has >= _SIZE and lacking >= _BALLS))
 
 
