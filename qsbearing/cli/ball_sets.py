@@ -14,10 +14,13 @@ if TYPE_CHECKING:
 
 def document_at(source: str) -> dict[str, Any]:
     """The tables of a source that was read already; none of standard input, which is read once."""
+    import warnings
+
     from qsbearing.files.raw import STANDARD_INPUT
     from qsbearing.files.scene_file import document_of
 
-    return {} if source in STANDARD_INPUT else document_of(source, True)[0]
+    with warnings.catch_warnings(action="ignore"):  # which it gave when it was read
+        return {} if source in STANDARD_INPUT else document_of(source, True)[0]
 
 
 def blocks_of_lists(document: dict[str, Any], of: Scene | BearingSet | None) -> list[Block]:

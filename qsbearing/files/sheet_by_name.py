@@ -53,6 +53,13 @@ def sheets_by_name(given: Mapping[str, Any], unusable: Collection[str] = ()) -> 
     return [_table(each) for each in printed] or _guess(told)
 
 
+def nearest(name: str) -> str:
+    """A sentence that helps whoever asks the catalogue for a name that it does not hold, where a file may have it."""
+    if sheets_by_name({"name": name}):
+        return f"In a scene file, [bearing] name = {name!r} is enough: its balls follow from ratings or are guessed."
+    return catalogue.nearest(name)
+
+
 def _table(printed: PrintedRatings) -> dict[str, Any]:
     table = {"maker": printed.maker, _DYNAMIC: printed.dynamic, _STATIC: printed.static}
     return table if printed.f0 is None else table | {"f0": printed.f0}

@@ -256,3 +256,11 @@ def test_classes_of_clearance_and_of_tolerance_are_told_apart(tmp_path: Path) ->
     assert said.exit_code == 2 and "tolerance_class in [effects.ring_expansion]" in said.output
     said = solved(tmp_path, 'name = "SKF 7210 BECBP"\nclearance_class = "C3"')
     assert said.exit_code == 2 and "clearance_class" in said.output
+
+
+@pytest.mark.parametrize("command", ["run", "catalogue"])
+def test_a_number_in_place_of_a_file_is_told_where_it_goes(command: str) -> None:
+    result = CliRunner().invoke(cli, [command, "SKF 6205"])
+    assert result.exit_code == 2 and "[bearing] name = 'SKF 6205' is enough" in result.output
+    light = CliRunner().invoke(cli, [command, "HSS71914C"])
+    assert light.exit_code == 2 and "is enough" not in light.output
