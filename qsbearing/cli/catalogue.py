@@ -49,7 +49,8 @@ def catalogue(name: str | None, bore: float | None, angle: float | None, series:
 
 def entry_named(name: str) -> CatalogueEntry:
     """The catalogue's entry; ends with exit code 2 where there is none."""
-    from qsbearing.files.catalogue import find, nearest
+    from qsbearing.files.catalogue import find
+    from qsbearing.files.sheet_by_name import nearest
 
     entry = find(name)
     if entry is None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
 from qsbearing.model.scene.scene import DEFAULT_ACCURACY
@@ -58,10 +59,11 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     importlib.import_module("scipy.special")
     with solving():
         explanation = explained(loaded, tolerance)
+    document = document_at(scene)
     if as_json:
         print_text(json.dumps(explanation.record, indent=1, allow_nan=False) + "\n")
     else:
-        print_table(_shown(explanation, tolerance))
+        print_table([*_shown(explanation, tolerance), *blocks_of_lists(document, loaded)])
     if not explanation.solution.converged:
         note(message(explanation.solution))
         sys.exit(UNSOLVED)

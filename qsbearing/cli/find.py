@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at, note_of_lists
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_table, print_text, progress_bar, refuse, warnings_as_notes
 from qsbearing.cli.vary import pairs_of
@@ -80,9 +81,10 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
         except SceneError as error:
             refuse(str(error))
         if as_json:
+            note_of_lists(document_at(scene))
             print_text(json.dumps(shown.record(outcome), indent=1, allow_nan=False) + "\n")
         else:
-            print_table(shown.tables(outcome))
+            print_table([*shown.tables(outcome), *blocks_of_lists(document_at(scene), outcome.scene)])
         write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(outcome), target or "")})
     if not outcome.is_feasible:
         sys.exit(UNSOLVED)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.files import BOXES, check_installed, fill, folder
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
@@ -54,7 +55,8 @@ def report(scene: str, out: str) -> None:
     _refuse_another(page, path)
     solution = _solved(asked)
     required = answers_to_required(solution)
-    make = _maker(solution, asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
+    command = shlex.join(["qsbearing", "report", scene, "--out", "DIR"])
+    make = _maker(solution, asked, document_at(scene), text_of(scene), command)
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -109,8 +111,19 @@ def _solved(asked: Scene | BearingSet) -> Any:
     return solution
 
 
-def _maker(solution: Any, asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
+def _maker(
+    solution: Any, asked: Scene | BearingSet, tables: dict[str, Any], source: str, command: str
+) -> Callable[[], Document]:
     """What makes the document of a scene or set."""
     from qsbearing.reports.of_any import document_of_any
 
-    return lambda: document_of_any(solution, asked, source, command)
+    return lambda: _with_other_sets(document_of_any(solution, asked, source, command), asked, tables)
+
+
+def _with_other_sets(made: Document, asked: Scene | BearingSet, tables: dict[str, Any]) -> Document:
+    """With the range over the ball sets of a bearing that is a list, before how the report was made."""
+    from qsbearing.documents.model import Section
+
+    blocks = blocks_of_lists(tables, asked)
+    *sections, last = made.sections
+    return replace(made, sections=[*sections, Section("Other ball sets", blocks), last]) if blocks else made

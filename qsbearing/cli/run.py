@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at, note_of_lists
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
@@ -96,6 +97,7 @@ def run(
     if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
         clashing = {name: given for name, given in others.items() if given not in (None, False)}
+        note_of_lists(document_at(scene))
         run_points(scene, points, out, decimal, clashing)
         return
     targets = {"--csv": csv_target, "--plot": plot_target, "--into": into}
@@ -112,6 +114,7 @@ def run(
             outcome = _of_data_sheet(loaded)
         else:
             outcome = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
+            outcome = _with_other_sets(outcome, loaded, document_at(scene))
         if as_json:
             print_result(outcome.input, outcome.record())
         else:
@@ -176,6 +179,21 @@ class RunOutput(NamedTuple):
         if self.solution.converged.all():
             return ""
         return "not all points are solved" if self.solution.shape else "there is no solution to write"
+
+
+def _with_other_sets(outcome: RunOutput, of: Scene | BearingSet, document: dict[str, Any]) -> RunOutput:
+    """With the range over the ball sets of a bearing that is a list, of which the best is solved."""
+    blocks = blocks_of_lists(document, of)
+    if not blocks:
+        return outcome
+
+    def record() -> dict[str, Any]:
+        from qsbearing.files.ball_lists import listed_in
+        from qsbearing.studies.other_sets import other_sets_record
+
+        return outcome.record() | {"other_ball_sets": other_sets_record(of, listed_in(document))}
+
+    return outcome._replace(record=record, blocks=lambda: [*outcome.blocks(), *blocks])
 
 
 def _of_scene(scene: Scene, accuracy: float | None) -> RunOutput:

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from qsbearing.cli.ball_sets import document_at, note_of_lists
 from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
@@ -28,18 +29,23 @@ def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.files.scene_file import document_of, scene_of
 
-    return _of_one_point(_loaded(lambda given: scene_of(*document_of(given)), source), source)
+    loaded = _loaded(lambda given: scene_of(*document_of(given)), source)
+    note_of_lists(document_at(source))
+    return _of_one_point(loaded, source)
 
 
 def load_scene_or_set(source: str, may_infer: bool = False) -> Scene | BearingSet:
     """Likewise, but a file with rows is a set; of several operating points, if it says so.
 
     Args:
-        may_infer: whether a bearing may be a list, those that its data sheet allows.
+        may_infer: whether a bearing may be a list, those that its data sheet allows; else the best is taken, and said.
     """
     from qsbearing.files.scene_or_set import load_scene_or_set
 
-    return _loaded(partial(load_scene_or_set, may_infer=may_infer), source)
+    loaded = _loaded(partial(load_scene_or_set, may_infer=may_infer), source)
+    if not may_infer:
+        note_of_lists(document_at(source))
+    return loaded
 
 
 def load_one(source: str) -> Scene | BearingSet:

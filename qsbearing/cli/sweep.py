@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from qsbearing.cli.ball_sets import blocks_of_lists, note_of_lists
 from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.files import (
     check_installed,
@@ -84,6 +85,7 @@ def sweep(
     """
     from qsbearing.model.validation import SceneError
     from qsbearing.studies import summary
+    from qsbearing.studies.scenes import base_scene
 
     check_installed("studies need", ("xarray", "h5netcdf"), "studies")
     problems = [*_place_problems(out, overwrite, resume), *picture_problems(picture)]
@@ -98,6 +100,7 @@ def sweep(
             if sobol is not None:
                 results = _indices(study, sobol, out)
                 print_table(summary.table_of_indices(results))
+                note_of_lists(study.document)
                 solved = True
             else:
                 write = stack.enter_context(_table(out)) if out and ending(out) in TABLES else None
@@ -105,7 +108,7 @@ def sweep(
                 results = _solved(study, executor, out if write is None else None, resume, stack)
                 if write:
                     write(results)
-                print_table(summary.table(results))
+                print_table([*summary.table(results), *blocks_of_lists(study.document, base_scene(study))])
                 solved = summary.any_is_solved(results)
         except SceneError as error:
             refuse(str(error))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -34,6 +35,7 @@ _BALLS, _RADII = {"ball_count", "ball_diameter_mm"}, set(COEFFICIENTS["groove_ra
 _SIZE, _RATINGS = ({key.name for key in keys} for keys in (DIAMETERS, RATINGS))
 _OF_SHEET = (*(key.name for key in DATA_SHEET), *SHEET_WORDS)
 _KEYS = tuple(key for key in (*BEARING, *IN_PLACE) if key.field in DataSheet.__dataclass_fields__)
+CLEARANCE_CLASS = "clearance_class"
 PRINTED_THERE = "As the data sheet prints it"
 DIMENSIONS_ALONE = (
     f"{PRINTED_THERE}. Dimensions alone do not tell the balls: some series have them a third smaller than others, and "
@@ -42,9 +44,12 @@ DIMENSIONS_ALONE = (
 
 
 def is_data_sheet(given: Collection[str]) -> bool:
-    """Whether these keys of [bearing] are a data sheet: ratings or dimensions in place of balls or grooves."""
+    """Whether these keys of [bearing] are a data sheet: ratings or dimensions in place of balls or grooves, or a class
+    in place of the clearance."""
     has = {*given, *(radius for name, radii in COEFFICIENTS.items() if name in given for radius in radii)}
     lacking = (_BALLS | _RADII) - has
+    if CLEARANCE_CLASS in has:
+        return True
     return bool(lacking) and (bool(has & {*_RATINGS, *_OF_SHEET}) or (has >= _SIZE and lacking >= _BALLS))
 
 
@@ -67,13 +72,12 @@ def bearing_of_sheet(
 ) -> BallBearing | None:
     """Every bearing that the data sheet allows, as arrays; None where errors were found and added.
 
+    Where one is needed it is that of the set chosen, or the one that fits best, whose name says so.
+
     Args:
         sheets: what the name adds, one table for each maker.
         by_name: what is said of that.
     """
-    # Rarely asked for, and behind it are the readings, with scipy.
-    from qsbearing.inference.infer import infer_bearing
-
     before = len(errors)
     others = _RADII | {*COEFFICIENTS, *(key.name for key in RACEWAYS)} - {"groove_radius_coefficient"}
     for name in sorted(others & {*given}):
@@ -97,21 +101,25 @@ def bearing_of_sheet(
     rows = [given | each for each in sheets] or [given]
     words = ("kind", *SHEET_WORDS)
     try:
-        inferred = infer_bearing(
-            *(DataSheet(**fields | si(_KEYS, row) | {name: row[name] for name in words if name in row}) for row in rows)
+        sheets_given = (
+            DataSheet(**fields | si(_KEYS, row) | {name: row[name] for name in words if name in row}) for row in rows
         )
+        inferred = _inferred(*sheets_given)
     except SceneError as error:
         errors += map(translate, error.errors)
         return None
     inferred = replace(inferred, remarks=(*by_name, *inferred.remarks))
-    if chosen is not None:
-        return _chosen(inferred, chosen, outline, errors)
-    if not may_infer:
-        errors.append(
-            FileErrorDetail("bearing", "is a data sheet, which allows several ball sets", cause=_one_of(inferred))
-        )
-        return None
+    if chosen is not None or not may_infer:
+        return _chosen(inferred, 1 if chosen is None else chosen, outline, errors)
     return replace(inferred.bearing, inferred=inferred, outline=outline)
+
+
+@lru_cache(16)  # a search reads a file's tables a thousand times
+def _inferred(*sheets: DataSheet) -> InferredBearing:
+    # Rarely asked for, and behind it are the readings, with scipy.
+    from qsbearing.inference.infer import infer_bearing
+
+    return infer_bearing(*sheets)
 
 
 def _chosen(inferred: InferredBearing, number: float, outline: Outline | None, errors: Errors) -> BallBearing | None:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.table_checks import Errors
+from qsbearing.inference.clearance import ClearanceClass
 from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.units import mm, um
 from qsbearing.model.validation import alike, question
@@ -116,6 +117,8 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
     before = len(errors)
     if tolerance not in classes():
         cause = f"One of {', '.join(classes())}. P4Y, P3, SP and UP have limits of their own: give the interference"
+        if tolerance in tuple(ClearanceClass):
+            cause = f'It is a class of clearance: write clearance_class = "{tolerance}" in [bearing]'
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is no tolerance class", tolerance, cause=cause))
     named = {seat: table[f"{seat}_fit"] for seat in FITTED if f"{seat}_fit" in table}
     if CLASS in table and not named:

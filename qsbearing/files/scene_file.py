@@ -25,6 +25,7 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.raw import STANDARD_INPUT, read_text
 from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.sheet_by_name import nearest
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.stated import Stated, stated_in
 from qsbearing.files.table_checks import (
@@ -90,7 +91,7 @@ def document_of(
     if isinstance(source, str) and path.suffix == "" and source in (path.name, "") and not is_file(path):
         entry = catalogue.named(source)
         if entry is None:
-            cause = f"{catalogue.nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
+            cause = f"{nearest(source)} A scene of your own is a file, such as {source or 'my'}.toml"
             error = FileErrorDetail("", "neither a file nor a bearing of the catalogue", cause=cause)
             raise SceneFileError(repr(source), [error])
         return {"bearing": {"name": entry.name}, **deepcopy(entry.example)}, entry.name, ""

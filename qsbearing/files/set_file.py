@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from qsbearing.files.ball_lists import listed_in, said_of
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.effects_table import effects_of, ring_effect
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
@@ -45,10 +47,16 @@ OF_OTHERS = tuple(name for name in OTHERS["rows"] if name not in _WORDS)
 def load_set(source: str | os.PathLike[str]) -> BearingSet:
     """The set of a TOML file.
 
+    Of a bearing that is given by its data sheet or number the ball set that fits best is taken, with a UserWarning.
+
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
     """
-    return set_of(*document_of(source))
+    document, file, label = document_of(source)
+    of = set_of(document, file, label)
+    for each in said_of(listed_in(document)):
+        warnings.warn(each, stacklevel=2)
+    return of
 
 
 def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:

@@ -14,7 +14,6 @@ from qsbearing.files.keys import COEFFICIENTS, RACEWAYS, RATINGS
 from qsbearing.inference.clearance import ClearanceClass, clearance_limits
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.inference.practice import RatingPractice
-from qsbearing.inference.proportions import proportions_of
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Warned, remark
@@ -54,6 +53,13 @@ def sheets_by_name(given: Mapping[str, Any], unusable: Collection[str] = ()) -> 
     return [_table(each) for each in printed] or _guess(told)
 
 
+def nearest(name: str) -> str:
+    """A sentence that helps whoever asks the catalogue for a name that it does not hold, where a file may have it."""
+    if sheets_by_name({"name": name}):
+        return f"In a scene file, [bearing] name = {name!r} is enough: its balls follow from ratings or are guessed."
+    return catalogue.nearest(name)
+
+
 def _table(printed: PrintedRatings) -> dict[str, Any]:
     table = {"maker": printed.maker, _DYNAMIC: printed.dynamic, _STATIC: printed.static}
     return table if printed.f0 is None else table | {"f0": printed.f0}
@@ -63,6 +69,8 @@ def _guess(told: Designation) -> list[dict[str, Any]]:
     """Of a usual series: none of light balls, nor of a prefix that nobody here knows."""
     if told.is_light or not told.is_prefix_known or told.outside is None:
         return []
+    from qsbearing.inference.proportions import proportions_of  # behind it are the readings, with scipy
+
     sheet = DataSheet(
         bore_diameter=told.bore * mm,
         outside_diameter=told.outside * mm,

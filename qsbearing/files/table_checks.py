@@ -155,6 +155,8 @@ def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
         names = list(CHOICES_OF_FILES[name])
         cause = other_kind(value) if name == "kind" else ""
         cause = cause or did_you_mean(value, names) or f"One of {', '.join(names)}"
+        if name == "clearance_class":
+            cause += ". How exact a bearing is made, such as P5, is tolerance_class in [effects.ring_expansion]"
         return FileErrorDetail(path, "is none of the choices", value, cause=cause)
     if name == "ball":
         cause = 'Write ball = ["centrifugal_force", "gyroscopic_moment"], or one of the two'

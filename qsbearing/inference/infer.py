@@ -175,7 +175,8 @@ def _fits(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
     """The sets of one data sheet, best first, at least one."""
     if sheet.rating_practice == RatingPractice.PROPORTIONS:
         return _guessed(sheet, remarks)
-    if sheet.dynamic_load_rating is None or sheet.static_load_rating is None:
+    known = sheet.ball_count, sheet.ball_diameter, sheet.groove_radius_coefficient
+    if None not in known or sheet.dynamic_load_rating is None or sheet.static_load_rating is None:
         return of_known_balls(sheet)
     factors = tuple(getattr(sheet, name) for name in FACTORS)
     practice = practice_of(sheet.maker, sheet.rating_practice, factors, sheet.kind, sheet.free_contact_angle)

@@ -38,6 +38,8 @@ WORST_FIT = 9.0
 THIN_C, THIN_C_SPREAD, THIN_F_SPREAD = (-0.035, 0.016), 0.012, 0.006
 """Of own grooves in dimension series 18: C printed over computed, less 1, between these; its usual deviation from their
 middle; that of f."""
+BALLS_GIVEN = "balls given"
+"""In place of a practice, where no rating is read."""
 LARGEST_ROUNDING = 0.01
 F0_AGREEMENT = 0.01
 """How far makers' f0 are from exact ones, beside their rounding: they are read from a table by steps of gamma."""
@@ -94,7 +96,7 @@ def of_known_balls(sheet: DataSheet) -> Fitted:
     sets = possible_sets(sheet, sizes_of(sheet))
     known = sheet.groove_radius_coefficient
     groove = np.array([ISO_F if known is None else (known,) * 3])
-    return Fitted(sets, groove, np.zeros(1), np.array(["no ratings"]))
+    return Fitted(sets, groove, np.zeros(1), np.array([BALLS_GIVEN]))
 
 
 def rounding(value: float) -> float:

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.inference.ball_sets import FILLS, INCH_SIZES
+from qsbearing.inference.ball_sets import INCH_SIZES, fills_of
 from qsbearing.inference.infer import InferredBearing
 from qsbearing.inference.narrowing import Range
+from qsbearing.inference.practice import RatingPractice
+from qsbearing.inference.ratings_fit import BALLS_GIVEN
 from qsbearing.model.solution.result_keys import Place, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
@@ -19,7 +21,8 @@ from qsbearing.remarks.remark import Remark, in_order, remark
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.tables import digits_of
 from qsbearing.studies.design.compare import main_results
-from qsbearing.studies.results import read
+from qsbearing.studies.results import known_results, read
+from qsbearing.systems.sets.set_solution import SetSolution
 
 OTHER_NUMBERS = {"pair_rigidity": "rigidity", "ball_count": "Z", "ball_diameter": "D", "diametral_clearance": "Pd"}
 """By which one more number is called in a heading."""
@@ -29,6 +32,7 @@ OTHER_WORDS = {
     "ball_diameter": "the ball diameter D",
     "diametral_clearance": "the diametral clearance Pd",
 }
+OPERATING_CLEARANCE = "operating_diametral_clearance"
 SAME = 1e-9
 """Part of a value below which a range is rounding."""
 
@@ -47,15 +51,24 @@ class Ranged(NamedTuple):
         return self.place.column
 
     @property
+    def words(self) -> str:
+        """As people read it."""
+        return self.place._replace(group=self.place.group._replace(before="")).name.replace("_", " ")
+
+    def ends(self, numbers: NDArray) -> tuple[str, str, str, str]:
+        """The least and the ball set that makes it, the most and that set, of the sets' numbers from 0."""
+        least, most = map(digits_of, self.range[:2])
+        return least, str(numbers[self.range.least_case] + 1), most, str(numbers[self.range.most_case] + 1)
+
+    @property
     def is_wide(self) -> bool:
         """Whether there is more than rounding."""
         return self.range.width > SAME * max(abs(self.range.least), abs(self.range.most))
 
 
-def ranges(solution: Solution) -> list[Ranged]:
+def ranges(solution: Solution | SetSolution, inferred: InferredBearing) -> list[Ranged]:
     """The main results and every number of the readings, of a solution over the bearings of a data sheet."""
-    inferred: InferredBearing = solution.scene.bearing.inferred
-    kept = main_results(solution)
+    kept = _of_clearance(solution, inferred) | main_results(solution)
     solved = np.asarray(solution.converged)
     out = []
     for name, values in read(solution, kept.values()).items():
@@ -64,6 +77,13 @@ def ranges(solution: Solution) -> list[Ranged]:
             each = Ranged(kept[name], inferred.range_of(values), inferred.shares_removed(values))
             out.append(each)
     return out
+
+
+def _of_clearance(solution: Solution | SetSolution, inferred: InferredBearing) -> dict[str, Place]:
+    """The clearance in operation of a bearing whose clearance is given, where fits or heat change it."""
+    is_changed = isinstance(solution, Solution) and bool(solution.scene.ring_effects)
+    every = known_results(solution) if is_changed and inferred.sheet.clearances else {}
+    return {name: place for name, place in every.items() if name == OPERATING_CLEARANCE}
 
 
 def said(solution: Solution) -> list[Remark]:
@@ -83,7 +103,7 @@ def _of_bearings(each: Remark) -> Remark:
 def inferred_record(solution: Solution) -> dict[str, Any]:
     """The ranges as plain data: `inferred`, and beside it the sets, which of them make the ends, and the shares."""
     inferred: InferredBearing = solution.scene.bearing.inferred
-    every = ranges(solution)
+    every = ranges(solution, inferred)
     numbers = inferred.set_number
     return {
         "inferred": {each.key: [each.range.least, each.range.most] for each in every},
@@ -113,31 +133,29 @@ def _sets(inferred: InferredBearing) -> list[tuple[int, float, float, float, flo
 
 def _only_one(inferred: InferredBearing) -> str:
     """What bounds the list of one set."""
+    sheet = inferred.sheet
     diameter = float(np.ravel(inferred.bearing.ball_diameter)[0])
-    if inferred.sheet.ball_count is not None and inferred.sheet.ball_diameter is not None:
+    if inferred.practice[0] == BALLS_GIVEN:
+        return "The balls are given."
+    if sheet.ball_count is not None and sheet.ball_diameter is not None:
         return "The balls are given; the ratings agree with them."
-    least, most = FILLS[inferred.bearing.kind]
-    sizes = f", {'inch' if np.isclose(INCH_SIZES, diameter).any() else 'mm'} sizes" * (
-        inferred.sheet.ball_diameter is None
-    )
+    if inferred.practice[0] == RatingPractice.PROPORTIONS:
+        return "Only one set is usual in this series."
+    least, most = fills_of(sheet)
+    sizes = f", {'inch' if np.isclose(INCH_SIZES, diameter).any() else 'mm'} sizes" * (sheet.ball_diameter is None)
     return f"Only one set fits within these bounds: fill {100.0 * least:.0f} to {100.0 * most:.0f} %{sizes}."
 
 
 def inferred_tables(solution: Solution) -> list[Block]:
     """The ranges and the sets for people."""
     inferred: InferredBearing = solution.scene.bearing.inferred
-    every, numbers = ranges(solution), inferred.set_number
+    every, numbers = ranges(solution, inferred), inferred.set_number
     others = [name for name in OTHER_NUMBERS if any(name in each.removed for each in every)]
     heading = ("inferred", "", "least", "of set", "most", "of set", *(f"{OTHER_NUMBERS[name]}\n%" for name in others))
     rows = []
     for each in (each for each in every if each.is_wide):
-        name = each.place._replace(group=each.place.group._replace(before="")).name.replace("_", " ")
-        ends = [
-            (digits_of(value), str(numbers[case] + 1))
-            for value, case in zip(each.range[:2], each.range[2:], strict=True)
-        ]
         removed = [f"{100.0 * each.removed[name]:.0f}" for name in others]
-        rows.append((name, printed_unit(each.place.unit), *ends[0], *ends[1], *removed))
+        rows.append((each.words, printed_unit(each.place.unit), *each.ends(numbers), *removed))
     sets = [
         (
             str(number),

@@ -184,3 +184,83 @@ def test_most_typed_designations_are_answered(tmp_path: Path) -> None:
     names = ["SKF 6207-2Z/C3", "NSK 6010ZZ", "SKF 61908", "6306", "NSK 6910", "FAG B71908-C-T-P4S", "SKF 7306 BEP"]
     for name in names:
         assert run(tmp_path, name, "", "--json").exit_code == 0, name
+
+
+OPERATION_OF_E_DRIVE = """
+[operation]
+speed_rpm = 12000
+radial_load_y_N = 1500
+axial_load_N = 300
+tilt_y_mrad = 0
+tilt_z_mrad = 0
+[effects.ring_expansion]
+shaft_fit = "k5"
+housing_fit = "H6"
+tolerance_class = "P6"
+inner_ring_temperature_C = 90
+outer_ring_temperature_C = 70
+housing_outside_diameter_mm = 120
+[readings.life]
+"""
+
+
+def solved(tmp_path: Path, table: str, rest: str = OPERATION_OF_E_DRIVE) -> Result:
+    file = tmp_path / "scene.toml"
+    file.write_text(f"[bearing]\n{table}\n{rest}", encoding="utf-8")
+    return CliRunner().invoke(cli, ["run", str(file), "--json"])
+
+
+def test_fits_and_temperatures_reduce_the_clearance_of_the_class(tmp_path: Path) -> None:
+    """To the clearance in operation, whose range is as wide as the class: C3 of 40 mm is 15 to 33 um."""
+    found = json.loads(solved(tmp_path, 'name = "SKF 6208-C3"').stdout)["inferred"]
+    least, most = found["operating_diametral_clearance_um"]
+    assert most - least == pytest.approx(18.0, rel=0.01)
+    assert most < 15.0, "k5 and 20 K take more than half"
+    single = json.loads(solved(tmp_path, 'name = "SKF 6208"\ndiametral_clearance_mm = 0.033').stdout)["inferred"]
+    assert single["operating_diametral_clearance_um"][1] == pytest.approx(most)
+    life = found["life_basic_duration_h"]
+    assert 0.0 < life[0] < life[1]
+
+
+BALLS = """
+kind = "deep_groove"
+bore_diameter_mm = 40
+outside_diameter_mm = 80
+ball_count = 9
+ball_diameter_mm = 12.303
+pitch_diameter_mm = 60
+groove_radius_coefficient = 0.52
+ball_material = "steel"
+ring_material = "steel"
+dynamic_load_rating_N = 32500
+static_load_rating_N = 19000
+"""
+
+
+def test_a_class_may_stand_in_place_of_the_clearance_of_known_balls(tmp_path: Path) -> None:
+    """With the range over the class alone."""
+    loaded = "[operation]\nspeed_rpm = 3000\naxial_load_N = 300\n"
+    name = "ring_effective_stiffness_axial_N_per_um"
+    least, most = json.loads(solved(tmp_path, f'{BALLS}clearance_class = "C3"', loaded).stdout)["inferred"][name]
+    for clearance, end in ((0.015, least), (0.033, most)):
+        one = json.loads(solved(tmp_path, f"{BALLS}diametral_clearance_mm = {clearance}", loaded).stdout)
+        stiffness = one["effective_stiffness"]["axial_N_per_um"]
+        assert stiffness == pytest.approx(end, rel=1e-6)
+
+
+def test_classes_of_clearance_and_of_tolerance_are_told_apart(tmp_path: Path) -> None:
+    as_tolerance = OPERATION_OF_E_DRIVE.replace('"P6"', '"C3"')
+    said = solved(tmp_path, 'name = "SKF 6208"', as_tolerance)
+    assert said.exit_code == 2 and 'write clearance_class = "C3" in [bearing]' in said.output
+    said = solved(tmp_path, 'name = "SKF 6208"\nclearance_class = "P5"')
+    assert said.exit_code == 2 and "tolerance_class in [effects.ring_expansion]" in said.output
+    said = solved(tmp_path, 'name = "SKF 7210 BECBP"\nclearance_class = "C3"')
+    assert said.exit_code == 2 and "clearance_class" in said.output
+
+
+@pytest.mark.parametrize("command", ["run", "catalogue"])
+def test_a_number_in_place_of_a_file_is_told_where_it_goes(command: str) -> None:
+    result = CliRunner().invoke(cli, [command, "SKF 6205"])
+    assert result.exit_code == 2 and "[bearing] name = 'SKF 6205' is enough" in result.output
+    light = CliRunner().invoke(cli, [command, "HSS71914C"])
+    assert light.exit_code == 2 and "is enough" not in light.output

@@ -36,9 +36,9 @@ class _Bearing(NamedTuple):
 def ratings_of(told: Designation) -> list[PrintedRatings]:
     """Those of its maker, or of each maker where it names none; empty where none are known here.
 
-    Nothing is told of ceramic balls, of series of light balls and of prefixes that are not known.
+    Nothing is told of ceramic balls and of prefixes that are not known.
     """
-    if told.is_refused or told.is_light or told.ball_material or not told.is_prefix_known:
+    if told.is_refused or told.ball_material or not told.is_prefix_known:
         return []
     suffixes = {told.letters, *told.ignored.split()}
     rows = _table().get(_Bearing(told.series, told.bore, told.angle), {})
