@@ -63,6 +63,7 @@ from qsbearing.model.units import (
 from qsbearing.model.validation import ErrorDetail as ErrorDetail, SceneError as SceneError
 from qsbearing.model.version import __version__ as __version__
 from qsbearing.remarks.of_solution import message as message, warnings as warnings
+from qsbearing.results.requirements import requirements as requirements
 from qsbearing.studies.chooser.choose import solve as solve
 from qsbearing.studies.chooser.choose_set import solve_set as solve_set
 from qsbearing.studies.design.compare import compare as compare

@@ -11,8 +11,10 @@ from qsbearing.documents.numbers import plain
 from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.limit import MET, Answer, Limit, Standing, WhyOpen, answers
 from qsbearing.model.solution.result_keys import printed_unit
+from qsbearing.model.validation import check_kind
 from qsbearing.remarks.wording import listed
 from qsbearing.results.built_in_limits import WITHOUT_LIMIT, built_in_answers, not_checked
+from qsbearing.results.readings_record import all_taken
 
 if TYPE_CHECKING:
     from qsbearing.model.solution.solution import Solution
@@ -56,6 +58,20 @@ def required_answers(solution: Solution | SetSolution, readings: Any) -> list[An
     from qsbearing.results.open_by_estimate import with_estimates
 
     return with_estimates(answers(solution, required_limits(solution), readings), solution, readings)
+
+
+def requirements(solution: Solution | SetSolution) -> list[Answer]:
+    """How a solution answers what its scene or set requires (`Scene.require`): `state` is met, not met or open, `value`
+    and `bound` are in the unit of the result, `margin` is how much there is to spare, `worst` whose number decides.
+
+    Of several cases the worst counts. Readings that a requirement names must be asked for, which files do by
+    themselves; else it is open.
+
+    Raises:
+        SceneError: a requirement on what is no result.
+    """
+    check_kind("requirements", solution, "Solution", "SetSolution")
+    return required_answers(solution, all_taken(solution))
 
 
 def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> Answered:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.files.require_table import SPARE
+from qsbearing.files.require_table import SPARE, required_limits
 from qsbearing.model.solution.changes import asked
 from qsbearing.model.solution.groups import GROUPS, STEADY, unasked
 from qsbearing.model.solution.result_keys import Group, Place, reduced
@@ -24,7 +24,12 @@ OF_BEARING = of_bearing(GROUPS)
 
 
 def known_results(solution: Solution | SetSolution) -> dict[str, Place]:
-    """Every result that this solution has, by its name; of a set those first that most readers look for."""
+    """Every result that this solution has, by its name; of a set those first that most readers look for.
+
+    Raises:
+        SceneError: its scene or set requires what is no result.
+    """
+    required_limits(solution)
     every = _of_set(solution) if isinstance(solution, SetSolution) else _of_bearing(solution)
     return {each.name: each for each in chain(every, _there([SPARE], solution, {}))}
 

@@ -254,6 +254,8 @@ def test_a_set_refuses_as_well(require: Any, said: str) -> None:
             continue
         with pytest.raises(qs.SceneError, match=said):
             asked(PAIR, require, **more)
+        with pytest.raises(qs.SceneError, match=said):
+            qs.find(PAIR | more | {"require": require}, {"rigid_N": (100, 900)}, maximise="effective_stiffness_axial")
 
 
 def test_a_list_of_bearings_answers_nothing() -> None:
@@ -268,12 +270,13 @@ def test_python_takes_the_table_and_says_what_is_wrong_with_it() -> None:
     bearing = qs.load_scene("B218").bearing
     scene = qs.Scene(bearing, qs.Operation(axial_load=1e3), require={"inner.max_pressure_MPa": "<= 1700"})  # type: ignore[arg-type]
     assert scene.require == (Requirement("inner.max_pressure_MPa", "<=", 1700.0),)
-    assert required_answers(qs.solve(scene), {})[0].state is Standing.MET
+    (answer,) = qs.requirements(qs.solve(scene))
+    assert answer.state == "met" and answer.margin == pytest.approx(1700.0 - answer.value)
     with pytest.raises(qs.SceneError, match="has no sense"):
         qs.Scene(bearing, require={"inner.max_pressure_MPa": 1700})  # type: ignore[arg-type]
     wrong = qs.Scene(bearing, qs.Operation(axial_load=1e3), require={"presure": "<= 1"})  # type: ignore[arg-type]
     with pytest.raises(qs.SceneError, match="is not a result"):
-        required_answers(qs.solve(wrong), {})
+        qs.requirements(qs.solve(wrong))
 
 
 # ------------------------------------------------------------------------------------------------------------ the doors
