@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import qsbearing as qs
+from qsbearing.model.solution import common_motion
 from qsbearing.model.solution.common_motion import mean_motion
 from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.validation import SceneError
@@ -97,6 +98,17 @@ def test_the_tangent_is_that_of_neighbouring_solutions() -> None:
     np.testing.assert_allclose(found.compliance[:2, :2], by_load[:2], rtol=2e-5)
     assert found.solved.following is not None
     assert np.abs(found.solved.following()).max() > 0.01 * found.stiffness[1, 1]
+
+
+def test_a_few_rounds_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Broyden's method needs 6, with half its steps 7 to 9, plain iteration 8 to 9."""
+    rounds = []
+    monkeypatch.setattr(common_motion, "mean_motion", lambda of: rounds.append(of) or mean_motion(of))
+    for axial, radial in ((17.8e3, 3e3), (17.8e3, 8e3), (8e3, 4e3)):
+        rounds.clear()
+        assert qs.solve(scene(axial, radial)).status == "converged"
+        print(len(rounds) - 1)
+        assert len(rounds) - 1 <= 6  # without the start's
 
 
 def test_slow_balls_have_time_for_their_own_motion() -> None:

@@ -11,7 +11,7 @@ in force and moment, ball by ball and on the ring, and in energy; the outer ring
 | quantity | range |
 |---|---|
 | bearing, speeds, axial load | those of the realistic envelope; a tenth at rest, 15 % with the outer ring turning |
-| radial load | none, but for `RADIAL` bearings more in each batch: to 0.8 or 3 Fa/tan(alpha), tilts held |
+| radial load | none, but for `RADIAL` bearings of each batch: to 0.8 or 3 Fa/tan(alpha), tilts held |
 | friction | mu 0.02 to 0.2, at slip speeds of 0.01 to 1 m/s; for a sixth of the batches in proportion to slip |
 | contacts | on their common curvature (three quarters of the batches), or flat |
 | orbits | of the pitch circle, or, without radial load, for a third of the balls' own radii |
@@ -40,9 +40,8 @@ from tests.verification.campaign.batches import Batch, run
 from tests.verification.campaign.checks import CLOSURE, HERTZ, Contacts, hertz_error
 from tests.verification.campaign.group import Group, one_of
 
-BATCH = 200
-RADIAL = 8
-"""Bearings of a batch under radial load, beside those under thrust: with 10,000 of these, 400."""
+BATCH, RADIAL = 208, 8
+"""Bearings of a batch, and how many of them are under radial load: of 10,400, 400."""
 BALANCE = 1e-9
 """Of the largest load, of that times D, and of the power."""
 SKIDDING = 0.9
@@ -368,7 +367,7 @@ def drag_at(scene: qs.Scene, traction: Traction, start: qs.Solution) -> NDArray:
     return np.asarray(drag / (mu * start.inner.load * (1.0 + np.cos(start.inner.angle - start.outer.angle))))
 
 
-def batch(rng: np.random.Generator, thrust: int = BATCH, radial: int = RADIAL) -> Batch:
+def batch(rng: np.random.Generator, thrust: int = BATCH - RADIAL, radial: int = RADIAL) -> Batch:
     """How the bearings of a batch ended, those under thrust first."""
     of = Batch()
     for count, is_radial in ((thrust, False), (radial, True)):
