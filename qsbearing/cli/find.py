@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from qsbearing.cli.ball_sets import blocks_of_lists, document_at, note_of_lists
+from qsbearing.cli.ball_sets import blocks_of_lists, note_of_lists
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_table, print_text, progress_bar, refuse, warnings_as_notes
 from qsbearing.cli.vary import pairs_of
@@ -80,11 +80,12 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
                 outcome = searched(search, **how, progress=progress)
         except SceneError as error:
             refuse(str(error))
+        document = search.study.document
         if as_json:
-            note_of_lists(document_at(scene))
+            note_of_lists(document)
             print_text(json.dumps(shown.record(outcome), indent=1, allow_nan=False) + "\n")
         else:
-            print_table([*shown.tables(outcome), *blocks_of_lists(document_at(scene), outcome.scene)])
+            print_table([*shown.tables(outcome), *blocks_of_lists(document, outcome.scene)])
         write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(outcome), target or "")})
     if not outcome.is_feasible:
         sys.exit(UNSOLVED)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from qsbearing.cli.ball_sets import blocks_of_lists, document_at, note_of_lists
+from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
@@ -97,7 +97,6 @@ def run(
     if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
         clashing = {name: given for name, given in others.items() if given not in (None, False)}
-        note_of_lists(document_at(scene))
         run_points(scene, points, out, decimal, clashing)
         return
     targets = {"--csv": csv_target, "--plot": plot_target, "--into": into}

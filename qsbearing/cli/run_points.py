@@ -7,6 +7,7 @@ import sys
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
+from qsbearing.cli.ball_sets import document_at, note_of_lists
 from qsbearing.cli.files import ending, ending_problems, how_to_install, missing
 from qsbearing.cli.output import (
     UNSOLVED,
@@ -41,6 +42,7 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
     assert points is not None and out is not None  # said to be missing
     looks: list[Look] = []
     table = _solved(scene, points, out, decimal, looks)
+    note_of_lists(document_at(scene))
     counts = Counter(table["status"])
     print_text(f"{counts['converged']:,} of {len(table['status']):,} rows solved\n")
     bad = [i for i, status in enumerate(table["status"]) if status != "converged"]

@@ -6,10 +6,9 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from qsbearing.cli.ball_sets import document_at, note_of_lists
+from qsbearing.cli.ball_sets import document_at, note_of_lists, remember
 from qsbearing.cli.output import note, refuse, warnings_as_notes
 
 if TYPE_CHECKING:
@@ -29,7 +28,12 @@ def load(source: str) -> Scene:
     """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
     from qsbearing.files.scene_file import document_of, scene_of
 
-    loaded = _loaded(lambda given: scene_of(*document_of(given)), source)
+    def made(given: str) -> Scene:
+        document, file, label = document_of(given)
+        remember(given, document)
+        return scene_of(document, file, label)
+
+    loaded = _loaded(made, source)
     note_of_lists(document_at(source))
     return _of_one_point(loaded, source)
 
@@ -40,9 +44,15 @@ def load_scene_or_set(source: str, may_infer: bool = False) -> Scene | BearingSe
     Args:
         may_infer: whether a bearing may be a list, those that its data sheet allows; else the best is taken, and said.
     """
-    from qsbearing.files.scene_or_set import load_scene_or_set
+    from qsbearing.files.scene_file import document_of
+    from qsbearing.files.scene_or_set import scene_or_set_of
 
-    loaded = _loaded(partial(load_scene_or_set, may_infer=may_infer), source)
+    def made(given: str) -> Scene | BearingSet:
+        document, file, label = document_of(given)
+        remember(given, document)
+        return scene_or_set_of(document, file, label, may_infer)
+
+    loaded = _loaded(made, source)
     if not may_infer:
         note_of_lists(document_at(source))
     return loaded

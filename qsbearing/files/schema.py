@@ -17,6 +17,7 @@ from qsbearing.files.fits import CLASS, FITTED, classes, names
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
+    DIAMETERS,
     EFFECT_SECTIONS,
     EFFECT_TABLES,
     EFFECTS,
@@ -106,7 +107,12 @@ def _required() -> Schema:
     return {"type": "object", "description": "What results must keep", "additionalProperties": each}
 
 
-_SHEETS = ([RATINGS[0].name], ["outer_ball_pass"], ["ball_count", "ball_diameter_mm"], ["rating_practice"])
+_SHEETS = (
+    [RATINGS[0].name],
+    ["outer_ball_pass"],
+    ["ball_count", "ball_diameter_mm", *named(DIAMETERS)],
+    ["rating_practice"],
+)
 """Keys by which a table is a data sheet."""
 
 

@@ -105,7 +105,7 @@ def _unstated(rows: Iterable[Known]) -> list[Known]:
 
 
 def table() -> list[str]:
-    """Its lines; those below "judge" chose nothing."""
+    """Its lines; those below "judge" set no number of the rules, but were seen while they were made."""
     others = [known for rows in snfa().values() for known in rows]
     return [
         HEADING,

@@ -212,6 +212,15 @@ def test_the_range_of_a_set_is_that_over_its_chosen_ball_sets(tmp_path: Path) ->
     assert least < min(single) < max(single) < most
 
 
+def test_standard_input_and_tables_of_points_say_which_set_is_solved(tmp_path: Path) -> None:
+    text = Path(scene(tmp_path, SEVERAL, SET)).read_text(encoding="utf-8")
+    piped = CliRunner().invoke(cli, ["run", "-"], input=text)
+    assert piped.exit_code == 0 and "Range over all 6 ball sets" in piped.output
+    (tmp_path / "points.csv").write_text("axial_load_N\n300\n600\n", encoding="utf-8")
+    points = run(tmp_path, SEVERAL, "--points", str(tmp_path / "points.csv"), "--out", str(tmp_path / "out.csv"))
+    assert points.exit_code == 0 and "ball set 1 of 6, the best fit" in points.stderr
+
+
 def test_rows_of_two_numbers_have_a_range_each(tmp_path: Path) -> None:
     rows = SET.replace('carries = "-x"\n', 'carries = "-x"\n[rows.bearing]\nname = "SKF 7211 BEP"\n')
     listed = json.loads(run(tmp_path, 'name = "SKF 7210 BECBP"', "--json", rest=rows).stdout)

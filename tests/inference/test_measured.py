@@ -5,8 +5,19 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from qsbearing.inference.data_sheet import RigidityKind
+from qsbearing.inference.ball_sets import BallSets
+from qsbearing.inference.data_sheet import DataSheet, RigidityKind
+from qsbearing.inference.practice import OWN_GROOVE
 from qsbearing.inference.proportions import OF_40_DEGREES, PROPORTIONS
+from qsbearing.inference.ratings_fit import (
+    ISO_STEEL,
+    OWN_F_OFFSETS,
+    OWN_F_PRIOR,
+    OWN_F_SPREAD,
+    groove_of_static_rating,
+    rated,
+)
+from qsbearing.readings import dynamic_load_rating
 from tests.guide.pages import GUIDE
 from tests.inference.measured import Shares, coverage, gmn_rigidities, judges, own_grooves, rigidity_table, table
 from tests.inference.measured_proportions import JUDGES, measured
@@ -22,14 +33,14 @@ def test_the_measured_tables_are_those_of_the_guide() -> None:
     assert "\n".join(proportions_table()) in page
 
 
-def test_wrong_lists_are_few_on_rows_that_chose_no_rule() -> None:
+def test_wrong_lists_are_few_on_rows_that_judge() -> None:
     """All four wrong lists of one set are of EX 17 and EX 25, whose C is 15 % below that of their series."""
     of = Shares(judges())
     assert of.wrong <= 0.05 * of.rows
     assert of.wrong_of_one <= 4
 
 
-def test_the_range_holds_the_printed_rigidity_of_rows_that_chose_no_rule() -> None:
+def test_the_range_holds_the_printed_rigidity_of_rows_that_judge() -> None:
     count, inside, width = coverage(own_grooves("S 62"), gmn_rigidities, RigidityKind.TANGENT, counted=True)
     assert count >= 90 and inside >= 0.93
     assert width < 0.15, "a range of everything is no answer"
@@ -50,3 +61,19 @@ def test_guessed_balls_have_the_stiffness_of_printed_ones_in_the_range() -> None
         _, inside, width, _ = coverage_of_guess(name)
         assert inside >= 0.8, name
         assert width < 0.2, "a range of everything is no answer"
+
+
+def test_own_grooves_are_told_by_the_rows_that_chose_them() -> None:
+    """Mean and spread of f, and what C leaves, of GMN's S 619 alone."""
+    f, off = [], []
+    for known in own_grooves("S 619"):
+        sheet = DataSheet(**known.sheet)
+        sets = BallSets(np.array([float(known.ball_count)]), np.array([known.ball_diameter]))
+        own = groove_of_static_rating(sheet, sets, ISO_STEEL, 0.56)
+        f.append(own[0] + OWN_F_OFFSETS[1])
+        computed = dynamic_load_rating(rated(sheet, sets, own, own, ISO_STEEL))
+        off.append(float(np.log(known.sheet["dynamic_load_rating"] / computed[0])))
+    assert np.mean(f) == pytest.approx(OWN_F_PRIOR, abs=0.0001)
+    assert np.std(f) == pytest.approx(OWN_F_SPREAD, abs=0.0001)
+    assert max(map(abs, off)) < OWN_GROOVE.within
+    assert np.std(off) == pytest.approx(OWN_GROOVE.spread, abs=0.001)
