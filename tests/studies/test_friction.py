@@ -52,6 +52,9 @@ def test_explain_says_what_friction_gives_beside_the_hypotheses() -> None:
     moved = of_control(explain(scene_of(tables({"friction_range": [0.05, 0.07]}), "a file"), 0.01)[1])
     assert moved.by_friction["friction_range"] == [0.05, 0.07]
     assert {str(each["under"]).split('"')[1] for each in moved.alternatives} == set(map(str, HYPOTHESES))
+    of_moved = explain(scene_of(tables({}), "a file"), 0.01)[1]
+    (slip,) = (each for each in of_moved if each.effect == "gyroscopic_slip")
+    assert slip.why == "does not apply here" and not slip.needs, "its key is refused beside friction"
     actual = replace(qs.load_scene("b218"), hertz_angle="actual")
     assert "not told by friction: hertz_angle" in of_control(explain(actual, 0.01)[1]).why
 
