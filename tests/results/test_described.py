@@ -39,6 +39,7 @@ EXEMPT = {
     "position_mm reference_position_mm offset_um axial_datum_row at limit_C": "of the input",
     "warnings remarks choices left_out accuracy channels models fits": "said of results",
     "kind state status": "words",
+    "friction_coefficient": "of the input",
     "contact_points": "how the friction of contacts was summed",
     "band": "displacement and stiffness, which have names, of further solutions over a range of the input",
 }
