@@ -36,7 +36,17 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
             for row, ball in zip(balls, exists, strict=True):
                 holder = row.setdefault(group.raceway, {}) if group.raceway else row
                 holder[each.key] = None if values is None else number(values[index][ball])
-    how = {"law": str(law.law), "friction_coefficient_is_assumed": law.is_assumed, "points": _points(law)}
+    mu = (
+        solution.balance.friction_coefficient
+        if solution.balance is not None
+        else np.broadcast_to(np.nan, solution.shape)
+    )
+    how = {
+        "law": str(law.law),
+        "friction_coefficient": number(mu[index]),
+        "friction_coefficient_is_assumed": law.is_assumed,
+        "contact_points": _points(law),
+    }
     return {**whole, **how, "band": band_record(friction_band(solution), index), "balls": balls}
 
 
@@ -99,7 +109,7 @@ def _band_table(band: dict[str, Any] | None) -> Table | None:
 
 
 def _how(balance: dict[str, Any]) -> str:
-    points, law = balance["points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
+    points, law = balance["contact_points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
     said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
     if points["relative_error"] is not None:
         said += f"; they leave an error of about {100.0 * points['relative_error']:g} % in displacements, up to "

@@ -88,8 +88,8 @@ def test_the_accuracy_of_the_usual_points_is_stated() -> None:
     fine, usual = solved(FINE), solved({})
     np.testing.assert_allclose(numbers_of(usual, 1e4), numbers_of(fine, 1e4), rtol=ACCURACY)
     errors = {"relative_error": ACCURACY, "largest_relative_error": LARGEST_ERROR}
-    assert usual["traction"]["points"] == {"along_radius": RADII, "around": ANGLES, **errors}
-    assert fine["traction"]["points"]["relative_error"] is None
+    assert usual["traction"]["contact_points"] == {"along_radius": RADII, "around": ANGLES, **errors}
+    assert fine["traction"]["contact_points"]["relative_error"] is None
 
 
 def test_motion_and_heat_of_a_ball_to_five_digits() -> None:

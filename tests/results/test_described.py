@@ -41,6 +41,9 @@ EXEMPT = {
     "warnings remarks choices left_out accuracy channels models fits": "said of results",
     "requirements not_checked": "compares results with limits",
     "kind state status": "words",
+    "friction_coefficient": "of the input",
+    "contact_points": "how the friction of contacts was summed",
+    "band": "displacement and stiffness, which have names, of further solutions over a range of the input",
 }
 """What has no name, and why."""
 BALLS = {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "per_ball"}

@@ -26,7 +26,7 @@ def test_a_sweep_from_rest_over_the_coefficient(tmp_path: Path) -> None:
     vary = {"operation.speed_rpm": [0.0, 10_000.0], "effects.traction.friction_coefficient": [0.03, 0.07, 0.1]}
     names = ["cage_speed_rpm", "traction_heat", "inner_traction_heat_max", "ring_displacement_axial", "skid_margin"]
     study = qs.Study.of(tables({"friction_coefficient": 0.05}), vary, quantities=names)
-    data = qs.sweep(study)
+    data = qs.sweep(study, out=tmp_path / "a.nc")
     assert (data["status"] == 0).all()
     one = qs.solve(scene_of(tables({"friction_coefficient": 0.1}), "a file"))
     assert one.friction is not None
@@ -34,6 +34,10 @@ def test_a_sweep_from_rest_over_the_coefficient(tmp_path: Path) -> None:
     assert float(last["traction_cage_speed"]) == pytest.approx(float(one.friction.cage_speed / qs.rpm))
     assert float(last["traction_heat"]) == pytest.approx(float(one.friction.heat))
     assert float(last["ring_displacement_axial"]) == pytest.approx(one.displacement[0] / qs.um)
+    every = qs.sweep(replace(study, quantities=()), out=tmp_path / "every.nc")
+    assert {"traction_heat", "inner_traction_friction_use", "traction_attitude"} <= set(every)
+    many = qs.solve(scene_of(tables({"friction_coefficient": 0.07}), "a file"))
+    assert float(many.to_xarray()["traction_friction_coefficient"]) == 0.07
     still = data.isel(speed_rpm=0)
     assert np.isnan(still["traction_cage_speed"]).all()
     assert np.ptp(still["ring_displacement_axial"].values) == 0.0
@@ -52,6 +56,9 @@ def test_explain_says_what_friction_gives_beside_the_hypotheses() -> None:
     moved = of_control(explain(scene_of(tables({"friction_range": [0.05, 0.07]}), "a file"), 0.01)[1])
     assert moved.by_friction["friction_range"] == [0.05, 0.07]
     assert {str(each["under"]).split('"')[1] for each in moved.alternatives} == set(map(str, HYPOTHESES))
+    of_moved = explain(scene_of(tables({}), "a file"), 0.01)[1]
+    (slip,) = (each for each in of_moved if each.effect == "gyroscopic_slip")
+    assert slip.why == "does not apply here" and not slip.needs, "its key is refused beside friction"
     actual = replace(qs.load_scene("b218"), hertz_angle="actual")
     assert "not told by friction: hertz_angle" in of_control(explain(actual, 0.01)[1]).why
 

@@ -98,6 +98,8 @@ class Entry:
     Raises:
         SceneError: they make no such scene.
     """
+    applies: Callable[[Any], bool] = lambda of: True
+    """Whether a scene or set can have it at all."""
     tells_without: bool = False
     """Whether indicator and errors are estimates where the scene lacks its parameters: for batches too large to be
     solved again."""

@@ -63,6 +63,7 @@ ENTRY = Entry(
     indicator=largest(_excess),
     errors=by_friction(_excess),
     needs="friction_coefficient, together with the gyroscopic moment",
+    applies=lambda of: of.raceway_control != "friction",
     assume=_usual,
     tells_without=True,
     saves_time=False,

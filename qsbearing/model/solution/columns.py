@@ -14,6 +14,7 @@ from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.groups import GROUPS, RING, SolvedScene
 from qsbearing.model.solution.result_keys import BALL, Group, Place
+from qsbearing.model.solution.traction_groups import TRACTION
 from qsbearing.model.units import deg
 from qsbearing.model.version import __version__
 
@@ -71,6 +72,8 @@ def scene_numbers(scene: Scene) -> dict[str, Any]:
         holders += [(f"{effect.name}_", effect), *_materials(effect)]
     if scene.gyroscopic_moment is not None:
         holders.append(("", scene.gyroscopic_moment))
+    if scene.traction is not None:
+        holders.append((f"{TRACTION}_", scene.traction))
     out: dict[str, Any] = {"bearing": scene.bearing.name}
     for prefix, holder in holders:
         for given in numbers_of(type(holder)):

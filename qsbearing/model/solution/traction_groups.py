@@ -23,7 +23,6 @@ OF_BEARING = (
            path="least_gyroscopic_margin", aliases=_aliases("gyroscopic_margin")),
     Result("skid_margin", words="drag at which balls skid over their drag",
            path="least_skid_margin", aliases=_aliases("skid_margin")),
-    Result("friction_coefficient", words="friction coefficient of the contacts", symbol=r"\mu"),
 )  # fmt: skip
 OF_BALL = (
     Result("attitude", "deg", "attitude of the ball's axis, in its plane", r"\beta",

@@ -200,7 +200,8 @@ def row_of(
 ) -> Assessment:
     """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
     error = largest_of(change.assumed) if change.actual is None else float(max(change.actual.values()))
-    needs = needed(entry, has_size_for(entry, solution), words) if entry.needs and not is_in else ""
+    lacks_data = entry.needs and not is_in and entry.applies(asked(solution))
+    needs = needed(entry, has_size_for(entry, solution), words) if lacks_data else ""
     judged, why = verdict(entry, solution, needs, error, tolerance, change.assumed)
     several = change.alternatives or change.assumed
     spans = ranges(solution, several)
