@@ -9,10 +9,10 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 from math import pi
 from typing import Any
 
@@ -380,14 +380,19 @@ def question(meant: Sequence[str], form: str = "{}") -> str:
     return f"Did you mean {', '.join(others)}{' or ' * bool(others)}{last}?" if meant else ""
 
 
+@lru_cache(4096)
+def _split(text: str) -> list[str]:
+    return _BETWEEN.split(text)
+
+
 def _parts(text: str) -> set[str]:
-    return {*_BETWEEN.split(text)} - {""}
+    return {*_split(text)} - {""}
 
 
 def _distance(one: str, other: str) -> int | None:
     """How many letters differ; None where they are too many, in all or in one of as many parts. A part may be cut
     short, as temp of temperature."""
-    parts, own = _BETWEEN.split(one), _BETWEEN.split(other)
+    parts, own = _split(one), _split(other)
     if len(parts) == len(own):
         parts = [b if len(a) >= SHORTEST and b.startswith(a) else a for a, b in zip(parts, own, strict=True)]
         one, other = "_".join(parts), "_".join(own)
@@ -401,7 +406,10 @@ def _edits(one: str, other: str) -> int | None:
     """How many letters are changed, left out, put in or exchanged with a neighbour; None beyond the bound."""
     longest = max(len(one), len(other))
     most = max(int(FARTHEST * longest), min(1, longest // SHORTEST))
-    if abs(len(one) - len(other)) > most or (Counter(one) - Counter(other)).total() > most:
+    if abs(len(one) - len(other)) > most:
+        return None
+    lacking = sum(max(one.count(each) - other.count(each), 0) for each in set(one))
+    if lacking > most:
         return None
     before: list[int] = []
     last = list(range(len(other) + 1))
@@ -411,5 +419,7 @@ def _edits(one: str, other: str) -> int | None:
             row.append(min(last[j] + 1, row[-1] + 1, last[j - 1] + (letter != own)))
             if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == own:
                 row[-1] = min(row[-1], before[j - 2] + 1)
+        if min(row) > most and min(last) >= most:
+            return None
         before, last = last, row
     return last[-1] if last[-1] <= most else None

@@ -56,25 +56,21 @@ functions: dict[Any, str] = {}
 entries: list[CompiledEntry] = []
 
 
-def kernel(function: F) -> F:
-    """A function of the kernel, called by others of it."""
-    functions[function] = "kernel"
-    return function
+def _mark(kind: str) -> Callable[[F], F]:
+    def mark(function: F) -> F:
+        functions[function] = kind
+        return function
+
+    return mark
 
 
-def inlined(function: F) -> F:
-    """A small function of each ball's evaluation and step, to stand in its callers' machine code.
-
-    Left to itself, LLVM calls most of them: a batch takes a tenth longer. The digits are the same.
-    """
-    functions[function] = "inlined"
-    return function
-
-
-def formula(function: F) -> F:
-    """A closed formula, for the kernel and for Python alike."""
-    functions[function] = "formula"
-    return function
+kernel = _mark("kernel")
+"""A function of the kernel, called by others of it."""
+inlined = _mark("inlined")
+"""A small function of each ball's evaluation and step, to stand in its callers' machine code: LLVM, left to itself,
+calls most of them, and a batch takes a tenth longer. The digits are the same."""
+formula = _mark("formula")
+"""A closed formula, for the kernel and for Python alike."""
 
 
 def entry(*kinds: Any) -> Callable[[F], F]:
@@ -203,9 +199,5 @@ def _say_slow(cases: int) -> None:
     print(f"qsbearing: {what} ({library.why_none()}): {remedy}", file=sys.stderr, flush=True)
 
 
-def _after_fork() -> None:
-    _process.lock = threading.RLock()
-
-
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_after_fork)
+    os.register_at_fork(after_in_child=lambda: vars(_process).update(lock=threading.RLock()))

@@ -18,8 +18,7 @@ def solve_lanes(ring: recarray) -> None:
     """Solve each lane's system: the solution stands in its right side, the least size of a pivot in `ring.pivot`."""
     for lane in range(LANES):
         row0, row1, row2 = row_in(ring, lane, 0), row_in(ring, lane, 1), row_in(ring, lane, 2)
-        x, least = solved(row0, row1, row2, row_in(ring, lane, 3), row_in(ring, lane, 4))
-        ring.pivot[lane] = least
+        x, ring.pivot[lane] = solved(row0, row1, row2, row_in(ring, lane, 3), row_in(ring, lane, 4))
         ring.right_side[0, lane], ring.right_side[1, lane], ring.right_side[2, lane] = x[0], x[1], x[2]
         ring.right_side[3, lane], ring.right_side[4, lane] = x[3], x[4]
 
@@ -35,8 +34,7 @@ def leave_out_others(ring: recarray, work: recarray) -> None:
         for lane in range(LANES):
             ring.right_side[i, lane] = 0.0
             for k in range(5):
-                ring.matrix[i, k, lane] = 0.0
-                ring.matrix[k, i, lane] = 0.0
+                ring.matrix[i, k, lane], ring.matrix[k, i, lane] = 0.0, 0.0
             ring.matrix[i, i, lane] = 1.0
 
 
@@ -94,16 +92,7 @@ def largest_of(a: float, b: float, c: float, d: float, e: float) -> float:
 @inlined
 def exchanged(is_so: bool, one: Row, other: Row) -> tuple[Row, Row]:
     """Two rows, or the other way round."""
-    return chosen(is_so, other, one), chosen(is_so, one, other)
-
-
-@inlined
-def chosen(is_first: bool, one: Row, other: Row) -> Row:
-    """One of two rows."""
-    return (
-        one[0] if is_first else other[0], one[1] if is_first else other[1], one[2] if is_first else other[2],
-        one[3] if is_first else other[3], one[4] if is_first else other[4], one[5] if is_first else other[5],
-    )  # fmt: skip
+    return (other, one) if is_so else (one, other)
 
 
 @inlined

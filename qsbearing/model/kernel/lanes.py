@@ -251,11 +251,8 @@ def enter(
     ring.inner_spin[lane], ring.outer_spin[lane] = balls[0].inner_spin, balls[0].outer_spin
     ring.regularisation[lane], ring.least[lane] = work.regularisation, least_load(case)
     for i in range(5):
-        ring.load[i, lane], ring.displacement[i, lane], ring.step[i, lane] = (
-            case.prescribed[i],
-            work.displacement[i],
-            0.0,
-        )
+        ring.load[i, lane], ring.displacement[i, lane] = case.prescribed[i], work.displacement[i]
+        ring.step[i, lane] = 0.0
     for n in range(work.ball_count):
         ball, there = balls[n], lane_balls[n]
         there.cosine, there.sine, there.weight = ball.cosine, ball.sine, ball.weight
@@ -308,8 +305,7 @@ def judge(
         ring.case[lane] = NONE
         return False
     for p in range(work.channel_count):
-        i = work.channel[p]
-        ring.matrix[i, i, lane] = work.matrix[p, p]
+        ring.matrix[work.channel[p], work.channel[p], lane] = work.matrix[p, p]
     ring.before[lane], ring.is_closed[lane], ring.is_last[lane] = residual, 0, 1 if convergence == NEARLY else 0
     ring.steps[lane], ring.is_near[lane] = 1.0, 1.0 if residual < NEAR else 0.0
     ring.iterations[lane] += 1
