@@ -28,7 +28,7 @@ def refuse(message: str) -> NoReturn:
 
 
 def refuse_all(problems: list[str]) -> None:
-    """Likewise with several things at once; go on where there is none."""
+    """Say several things that are wrong at once, and end; go on where there is none."""
     if problems:
         refuse("\nqsbearing: ".join(problems))
 

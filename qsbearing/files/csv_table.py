@@ -46,7 +46,7 @@ def inert(value: Any) -> Any:
 
 
 def xlsx_bytes(columns: Mapping[str, Sequence[Any]]) -> bytes:
-    """Columns of equal length under their names as a spreadsheet, likewise.
+    """Columns of equal length under their names as a spreadsheet.
 
     Control characters, which it cannot hold, are spelled as in Python.
     """

@@ -73,14 +73,14 @@ def numbers() -> dict[str, tuple[Key, ...]]:
 
 
 def set_numbers() -> dict[str, tuple[Key, ...]]:
-    """Likewise, of the tables that only a set has."""
+    """The keys that hold numbers, by their table, of the tables that only a set has."""
     from qsbearing.files.set_keys import SET_NUMBERS
 
     return SET_NUMBERS
 
 
 def thermal_numbers() -> dict[str, tuple[Key, ...]]:
-    """Likewise, of [thermal] and the tables within it."""
+    """The keys that hold numbers, by their table, of [thermal] and the tables within it."""
     from qsbearing.files.thermal_keys import THERMAL_NUMBERS
 
     return THERMAL_NUMBERS

@@ -177,7 +177,7 @@ EFFECT_SECTIONS = {name: (*named(keys), *materials_of(RING_EFFECTS[name])) for n
 EFFECT_SECTIONS[RingExpansion.name] += SEAT_FITS
 EFFECT_SECTIONS[ElasticRings.name] += (*SEATS, *named(RING_COMPLIANCES))
 EFFECT_SECTIONS[Traction.name] = ("law", *named((*TRACTION, FRICTION_RANGE)))
-"""Likewise, by the tables within [effects]."""
+"""Every key that the tables within [effects] may hold, by table."""
 
 SET_TABLES = ("rows", "shaft", "housing", "spacers", "floating")
 """The tables that the file of a set has in addition; their keys: `set_keys`."""

@@ -52,7 +52,7 @@ def output_file(target: str) -> Iterator[Writer]:
 
 @contextmanager
 def output_stream(target: str) -> Iterator[BinaryIO]:
-    """Likewise a file for data that come one after the other; in place once the block ends without an error."""
+    """A file for data that come one after the other; in place once the block ends without an error."""
     with _claimed(target) as (temporary, place):
         with temporary.open("wb") as file:
             yield file

@@ -29,7 +29,7 @@ def load_scene_or_set(source: str | os.PathLike[str], may_infer: bool = False) -
 def scene_or_set_of(
     document: dict[str, Any], file: str, label: str = "", may_infer: bool = False
 ) -> Scene | BearingSet:
-    """Likewise of a parsed file.
+    """The scene or set of a parsed file.
 
     Args:
         file: what to call the file in errors.

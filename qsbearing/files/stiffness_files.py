@@ -259,7 +259,7 @@ class _Spring(NamedTuple):
     moves: list[tuple[int, float]]
     """By the number of the displacement, 1 to 3: its part in the combination."""
     turns: list[tuple[int, float]]
-    """Likewise, of the rotation."""
+    """By the number of the rotation: its part in the combination."""
 
 
 def _springs(number: int, seat: Seat) -> tuple[int, int, list[_Spring]]:

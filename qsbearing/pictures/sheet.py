@@ -33,7 +33,7 @@ class Drawing(NamedTuple):
     panel: tuple[float, float]
     """For a row of a set, on a sheet of everything [inches]."""
     small: tuple[float, float]
-    """Likewise, on a sheet of nothing else [inches]."""
+    """For a row of a set, on a sheet of nothing else [inches]."""
     projection: str | None = None
 
 
@@ -48,7 +48,7 @@ ABOVE, FLATTER = 4.2, 0.72
 PER_LINE = 3
 """Rows of a set side by side: more would be too small to read on a page."""
 PER_SHEET = 4
-"""Likewise on a sheet of everything, for a screen."""
+"""Rows of a set side by side on a sheet of everything, for a screen."""
 HIGHEST = 9.2
 """Of a sheet of everything: 1400 dots on a screen, with its title [inches]."""
 

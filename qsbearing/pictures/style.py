@@ -273,7 +273,7 @@ def write_title(figure: Figure, solution: Solution, place: CasePlace) -> None:
 
 
 def write_title_of_set(figure: Figure, solution: SetSolution, place: CasePlace) -> None:
-    """Likewise: the set, its speeds, and the loads on the shaft."""
+    """What was solved, in a line: the set, its speeds, and the loads on the shaft."""
     _write_title(figure, name_of(solution.set), solution.set.operation, solution, place)
 
 

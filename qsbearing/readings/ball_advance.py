@@ -63,7 +63,7 @@ class BallAdvance(Remarked):
     lead: NDArray
     """Largest advance, on the arc of the pitch circle [m]."""
     lag: NDArray
-    """Likewise, behind the mean place."""
+    """Largest lag behind the mean place, on the arc of the pitch circle [m]."""
     excursion: NDArray
     """Lead and lag together."""
     advance: NDArray
@@ -74,7 +74,7 @@ class BallAdvance(Remarked):
     """Radial force that loads only one ring, over the radial load; NaN without one; None without centrifugal force, or
     with balls of unlike diameters."""
     outer_radial_load: NDArray | None
-    """What the outer ring takes [N]; None likewise."""
+    """What the outer ring takes [N]; None where `momentum_gap` is."""
     remarks: Remarks
 
 

@@ -36,7 +36,7 @@ REDUCTION = 0.95
 """lambda of ISO/TR 1281-1, single-row radial and angular contact bearings: inexact grooves and uneven loads."""
 
 THRUST_REDUCTION = 0.90
-"""lambda of thrust ball bearings, likewise; as the two printed values ask for."""
+"""lambda of thrust ball bearings; as the two printed values ask for."""
 
 THRUST_GROOVE = 0.535
 """f of both raceways that ISO 281's fc of thrust bearings stands for, as the two printed values ask for."""

@@ -46,7 +46,7 @@ def every_remark(solution: Any, readings: Any, index: Index = None) -> list[Rema
 
 @singledispatch
 def holding(solution: Any, readings: Any, part: slice, may_solve: bool) -> Iterator[Found]:
-    """Likewise for a stretch of cases: where each holds, and the remark of the i-th of them.
+    """What there is to say of a stretch of cases: where each holds, and the remark of the i-th of them.
 
     Args:
         may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.

@@ -82,7 +82,7 @@ def of_row(row: Any, number: int) -> Of:
 
 
 def row_name(row: Any, number: int) -> str:
-    """Likewise as sentences name it."""
+    """A row of a set as sentences name it."""
     return of_row(row, number).row
 
 
@@ -106,7 +106,7 @@ class Remark:
         return self.written(PYTHON)
 
     def written(self, words: Words) -> str:
-        """Likewise in the words of others."""
+        """The sentence, and whom it is about, in somebody's words."""
         of = self.of
         names_row = len(of.rows) == 1 and of.carries and self.code in NAMES_ROW
         who = of.row if names_row else "each" if of.rows else "the bearing"

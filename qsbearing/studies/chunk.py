@@ -83,7 +83,7 @@ def solve_chunk(plan: Plan, number: int, threads: int = 1) -> Chunk:
 
 
 def solve_points(plan: Plan, values: dict[str, NDArray], threads: int = 1, solves: bool | None = None) -> Chunk:
-    """Likewise of points given by the values of their keys.
+    """Solve points that the values of their keys give.
 
     Args:
         solves: whether remarks may solve points again; None: no remarks.

@@ -150,7 +150,7 @@ def _where(one: Mapping[str, Any], seen: Look, points: int) -> str:
 
 
 def attributes(seen: Look, points: int) -> dict[str, Any]:
-    """Likewise as a dataset keeps them."""
+    """The remarks of a study as a dataset keeps them."""
     return dict(zip(KEPT, (json.dumps(records(seen, points)), seen["looked_at"], points), strict=True))
 
 
@@ -175,16 +175,16 @@ def blocks(remarks: Sequence[Mapping[str, Any]], looked: int, points: int) -> li
 
 
 def of_look(seen: Look, points: int) -> list[Callout | Paragraph]:
-    """Likewise of what was seen just now."""
+    """The remarks of a study in words, of what was seen just now."""
     return blocks(records(seen, points), seen["looked_at"], points)
 
 
 def of_results(kept: Mapping[str, Any]) -> list[Callout | Paragraph]:
-    """Likewise of the attributes of a study's results; nothing of results made before they kept any."""
+    """The remarks of a study in words, of its results' attributes; nothing of results made before they kept any."""
     remarks, looked, points = records_of(kept).values()
     return blocks(remarks, looked, points)
 
 
 def records_of(kept: Mapping[str, Any]) -> dict[str, Any]:
-    """Likewise as data."""
+    """The remarks in the attributes of a study's results, as data."""
     return {KEPT[0]: json.loads(kept.get(KEPT[0], "[]")), **{name: int(kept.get(name, 0)) for name in KEPT[1:]}}

@@ -30,7 +30,7 @@ def stiffness_of(study: Study, *, mirrored: bool = False, looks: list[Look] | No
 
     Of a set the stiffness of its shaft about the reference position, then that of each row's contacts about the plane
     of its balls' centres, each after `row_1_`, ..., in the same axes. A point that describes no bearing has its row,
-    with status "impossible" and why; one without equilibrium likewise.
+    with status "impossible" and why; so has one without equilibrium.
 
     Args:
         looks: where to add what is seen of remarks; None: none are looked for.

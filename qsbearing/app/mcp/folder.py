@@ -35,7 +35,7 @@ class Folder:
         return path
 
     def new(self, name: str) -> Path:
-        """Likewise of a file that is to be written.
+        """The path of a file below the folder that is to be written.
 
         Raises:
             SceneFileError: there is something already, no folder to hold it, or not every system has such names.

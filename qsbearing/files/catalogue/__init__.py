@@ -37,7 +37,7 @@ def find(name: str) -> CatalogueEntry | None:
 
 
 def named(name: str) -> CatalogueEntry | None:
-    """Likewise, with a warning where a designation tells more than the entry holds."""
+    """The entry of a name or designation, with a warning where a designation tells more than the entry holds."""
     entry = find(name)
     told = read(name) if entry is not None and name.strip().lower() != entry.name.lower() else None
     if entry is not None and told is not None and told.unused:

@@ -18,7 +18,7 @@ class CatalogueEntry:
     provenance: dict[str, str]
     """For each key of `bearing`, where its value comes from, or that it is assumed or inferred."""
     material_provenance: dict[str, str]
-    """Likewise of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
+    """The same of single numbers of a material, as `ball_material.density_kg_m3`, where they are not of one source."""
     example: dict[str, dict[str, Any]]
     """The [operation] and [effects] tables of a scene that uses it."""
     dimensions: dict[str, float] = field(default_factory=dict)

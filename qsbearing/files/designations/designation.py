@@ -36,7 +36,7 @@ class Designation:
     what: str = ""
     """Of a bearing that is not modelled as one row of balls: what it is, with its article."""
     instead: str = ""
-    """Likewise: what can be done, a sentence without its end."""
+    """Of such a bearing: what can be done, a sentence without its end."""
     maker: str = ""
     """Empty: not said, nor told by a prefix or suffix that only one maker has."""
     prefix: str = ""

@@ -45,7 +45,7 @@ class AttributeReader:
         return None if value is None or unit is None else unit.si(value)
 
     def positive(self, component: Component, name: str) -> float | None:
-        """Likewise; 0, which programs write for what they do not know, is none."""
+        """A number in SI, None where there is none; 0, which programs write for what they do not know, is none."""
         return self.number(component, name) or None
 
     def whole(self, component: Component, name: str) -> int | None:

@@ -61,7 +61,7 @@ def as_made(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
 
 
 def as_fitted(ring_effects: tuple[RingEffect, ...]) -> tuple[RingEffect, ...]:
-    """Likewise, with its fits."""
+    """What of these ring effects a bearing has at rest and cold, with its fits."""
     return tuple(filter(None, (effect.at_rest(True) for effect in ring_effects)))
 
 

@@ -120,7 +120,7 @@ class ElasticRings:
     """[m]"""
     inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed=True))
     inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
-    """Likewise, of the inner ring [m]."""
+    """Of the inner ring, as `outer_open_diameter` of the outer [m]."""
     shaft: str | None = None
     """What the inner ring sits on: "rigid", "free" or "solid"; None with a shaft's bore."""
     shaft_bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=SHAFT))
@@ -130,7 +130,7 @@ class ElasticRings:
     inner_compliance: tuple[float, ...] | None = field(
         default=None, metadata=given_in("um/N", part=SHAFT, is_list=True)
     )
-    """Likewise, of the inner ring."""
+    """Of the inner ring, as `outer_compliance` of the outer."""
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     """Set by the solver: 0 where a clearance stays open, so that the ring is free, else 1."""

@@ -88,7 +88,7 @@ class Entry:
     needs: str = ""
     """Parameters without which it cannot be added, in words that follow "give"; empty for what needs none."""
     needs_beside_size: str = ""
-    """Likewise in a file whose [bearing] has bore, outside diameter and width; empty where that is the same."""
+    """The same in a file whose [bearing] has bore, outside diameter and width; empty where it is no other."""
     without_it: str = ""
     """What the model assumes without it, as a sentence's beginning that "would change ..." follows; empty where that
     goes without saying."""

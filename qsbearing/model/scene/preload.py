@@ -38,9 +38,11 @@ class Preload:
     """The axial load at rest and cold, before fitting [N]; the rings are then held at the axial displacement that it
     takes. Fits change the load to the mounted one."""
     axial_displacement: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS, goes_last=True))
-    """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; held likewise."""
+    """Of the inner ring, from where the free contact angle is just reached at rest and cold [m]; the rings are
+    held there."""
     mounted: ArrayLike | None = field(default=None, metadata=given_in("N", PRELOADS, words="mounted preload"))
-    """The axial load after fitting, at rest and at the reference temperature [N]; held likewise."""
+    """The axial load after fitting, at rest and at the reference temperature [N]; the rings are held where it
+    leaves them."""
 
     def __post_init__(self) -> None:
         raise_if_any(preload_errors(self))

@@ -27,7 +27,7 @@ class Change:
     under: str
     """As of `Assumed`; empty where nothing is assumed or one thing alone."""
     what: str
-    """Likewise."""
+    """What is assumed, as of `Assumed`; empty where nothing is, or one thing alone."""
     errors: dict[str, NDArray]
     """What leaving it out changes, by quantity, relative to the solution with it; of a choice what another member
     changes, relative to the solution that it is judged by."""
@@ -36,7 +36,7 @@ class Change:
     displacement: NDArray | None = None
     """With it; shape (*cases, 5), as of a solution. None where nothing was solved."""
     stiffness: NDArray | None = None
-    """Likewise: the diagonal."""
+    """The diagonal of the stiffness with it; shape (*cases, 5). None where nothing was solved."""
     solution: Any = None
     """With it, of few cases; None where nothing was solved."""
 

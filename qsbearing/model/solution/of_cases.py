@@ -166,5 +166,6 @@ class SolutionOfCases(Plotted):
 
     @property
     def preload_share(self) -> Any:
-        """What of the given preload is there in operation without external loads; NaN where none is given; likewise."""
+        """What of the given preload is there in operation without external loads; NaN where none is given; None without
+        preload."""
         return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]

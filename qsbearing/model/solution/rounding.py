@@ -26,7 +26,7 @@ def rounding_of(largest: Any, least: Any) -> NDArray:
 
 
 def rounding_of_load(load: Any, bearing: BallBearing) -> NDArray:
-    """Likewise beside a bearing's load (*cases, 5)."""
+    """Up to which size forces are rounding, beside a bearing's load (*cases, 5)."""
     return rounding_of(np.abs(load[..., :3]).max(axis=-1), least_force(bearing))
 
 

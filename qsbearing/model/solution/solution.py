@@ -256,8 +256,8 @@ class Solution(SolutionOfCases):
         "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
         "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect."
     )
-    axial_rotation = Lazy[NDArray | None]("omega_R cos(beta) of each ball, about +x [rad/s]; None likewise.")
-    radial_rotation = Lazy[NDArray | None]("omega_R sin(beta), positive towards the bearing axis [rad/s]; likewise.")
+    axial_rotation = Lazy[NDArray | None]("omega_R cos(beta) about +x [rad/s]; None without a ball effect.")
+    radial_rotation = Lazy[NDArray | None]("omega_R sin(beta), towards the axis [rad/s]; None without a ball effect.")
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
@@ -288,17 +288,17 @@ class Solution(SolutionOfCases):
 
     @cached_property
     def preload_unmounted(self) -> Any:
-        """The axial load at rest and cold, before fitting, the rings where the preload holds them; likewise."""
+        """The axial load at rest and cold, before fitting, the rings where the preload holds them; None without one."""
         return self._preload_of(self.at_rest(False))
 
     @cached_property
     def preload_mounted(self) -> Any:
-        """The same after fitting, at the reference temperature; likewise."""
+        """The axial load at rest after fitting, at the reference temperature; None without preload."""
         return self._preload_of(self.at_rest(True))
 
     @cached_property
     def preload_in_operation(self) -> Any:
-        """The axial load in operation without radial loads and moments, straight and centred; likewise."""
+        """The axial load in operation without radial loads and moments, straight and centred; None without preload."""
         if self.preloaded is None or self.solve_alike is None:
             return self.preload_at_rest
         unloaded = replace(self.scene, operation=self.scene.operation.unloaded, readings={})
@@ -321,7 +321,7 @@ class Solution(SolutionOfCases):
 
     @cached_property
     def preload_loads(self) -> PreloadLoads | None:
-        """What is given, left without radial loads and moments, and carried; fields (*cases); None likewise."""
+        """What is given, left without radial loads and moments, and carried; fields (*cases); None without preload."""
         if self.preload_at_rest is None:
             return None
         loads = self.preload_at_rest, self.preload_in_operation, self.load[..., 0]
@@ -334,7 +334,7 @@ class Solution(SolutionOfCases):
 
     @cached_property
     def outer_ring(self) -> RingState | None:
-        """Of the outer ring, likewise."""
+        """Seat pressure, growth and stress of the outer ring; fields (*cases); None without ring expansion."""
         return self._ring_state(1)
 
     @cached_property
@@ -344,7 +344,7 @@ class Solution(SolutionOfCases):
 
     @cached_property
     def outer_shape(self) -> RingShape | None:
-        """How the outer ring does, likewise."""
+        """How the outer ring gives way under its balls; fields (*cases); None where it does not."""
         return shape_of(self, "outer")
 
     @cached_property

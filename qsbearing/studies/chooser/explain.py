@@ -56,7 +56,7 @@ class Assessment:
     """Relative change of the reported results if it is left out, or was, as its indicator estimates it; null where its
     parameters are not known."""
     actual: dict[str, float | None] | None
-    """The same, found by solving with and without it; likewise."""
+    """The same, found by solving with and without it; null where its parameters are not known."""
     time_with_over_without: float | None
     """Where the kernel runs compiled."""
     verdict: str
@@ -67,7 +67,7 @@ class Assessment:
     """What solving with usual parameters finds where its own are not known: `actual` and `displacement_um` under each
     assumption, with words for it; empty else."""
     alternatives: list[dict[str, Any]]
-    """Likewise of a choice, by each other member that the scene's is judged against, with all displacements and
+    """What solving finds of a choice, by each other member that the scene's is judged against, all displacements and
     stiffnesses; `actual` of the row is the largest of them. Empty for an effect."""
     range: dict[str, dict[str, Any]]
     """From where to where displacement and locked stiffness go by all that was solved, and by which; see
@@ -110,7 +110,7 @@ class Assessment:
         return shown[0] if is_own or shown in (["0"], ["-"]) else "≈ " + "\nto ".join(shown)
 
     def change_in(self, quantity: str) -> str:
-        """Likewise with its unit, on one line."""
+        """The change of a quantity with its unit, on one line."""
         return f"{self.change(quantity)} {unit_of(quantity)}".replace("\n", " ")
 
 
@@ -174,7 +174,7 @@ class SolvedChange:
     actual: dict[str, Any] | None = None
     """The largest change of each quantity; None where its parameters are not known, or nothing is compared."""
     moved: Any = None
-    """The largest change of a displacement [m]; likewise."""
+    """The largest change of a displacement [m]; None where its parameters are not known, or nothing is compared."""
     assumed: list[Change] = field(default_factory=list)
     alternatives: list[Change] = field(default_factory=list)
     beyond: str = ""

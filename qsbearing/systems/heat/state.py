@@ -79,7 +79,7 @@ class ThermalVerdict(StrEnum):
     RUNAWAY = "runaway"
     """Steady states, followed from standstill, turn back below this speed and reach the limit without coming to it."""
     TOO_HOT = "too_hot"
-    """Followed likewise, they reach the limit below this speed."""
+    """Followed from standstill, steady states reach the limit below this speed."""
     UNDECIDED = "undecided"
     """None was found; that is no proof that there is none."""
 

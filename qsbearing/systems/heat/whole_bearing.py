@@ -24,7 +24,7 @@ ESTIMATE = READING_OF[PALMGREN]
 OIL_BATH = 2.0
 """f0 where the scene gives none: what Schaeffler prints for an oil bath and for most series."""
 GRADE = 32
-"""ISO viscosity grade, likewise (chosen: usual for spindles)."""
+"""ISO viscosity grade where the scene gives none (chosen: usual for spindles)."""
 
 
 def with_whole_friction(of: Any) -> tuple[Any, list[str]]:

@@ -42,7 +42,7 @@ def to_ross(
             both ends, ROSS 3 by straight lines: give speeds that span those of the rotor's analysis.
         n: node of the shaft.
         tilt: "included": the whole matrix. "held": ROSS's own element, with the stiffness at a slope of zero.
-            "free": likewise, with the stiffness while no moment is carried, as in a seat that swivels. The last two
+            "free": that element, with the stiffness while no moment is carried, as in a seat that swivels. The last two
             leave out what couples axial with radial motion: that element has no place for it.
         mirrored: the bearing is mounted the other way round: it carries a thrust on the shaft in -z, not in +z.
         cxx: damping in x, and in y unless cyy is given [N s/m]. ROSS asks for one. It is 0 unless given because none is

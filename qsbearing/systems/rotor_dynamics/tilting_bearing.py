@@ -59,7 +59,7 @@ class TiltingBearingElement(ross.BearingElement):
         return np.pad(super().C(*frequency), (0, 2))
 
     def M(self, *frequency: float) -> NDArray:
-        """Mass, likewise."""
+        """Mass at a frequency, and in ROSS 3 at a speed of the shaft [rad/s]."""
         return np.pad(super().M(*frequency), (0, 2))
 
     def save(self, file: Any) -> None:

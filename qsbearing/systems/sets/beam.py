@@ -30,7 +30,7 @@ class Beam(NamedTuple):
     outer: NDArray
     """Diameters [m]: where each section begins, and by how much they grow to where it ends; shape (2, ..., section)."""
     inner: NDArray
-    """Likewise, of the bore."""
+    """Diameters of the bore [m], as of `outer`."""
     modulus: NDArray
     poisson_ratio: NDArray
 

@@ -56,7 +56,7 @@ class BearingSet(InNotebooks):
     A preload presses the rows that carry in +x against those that carry in -x:
         rigid: the axial load of the rows of either direction together at rest and cold, before fitting; the rings are
             then held;
-        mounted: likewise after fitting, at the reference temperature;
+        mounted: their axial load at rest after fitting, at the reference temperature;
         axial_displacement: how far both directions together are pressed beyond first contact, half each; also held;
         spring: the force on the outer rings of the sprung rows, which slide together.
     It leaves the shaft's axial channel free for a load or a displacement of its own.

@@ -45,7 +45,7 @@ class Stretch:
     held: NDArray
     """Which unknowns are given; shape (case, unknown)."""
     place: NDArray
-    """The values of those, and where the others begin; likewise."""
+    """The values of those, and where the others begin; shape (case, unknown)."""
     elasticity: NDArray
     """S; shape (case, unknown, unknown), or of no case where all but the rows is rigid."""
     rigid: int

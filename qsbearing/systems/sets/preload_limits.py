@@ -63,7 +63,7 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
 
 
 def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = None) -> list[StateChange]:
-    """Everything that becomes of the preload up to this speed [rad/s], what comes back included; else likewise."""
+    """Everything that becomes of the preload up to this speed [rad/s], what comes back included."""
     errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7) + opposed_errors(of)
     if errors:
         raise SceneError(errors)
@@ -121,7 +121,7 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
 
 
 def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = None) -> list[StateChange]:
-    """Everything that becomes of the preload up to this multiple, what comes back included; else likewise."""
+    """Everything that becomes of the preload up to this multiple, what comes back included."""
     errors = within("highest", highest, RATIO, 1e-6, 1e6) + opposed_errors(of)
     if not loads_of(of):
         errors.append(ErrorDetail("operation", "has no load or moment that could grow"))

@@ -50,7 +50,7 @@ def held_by(of: BearingSet, own: NDArray, turned: NDArray) -> NDArray:
     """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5).
 
     Args:
-        own: of the rows, likewise.
+        own: stiffness of the rows; shape (row, case, 5, 5).
         turned: the matrices that turn the shaft's axes into the row's.
     """
     held: NDArray = turned.swapaxes(2, 3) @ own @ turned

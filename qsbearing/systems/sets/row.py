@@ -19,14 +19,14 @@ FARTHEST = 10.0
 """Metres along the shaft; it catches mistakes of unit."""
 
 WIDEST_OFFSET = 0.01
-"""Metres; likewise."""
+"""Metres; it catches mistakes of unit."""
 OUT_OF_LINE = (
     ("housing_radial_y", LENGTH, WIDEST_OFFSET),
     ("housing_radial_z", LENGTH, WIDEST_OFFSET),
     ("housing_tilt_y", ANGLE, 0.1),
     ("housing_tilt_z", ANGLE, 0.1),
 )
-"""What a row states of its housing, and the most of it; likewise."""
+"""What a row states of its housing, and the most of it, which catches mistakes of unit."""
 
 
 class Direction(StrEnum):
@@ -54,13 +54,13 @@ class Row:
     housing_stiffness: HousingStiffness | None = field(default=None, metadata=made_of(HousingStiffness))
     """Of what its outer ring sits in; None: rigid."""
     housing_radial_y: ArrayLike | None = field(default=None, metadata=given_in("um"))
-    """How far its seat in the housing is out of line with the shaft, at the balls' centres [m]; None: in line."""
+    """How far its seat in the housing is out of line with the shaft along y, at the balls' centres [m]; None: not."""
     housing_radial_z: ArrayLike | None = field(default=None, metadata=given_in("um"))
-    """Likewise."""
+    """The same along z [m]."""
     housing_tilt_y: ArrayLike | None = field(default=None, metadata=given_in("mrad"))
-    """How far its seat is turned out of the shaft's direction, right-handed [rad]; None: straight."""
+    """How far its seat is turned out of the shaft's direction about y, right-handed [rad]; None: straight."""
     housing_tilt_z: ArrayLike | None = field(default=None, metadata=given_in("mrad"))
-    """Likewise."""
+    """The same about z [rad]."""
     ring_effects: tuple[RingEffect, ...] | None = None
     """Its own; None: those of the set."""
     readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)

@@ -85,7 +85,7 @@ class SetSolution(SolutionOfCases):
     @cached_property
     def rows(self) -> tuple[Solution, ...]:
         """Each row's own solution, in its own frame: axial displacement and load count in the direction that it
-        carries, tilts likewise; azimuths and speeds are the shaft's."""
+        carries, and so do tilts; azimuths and speeds are the shaft's."""
         return tuple(map(self._row_solution, range(len(self.set.rows))))
 
     def __repr__(self) -> str:
@@ -311,23 +311,26 @@ class SetSolution(SolutionOfCases):
 
     @cached_property
     def mounted(self) -> SetSolution | None:
-        """Likewise, with its fits."""
+        """The set at rest and cold, with its fits and nothing else acting; None where nothing presses one row against
+        another."""
         return self._unloaded(as_fitted) if self.set.is_opposed else None
 
     @cached_property
     def without_load(self) -> SetSolution | None:
-        """The set in operation without its external loads, straight and centred; None likewise."""
+        """The set in operation without its external loads, straight and centred; None where nothing presses one row
+        against another."""
         return self._unloaded(None) if self.set.is_opposed else None
 
     @property
     def preload_unmounted(self) -> NDArray | None:
         """Axial load of each row at rest and cold, before fitting, nothing else acting; shape (*cases, row) [N]; None
-        likewise."""
+        where nothing presses one row against another."""
         return self._spread(self.unmounted)
 
     @property
     def preload_mounted(self) -> NDArray | None:
-        """Likewise, after fitting."""
+        """Axial load of each row at rest after fitting, nothing else acting; shape (*cases, row) [N]; None where
+        nothing presses one row against another."""
         return self._spread(self.mounted)
 
     @property
@@ -338,7 +341,8 @@ class SetSolution(SolutionOfCases):
     @cached_property
     def preload_given(self) -> NDArray | None:
         """What the preload alone gives each row, where it is a force that holds the rings: without offsets and spacers.
-        Else what lengths or a spring make at rest; shape (*cases, row) [N]; None likewise."""
+        Else what lengths or a spring make at rest; shape (*cases, row) [N]; None where nothing presses one
+        row against another."""
         at_rest = self.preload_at_rest
         if at_rest is None:
             return None
@@ -354,12 +358,12 @@ class SetSolution(SolutionOfCases):
     @property
     def preload_in_operation(self) -> NDArray | None:
         """What is left of it, or has grown, in operation without external loads; shape (*cases, row) [N]; None
-        likewise."""
+        where nothing presses one row against another."""
         return self._spread(self.without_load)
 
     @cached_property
     def preload_loads(self) -> PreloadLoads | None:
-        """What is given, left and carried, of each row; None likewise."""
+        """What is given, left and carried, of each row; None where nothing presses one row against another."""
         if not self.set.is_opposed:
             return None
         together = [each for each in (self, self.mounted, self.without_load) if each is not None]

@@ -48,12 +48,12 @@ class ShaftSection:
     outer_diameter: float = field(metadata=given_in("mm"))
     """Of a cone, where it begins."""
     inner_diameter: float = field(default=0.0, metadata=given_in("mm"))
-    """Likewise."""
+    """Of the bore; of a cone, where it begins."""
     material: Material = field(default=STEEL, metadata=A_MATERIAL)
     end_outer_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Where it ends; None: a cylinder."""
     end_inner_diameter: float | None = field(default=None, metadata=given_in("mm"))
-    """Likewise, of the bore."""
+    """Of the bore, where it ends; None: a cylinder."""
 
     @property
     def is_conical(self) -> bool:
@@ -100,7 +100,7 @@ class ShaftMass:
     polar_inertia: float = field(default=0.0, metadata=given_in("kg m2"))
     """About the shaft [kg m^2]; for rotors only."""
     diametral_inertia: float = field(default=0.0, metadata=given_in("kg m2"))
-    """About an axis across the shaft; likewise."""
+    """About an axis across the shaft [kg m^2]; for rotors only."""
 
 
 @dataclass(frozen=True)
@@ -218,7 +218,7 @@ class Spacer:
     inner_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """[m]; None: there is none, the shaft parts the rows."""
     outer_length: ArrayLike | None = field(default=None, metadata=given_in("mm"))
-    """[m]; None: likewise, the housing."""
+    """[m]; None: there is none, the housing parts the rows."""
     inner_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     outer_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     inner_temperature: ArrayLike | None = field(default=None, metadata=given_in("C"))
