@@ -94,14 +94,14 @@ def _requirements(comparison: Comparison) -> list[Block]:
     """Who meets what; nothing where the job requires nothing."""
     from qsbearing.documents.model import Table
     from qsbearing.model.solution.result_keys import printed_unit
-    from qsbearing.results.requirements import as_badge, asked_for, name_of
+    from qsbearing.results.requirements import as_badge, name_of, requested_for
 
     if not comparison.required:
         return []
     rows: list[tuple[Cell, ...]] = [
         (
             name_of(each[0]),
-            f"{asked_for(each[0].limit)} {printed_unit(each[0].limit.unit)}".rstrip(),
+            f"{requested_for(each[0].limit)} {printed_unit(each[0].limit.unit)}".rstrip(),
             *map(as_badge, each),
         )
         for each in comparison.required
@@ -125,14 +125,14 @@ def _cell(line: Compared, number: int) -> str:
 
 
 def _columns(comparison: Comparison) -> dict[str, list[object]]:
-    from qsbearing.results.requirements import asked_for
+    from qsbearing.results.requirements import requested_for
 
     lines = (*comparison.inputs, *comparison.results)
     columns: dict[str, list[object]] = {
         "quantity": ["status", *(line.name for line in lines)],
         "unit": ["", *(line.unit for line in lines)],
     }
-    columns["quantity"] += [f"{each[0].limit.name} {asked_for(each[0].limit)}" for each in comparison.required]
+    columns["quantity"] += [f"{each[0].limit.name} {requested_for(each[0].limit)}" for each in comparison.required]
     columns["unit"] += [each[0].limit.unit for each in comparison.required]
     for i, label in enumerate(comparison.labels):
         own = [str(each[i].state) for each in comparison.required]

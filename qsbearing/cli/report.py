@@ -46,17 +46,17 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report needs", NEEDED, "report")
-    asked = load_scene_or_set(scene)
+    requested = load_scene_or_set(scene)
     from qsbearing.files.scene_file import is_file, text_of
 
     path = Path(scene)
     name = (path.stem if is_file(path) else scene).lower()
     page = Path(out) / f"{name}_report.html"
     _refuse_another(page, path)
-    solution = _solved(asked)
+    solution = _solved(requested)
     required = answers_to_required(solution)
     command = shlex.join(["qsbearing", "report", scene, "--out", "DIR"])
-    make = _maker(solution, asked, document_at(scene), text_of(scene), command)
+    make = _maker(solution, requested, document_at(scene), text_of(scene), command)
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -99,11 +99,11 @@ def _refuse_another(page: Path, path: Path) -> None:
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 
 
-def _solved(asked: Scene | BearingSet) -> Any:
+def _solved(requested: Scene | BearingSet) -> Any:
     """Its solution; ends with the exit code where it has none."""
     from qsbearing.remarks.of_solution import message
 
-    solution = solve(asked)
+    solution = solve(requested)
     if not solution.converged.all():
         first = int(solution.converged.argmin())
         note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
@@ -112,18 +112,18 @@ def _solved(asked: Scene | BearingSet) -> Any:
 
 
 def _maker(
-    solution: Any, asked: Scene | BearingSet, tables: dict[str, Any], source: str, command: str
+    solution: Any, requested: Scene | BearingSet, tables: dict[str, Any], source: str, command: str
 ) -> Callable[[], Document]:
     """What makes the document of a scene or set."""
     from qsbearing.reports.of_any import document_of_any
 
-    return lambda: _with_other_sets(document_of_any(solution, asked, source, command), asked, tables)
+    return lambda: _with_other_sets(document_of_any(solution, requested, source, command), requested, tables)
 
 
-def _with_other_sets(made: Document, asked: Scene | BearingSet, tables: dict[str, Any]) -> Document:
+def _with_other_sets(made: Document, requested: Scene | BearingSet, tables: dict[str, Any]) -> Document:
     """With the range over the ball sets of a bearing that is a list, before how the report was made."""
     from qsbearing.documents.model import Section
 
-    blocks = blocks_of_lists(tables, asked)
+    blocks = blocks_of_lists(tables, requested)
     *sections, last = made.sections
     return replace(made, sections=[*sections, Section("Other ball sets", blocks), last]) if blocks else made

@@ -111,8 +111,8 @@ def effects_of(
         problem = "is a hypothesis, and friction moves the balls"
         errors.append(FileErrorDetail("effects.moment_shares", problem, str(shares), cause=cause))
     if not unusable & {"ball", "raceway_control"}:
-        asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
-        errors += map(translate, effect_errors(effects, *asked))
+        requested = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
+        errors += map(translate, effect_errors(effects, *requested))
     if "ball" not in unusable and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
         of_moment = {"moment_shares": (shares, "share"), **{name: (each, "carry") for name, each in numbers.items()}}

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import REQUIRE
-from qsbearing.files.readings_table import asked_readings
+from qsbearing.files.readings_table import requested_readings
 from qsbearing.files.result_names import AZIMUTH, places_of, why_unknown
 from qsbearing.files.stated import Stated
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.requirement import Requirement, requirements_of
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import STEADY
 from qsbearing.model.solution.limit import Limit, ending, spare
 from qsbearing.model.solution.result_keys import Group, Path, Place, Result, printed_unit, value_at
@@ -119,7 +119,7 @@ def required_limits(solution: Any) -> list[Limit]:
     Raises:
         SceneFileError: names that no result has.
     """
-    of = asked(solution)
+    of = requested(solution)
     limits, errors = limits_named(of.require, known_of(of, solution)) if of.require else ([], [])
     if errors:
         raise SceneFileError(REQUIRE, errors)
@@ -145,7 +145,7 @@ def _requires(of: Any) -> bool:
 
 SPARE = Group(
     (Result("requirements_margin", words="least part of a required limit that is to spare", path=_least_spare),),
-    is_asked=_requires, by_words=True,
+    is_requested=_requires, by_words=True,
 )  # fmt: skip
 """Of a scene or set that requires something, as a result of its own: negative where a requirement is not met, NaN where
 one is open."""
@@ -215,14 +215,14 @@ def _asking(
     table: dict[str, Any], names: Iterable[str], balance_keys: frozenset[str], stated: Stated
 ) -> dict[str, Any]:
     """A table with [readings] that asks for these as well."""
-    asked_for = table.get("readings", {})
-    if not isinstance(asked_for, dict):
+    requested_for = table.get("readings", {})
+    if not isinstance(requested_for, dict):
         return table
-    oil = {name: asked_for[name] for name in (LUBRICANT,) if name in asked_for}
+    oil = {name: requested_for[name] for name in (LUBRICANT,) if name in requested_for}
     more: dict[str, Any] = {}
     for name in names:
         lacks: Errors = []
-        asked_readings({"readings": {**oil, name: {}}}, lacks, balance_keys, stated)
-        if name not in asked_for and not lacks:
+        requested_readings({"readings": {**oil, name: {}}}, lacks, balance_keys, stated)
+        if name not in requested_for and not lacks:
             more[name] = {}
-    return table | {"readings": asked_for | more} if more else table
+    return table | {"readings": requested_for | more} if more else table

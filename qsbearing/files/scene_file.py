@@ -24,7 +24,7 @@ from qsbearing.files.keys import (
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.raw import STANDARD_INPUT, read_text
-from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.readings_table import errors_in_scene, requested_readings
 from qsbearing.files.sheet_by_name import nearest
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.stated import Stated, stated_in
@@ -149,7 +149,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors, balance_keys, stated)
     document, required = with_required(document, errors, balance_keys, stated)
-    readings = asked_readings(document, errors, balance_keys, stated)
+    readings = requested_readings(document, errors, balance_keys, stated)
     if required and bearing is not None and bearing.inferred is not None:
         errors.append(FileErrorDetail(f"[{REQUIRE}]", "is not answered for a list of bearings", cause=ONE_OF_LIST))
     if thermal is not None:

@@ -148,8 +148,8 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
 
 
 def _used(contacts: RacewayContacts, mu: NDArray) -> NDArray | None:
-    asked = contacts.required_friction
-    return None if asked is None else np.asarray(asked / mu[..., None])
+    required = contacts.required_friction
+    return None if required is None else np.asarray(required / mu[..., None])
 
 
 def _axis_moment(solution: Solution, mu: NDArray) -> NDArray | None:

@@ -10,7 +10,7 @@ import numpy as np
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Picture, Section
 from qsbearing.files.file_keys import OTHER_TABLES, REPORT
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.limit import Standing
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
@@ -48,7 +48,7 @@ def head(
     """
     shown = blocks(said) or [Callout("No warnings.")]
     people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
-    opening = verdict(limits.built_in, said, limits.required, getattr(asked(solution), "rows", ()))
+    opening = verdict(limits.built_in, said, limits.required, getattr(requested(solution), "rows", ()))
     required = requirement_blocks(limits.required, solution)[1:]
     return [
         *([Facts(people)] if people else []),

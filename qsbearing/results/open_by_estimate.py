@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from qsbearing.model.effects import EFFECTS
-from qsbearing.model.solution.changes import Change, asked, changes, known_changes, rows_of
+from qsbearing.model.solution.changes import Change, changes, known_changes, requested, rows_of
 from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.limit import Answer, Standing, WhyOpen, answers
 from qsbearing.remarks.missing_effects import MOST_CASES
@@ -41,7 +41,7 @@ def with_estimates(given: Sequence[Answer], solution: Any, readings: Any) -> lis
 def _solve_small_ones(solution: Any, least: float) -> None:
     """Effects that remarks do not try, since they are predicted to change little: here that may be more than is to
     spare."""
-    of = asked(solution)
+    of = requested(solution)
     if getattr(solution, "choice", None) is not None:
         return
     for entry in EFFECTS:

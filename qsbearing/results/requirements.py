@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
 from qsbearing.documents.numbers import plain
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.limit import MET, Answer, Limit, Standing, WhyOpen, answers
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import check_kind
@@ -52,7 +52,7 @@ def required_answers(solution: Solution | SetSolution, readings: Any) -> list[An
     Raises:
         SceneError: a requirement on what is no result.
     """
-    if not asked(solution).require:
+    if not requested(solution).require:
         return []
     from qsbearing.files.require_table import required_limits
     from qsbearing.results.open_by_estimate import with_estimates
@@ -90,7 +90,7 @@ def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool 
 SIGNS = {"<=": "≤", ">=": "≥"}
 
 
-def asked_for(of: Limit) -> str:
+def requested_for(of: Limit) -> str:
     """A requirement as tables have it: "≤ 1700"."""
     return f"{SIGNS[of.sense]} {_short(float(of.value))}"  # type: ignore[arg-type]
 
@@ -176,12 +176,12 @@ def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
 def _missing(reason: WhyOpen, solution: Any) -> str:
     """Which arguments a reading lacks, by their keys."""
     from qsbearing.files.file_errors import translate
-    from qsbearing.readings.asked import LUBRICANT, asked_errors
+    from qsbearing.readings.asked import LUBRICANT, requested_errors
 
-    of, name = asked(solution), reason.values["reading"]
+    of, name = requested(solution), reason.values["reading"]
     oil = {each: given for each, given in of.readings.items() if each == LUBRICANT}
     scene = of if not hasattr(of, "rows") else of.turning_scene(0)
-    path, errors = f"readings.{name}", [translate(each) for each in asked_errors({**oil, name: {}}, scene)]
+    path, errors = f"readings.{name}", [translate(each) for each in requested_errors({**oil, name: {}}, scene)]
     lacks = [each.problem if each.key == path else each.key.removeprefix(f"{path}.") for each in errors]
     return f" ({', '.join(lacks)})" if lacks else ""
 
@@ -209,7 +209,7 @@ def blocks(required: Sequence[Answer], solution: Any) -> list[Block]:
     rows = []
     for each in required:
         value, bound = numbers_of(each)
-        asked_bound = asked_for(each.limit) if math.isnan(each.bound) else f"{SIGNS[each.limit.sense]} {bound}"
+        asked_bound = requested_for(each.limit) if math.isnan(each.bound) else f"{SIGNS[each.limit.sense]} {bound}"
         row: list[Cell] = [name_of(each), value, asked_bound, printed_unit(each.limit.unit), as_badge(each)]
         row += [whose(each)] * has_whose + [each.limit.source] * has_source
         rows.append(row)

@@ -90,10 +90,10 @@ def mean_motion(of: Solution) -> NDArray:
     """Mean of what raceway control asks of each ball: (case, `COMMON_MOTION`), in rad/s; NaN where not solved."""
     solved = of.solved
     own = SolvedCases(of.maker.with_own_motion, None, solved.results, solved.positions, solved.controls, of.threads)
-    asked = results.ORBITAL_SPEED, results.AXIAL_ROTATION, results.RADIAL_ROTATION
-    own.read_all([(results.OF_BALL, what) for what in asked])
+    requested = results.ORBITAL_SPEED, results.AXIAL_ROTATION, results.RADIAL_ROTATION
+    own.read_all([(results.OF_BALL, what) for what in requested])
     balls = of.maker.ball_axis
-    of_balls = np.stack([own.read(results.OF_BALL, what).reshape(-1, balls) for what in asked], axis=-1)
+    of_balls = np.stack([own.read(results.OF_BALL, what).reshape(-1, balls) for what in requested], axis=-1)
     is_there = np.isfinite(of.azimuth).reshape(-1, balls, 1)
     return np.asarray(np.where(is_there, of_balls, 0.0).sum(axis=1) / is_there.sum(axis=1))
 
@@ -135,13 +135,13 @@ def following(of: Solution, solve_with: SolveWith) -> NDArray:
     still = replace(scene, operation=operation, preload=None, readings={}, thermal=None)
     moved = solve_with(still, None, _by_name(where[..., 5:].reshape(-1, 3), (2, 7, *of.shape)))
     size = 2.0 * np.stack([each.reshape(-1) for each in steps])[..., None]
-    load, asked = (
+    load, requested = (
         (each[0] - each[1]) / size
         for each in (moved.load.reshape(2, 7, -1, 5), mean_motion(moved)[:, ACTING].reshape(2, 7, -1, 2))
     )
-    load, asked = np.moveaxis(load, 0, -1), np.moveaxis(asked, 0, -1)  # (case, load or motion, by what)
+    load, requested = np.moveaxis(load, 0, -1), np.moveaxis(requested, 0, -1)  # (case, load or motion, by what)
     solved = of.results["status"] == CONVERGED
     out = np.full((solved.size, 5, 5), np.nan)
-    turned = np.linalg.solve(np.eye(2) - asked[solved][..., 5:], asked[solved][..., :5])
+    turned = np.linalg.solve(np.eye(2) - requested[solved][..., 5:], requested[solved][..., :5])
     out[solved] = load[solved][..., 5:] @ turned
     return out

@@ -77,9 +77,9 @@ class SolvedCases:
         self.read_all([(row, what)])
         return self._known[row, what]
 
-    def read_all(self, asked: Iterable[tuple[int, int]]) -> None:
+    def read_all(self, requested: Iterable[tuple[int, int]]) -> None:
         """Read off, in threads, what is not known yet of these quantities."""
-        missing = [each for each in asked if each not in self._known]
+        missing = [each for each in requested if each not in self._known]
         if not missing:
             return
         if self._all_known:

@@ -12,7 +12,7 @@ from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT, Traction
 from qsbearing.model.scene.moved_by_friction import BOTH
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.friction_band import friction_band
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Result, printed_unit
 from qsbearing.model.validation import SceneError
@@ -33,7 +33,7 @@ class ByFriction:
 
 def by_friction(entry: Any, solution: Any) -> ByFriction | None:
     """Of a scene's raceway control; None for other effects, at rest, and where a ball effect is not named."""
-    of = asked(solution)
+    of = requested(solution)
     named = {each.name for each in of.ball_effects}
     is_here = entry is RACEWAY_CONTROL and solution.converged and named == BOTH and not hasattr(of, "rows")
     if not is_here or solution.solve_alike is None:

@@ -14,7 +14,7 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, alternatives, asked, changes, has_size_for
+from qsbearing.model.solution.changes import Change, alternatives, changes, has_size_for, requested
 from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.solution.judgement import (
     WORTH_A_WARNING,
@@ -200,7 +200,7 @@ def row_of(
 ) -> Assessment:
     """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
     error = largest_of(change.assumed) if change.actual is None else float(max(change.actual.values()))
-    lacks_data = entry.needs and not is_in and entry.applies(asked(solution))
+    lacks_data = entry.needs and not is_in and entry.applies(requested(solution))
     needs = needed(entry, has_size_for(entry, solution), words) if lacks_data else ""
     judged, why = verdict(entry, solution, needs, error, tolerance, change.assumed)
     several = change.alternatives or change.assumed
@@ -219,7 +219,7 @@ def row_of(
         time_with_over_without=None,
         verdict=judged,
         why="; ".join(filter(None, (why, ", ".join(said), change.beyond))),
-        add=lines_to_add(asked(solution), entry),
+        add=lines_to_add(requested(solution), entry),
         assumed=_told(solution, change.assumed),
         alternatives=others,
         range={name: each.record for name, each in spans.items()},

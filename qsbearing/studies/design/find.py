@@ -25,7 +25,7 @@ from qsbearing.model.solution.result_keys import MAX, MIN, SIZE, Place
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import Best, NoResultError, search, violations
-from qsbearing.studies.design.wanted import Condition, Wanted, wanted
+from qsbearing.studies.design.problem import Condition, SearchProblem, problem_of
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.scenes import base_scene, check, scenes_of_points
 from qsbearing.studies.study import Read, Study
@@ -47,7 +47,7 @@ FLAT = 0.01
 class Found:
     """The result of a search; numbers in the units of files."""
 
-    wanted: Wanted
+    problem: SearchProblem
     is_feasible: bool
     """Whether every goal and limit is met."""
     values: dict[str, float]
@@ -123,11 +123,11 @@ def find(
 class Prepared(NamedTuple):
     """A search that can begin: nothing is wrong with what is asked for."""
 
-    asked: Wanted
+    problem: SearchProblem
     study: Study
     plan: Plan
     kept: tuple[Place, ...]
-    """A result for each name of `asked`."""
+    """A result for each name of `problem`."""
     began: float
 
 
@@ -144,13 +144,13 @@ def prepared(
     if isinstance(source, Scene | BearingSet):
         source = input_tables(source)
     read = read_source(source)
-    asked = wanted(vary, goals, limits, minimise, maximise, "find", read.document)
-    study = _study(read, asked)
-    count = len(asked.variables)
-    _check(study.replaced(variables=_axes(asked, LOOK[count])), asked)
-    looked_at = base_scene(study.replaced(variables=_axes(asked, LOOK[count])))
+    problem = problem_of(vary, goals, limits, minimise, maximise, "find", read.document)
+    study = _study(read, problem)
+    count = len(problem.variables)
+    _check(study.replaced(variables=_axes(problem, LOOK[count])), problem)
+    looked_at = base_scene(study.replaced(variables=_axes(problem, LOOK[count])))
     plan = plan_of(study, looked_at, Points(study), every=True)
-    return Prepared(*_named(asked, plan, study), began)
+    return Prepared(*_named(problem, plan, study), began)
 
 
 def searched(
@@ -161,58 +161,58 @@ def searched(
     Raises:
         SceneError: no point of the sample has all results.
     """
-    asked, study, plan, kept, began = of
-    evaluate = partial(_evaluated, plan, kept, tuple(each.key for each in asked.variables))
-    size = points or ALL_POINTS << (len(asked.variables) - 1)
+    problem, study, plan, kept, began = of
+    evaluate = partial(_evaluated, plan, kept, tuple(each.key for each in problem.variables))
+    size = points or ALL_POINTS << (len(problem.variables) - 1)
     try:
-        best = search(asked, evaluate, size, seed, progress)
+        best = search(problem, evaluate, size, seed, progress)
     except NoResultError as error:
-        raise SceneFileError(study.file, _without_result(asked, error.missing)) from None
-    values = dict(zip((each.key for each in asked.variables), map(float, best.values), strict=True))
+        raise SceneFileError(study.file, _without_result(problem, error.missing)) from None
+    values = dict(zip((each.key for each in problem.variables), map(float, best.values), strict=True))
     there = tuple(Axis(key, (value,)) for key, value in values.items())
     scene = base_scene(study.replaced(variables=there))
     assert scene is not None  # it was solved
-    units = {each.key: keys.known(each.key).unit for each in asked.variables}
-    units |= {name: result.unit for name, result in zip(asked.names, kept, strict=True)}
-    results = dict(zip(asked.names, map(float, best.results), strict=True))
-    ranges = _ranges(asked, evaluate, best) if best.is_feasible else {}
+    units = {each.key: keys.known(each.key).unit for each in problem.variables}
+    units |= {name: result.unit for name, result in zip(problem.names, kept, strict=True)}
+    results = dict(zip(problem.names, map(float, best.results), strict=True))
+    ranges = _ranges(problem, evaluate, best) if best.is_feasible else {}
 
     def for_pictures(given: dict[str, NDArray]) -> dict[str, NDArray]:
-        columns = np.broadcast_arrays(*(given[each.key] for each in asked.variables))
+        columns = np.broadcast_arrays(*(given[each.key] for each in problem.variables))
         at_points = evaluate(np.stack([column.ravel() for column in columns], axis=1))
-        return {name: at_points[:, i].reshape(columns[0].shape) for i, name in enumerate(asked.names)}
+        return {name: at_points[:, i].reshape(columns[0].shape) for i, name in enumerate(problem.names)}
 
     return Found(
-        asked, best.is_feasible, values, results, kept, units, _binding(asked, best), _failed(asked, best), ranges,
-        best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
+        problem, best.is_feasible, values, results, kept, units, _binding(problem, best), _failed(problem, best),
+        ranges,         best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
     )  # fmt: skip
 
 
-def _axes(asked: Wanted, count: int) -> tuple[Axis, ...]:
-    return tuple(Axis(each.key, each.some(count)) for each in asked.variables)
+def _axes(problem: SearchProblem, count: int) -> tuple[Axis, ...]:
+    return tuple(Axis(each.key, each.some(count)) for each in problem.variables)
 
 
-def _study(source: Read, asked: Wanted) -> Study:
+def _study(source: Read, problem: SearchProblem) -> Study:
     """A study over some values of each variable, which asks for the readings that are named."""
-    vary = {axis.key: list(axis.values) for axis in _axes(asked, SOME)}
-    study = Study.of(source, vary, quantities=asked.names)
+    vary = {axis.key: list(axis.values) for axis in _axes(problem, SOME)}
+    study = Study.of(source, vary, quantities=problem.names)
     if any(each.key not in vary for each in study.variables):
         error = FileErrorDetail("[vary]", "varies further keys", cause="A search takes its variables from vary alone")
         raise SceneFileError(study.file, [error])
     return study.replaced(quantities=())
 
 
-def _check(study: Study, asked: Wanted) -> None:
+def _check(study: Study, problem: SearchProblem) -> None:
     if check(study) is not None:
         return
-    first = {axis.key: np.asarray(axis.values) for axis in _axes(asked, 2)[:1]}
-    first |= {axis.key: np.asarray(axis.values[0]) for axis in _axes(asked, 2)[1:]}
+    first = {axis.key: np.asarray(axis.values) for axis in _axes(problem, 2)[:1]}
+    first |= {axis.key: np.asarray(axis.values[0]) for axis in _axes(problem, 2)[1:]}
     reasons = scenes_of_points(study, first, 2).reasons
-    problem = f"no point describes a bearing: {reasons[0] if reasons else ''}"
-    raise SceneFileError(study.file, [FileErrorDetail("vary", problem, cause="Move or widen the ranges")])
+    why = f"no point describes a bearing: {reasons[0] if reasons else ''}"
+    raise SceneFileError(study.file, [FileErrorDetail("vary", why, cause="Move or widen the ranges")])
 
 
-def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
+def _without_result(problem: SearchProblem, missing: NDArray) -> list[FileErrorDetail]:
     if missing.all() or not missing.any():
         cause = (
             "Move or narrow the ranges: `qsbearing sweep` over them says why points have no solution. A stiffness "
@@ -220,11 +220,11 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
         )
         return [FileErrorDetail("vary", "no point of the sample has a solution with all results", cause=cause)]
     cause = "Such as a stiffness along a channel that is held: name the channel's load, or another result"
-    names = dict.fromkeys(name for name, lacks in zip(asked.names, missing, strict=True) if lacks)
+    names = dict.fromkeys(name for name, lacks in zip(problem.names, missing, strict=True) if lacks)
     return [FileErrorDetail(name, "has no value at any point of the ranges", cause=cause) for name in names]
 
 
-def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Place, ...]]:
+def _named(problem: SearchProblem, plan: Plan, study: Study) -> tuple[SearchProblem, Study, Plan, tuple[Place, ...]]:
     """The conditions by the results' full names, those of all balls with an ending of `OVER`, those of several rows or
     raceways one by one; a plan that keeps these alone.
 
@@ -236,24 +236,26 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     conditions: list[Condition] = []
     kept: list[Place] = []
     left: tuple[str, ...] = ()
-    negative = {each.name for each in (*asked.conditions, *asked.required) if each.value < 0.0}
-    for each in (*asked.conditions, *asked.required):
+    negative = {each.name for each in (*problem.conditions, *problem.required) if each.value < 0.0}
+    for each in (*problem.conditions, *problem.required):
         places = _places(each, each.name in negative, known)
-        if not places and each in asked.required:
+        if not places and each in problem.required:
             left += (str(each),)
             continue
         errors += _limit_errors(each, places, known)
         conditions += [each._replace(name=place.name) for place in places]
         kept += places
-    if asked.objective and (objective := find_result(asked.objective, known)) is not None:
-        end = MIN if asked.is_maximised else SIZE if objective.result.is_signed else MAX
+    if problem.objective and (objective := find_result(problem.objective, known)) is not None:
+        end = MIN if problem.is_maximised else SIZE if objective.result.is_signed else MAX
         kept.append(objective._replace(over=end) if objective.is_per_ball else objective)
-    elif asked.objective:
-        problem, cause = why_unknown(asked.objective, known)
-        errors.append(FileErrorDetail(asked.objective, problem, cause=cause))
+    elif problem.objective:
+        why, cause = why_unknown(problem.objective, known)
+        errors.append(FileErrorDetail(problem.objective, why, cause=cause))
     if errors:
         raise SceneFileError(plan.study.file, errors)
-    named = replace(asked, conditions=tuple(conditions), objective=kept[-1].name if asked.objective else "", open=left)
+    named = replace(
+        problem, conditions=tuple(conditions), objective=kept[-1].name if problem.objective else "", open=left
+    )
     if not named.names:
         raise SceneFileError(plan.study.file, [FileErrorDetail("[require]", "nothing in it can be searched for")])
     return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
@@ -269,8 +271,8 @@ def _places(of: Condition, is_algebraic: bool, known: Mapping[str, Place]) -> li
 
 def _limit_errors(of: Condition, places: list[Place], known: Mapping[str, Place]) -> list[FileErrorDetail]:
     if not places:
-        problem, cause = why_unknown(of.name, known)
-        return [FileErrorDetail(of.name, problem, cause=cause)]
+        why, cause = why_unknown(of.name, known)
+        return [FileErrorDetail(of.name, why, cause=cause)]
     if of.sense != "=" and any(place.result.is_azimuth for place in places):
         return [FileErrorDetail(of.name, AZIMUTH, cause="Limit a load or an angle there")]
     return []
@@ -298,12 +300,12 @@ BINDS = 1e-4
 """A limit that is met with less than this part of its value to spare binds."""
 
 
-def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
+def _binding(problem: SearchProblem, best: Best) -> tuple[str, ...]:
     binding = []
-    for each, off in zip(asked.conditions, best.violation, strict=True):
+    for each, off in zip(problem.conditions, best.violation, strict=True):
         if each.sense != "=" and abs(off) <= BINDS:
             binding.append(str(each))
-    for variable, u in zip(asked.variables, best.unit, strict=True):
+    for variable, u in zip(problem.variables, best.unit, strict=True):
         values = variable.values or (variable.low, variable.high)
         at = float(variable.at(np.asarray(u)))
         if u <= BINDS or u >= 1.0 - BINDS or (variable.values and at in (values[0], values[-1])):
@@ -312,36 +314,38 @@ def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
     return tuple(binding)
 
 
-def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
+def _failed(problem: SearchProblem, best: Best) -> tuple[str, ...]:
     return tuple(
         f"{each}: found {value:.6g}, off by {plain(100.0 * off, '.3g')} %"
-        for each, value, off in zip(asked.conditions, best.results, best.violation, strict=False)
+        for each, value, off in zip(problem.conditions, best.results, best.violation, strict=False)
         if off > MET
     )
 
 
-def _ranges(asked: Wanted, evaluate: Callable[[NDArray], NDArray], best: Best) -> dict[str, tuple[float, float]]:
+def _ranges(
+    problem: SearchProblem, evaluate: Callable[[NDArray], NDArray], best: Best
+) -> dict[str, tuple[float, float]]:
     offsets = np.concatenate([-np.geomspace(1.0, 1e-5, 60), [0.0], np.geomspace(1e-5, 1.0, 60)])
     ranges = {}
-    for i, variable in enumerate(asked.variables):
+    for i, variable in enumerate(problem.variables):
         places = np.unique(np.clip(best.unit[i] + offsets, 0.0, 1.0))
         values = np.asarray(variable.values) if variable.values else variable.at(places)
         points = np.repeat(best.values[None], values.size, axis=0)
         points[:, i] = values
-        ranges[variable.key] = _range(asked, evaluate(points), values, best, i)
+        ranges[variable.key] = _range(problem, evaluate(points), values, best, i)
     return ranges
 
 
-def _range(asked: Wanted, results: NDArray, values: NDArray, best: Best, i: int) -> tuple[float, float]:
+def _range(problem: SearchProblem, results: NDArray, values: NDArray, best: Best, i: int) -> tuple[float, float]:
     """Ends of the stretch around the optimum where what is asked for holds; between points by a straight line."""
     over = []
-    for k, each in enumerate(asked.conditions):
-        off = violations(asked, results, best.scale)[:, k]
+    for k, each in enumerate(problem.conditions):
+        off = violations(problem, results, best.scale)[:, k]
         if each.sense == "=":
-            over += [] if asked.objective else [off - FLAT]
+            over += [] if problem.objective else [off - FLAT]
         else:
             over.append(off - MET)
-    if asked.objective:
+    if problem.objective:
         here = best.results[-1]
         over.append(np.abs(results[:, -1] - here) / (abs(here) or 1.0) - FLAT)
     above = np.max(over, axis=0) if over else np.zeros(values.size)
@@ -354,7 +358,7 @@ def _range(asked: Wanted, results: NDArray, values: NDArray, best: Best, i: int)
             at += step
         end = float(values[at])
         beyond = at + step
-        if 0 <= beyond < values.size and not asked.variables[i].values and np.isfinite(above[beyond]):
+        if 0 <= beyond < values.size and not problem.variables[i].values and np.isfinite(above[beyond]):
             inside = min(float(above[at]), 0.0)
             end += float(values[beyond] - values[at]) * -inside / (float(above[beyond]) - inside)
         ends.append(end)

@@ -56,7 +56,7 @@ Condition = Requirement
 
 
 @dataclass(frozen=True)
-class Wanted:
+class SearchProblem:
     """All that a search is asked for; conditions in the order goals, limits."""
 
     variables: tuple[Variable, ...]
@@ -75,7 +75,7 @@ class Wanted:
         return (*(each.name for each in self.conditions), *([self.objective] if self.objective else []))
 
 
-def wanted(
+def problem_of(
     vary: Mapping[str, Any],
     goals: Iterable[str],
     limits: Iterable[str],
@@ -83,7 +83,7 @@ def wanted(
     maximise: str | None,
     file: str,
     document: dict[str, Any] | None = None,
-) -> Wanted:
+) -> SearchProblem:
     """What was asked for in words.
 
     Args:
@@ -126,7 +126,7 @@ def wanted(
     if errors:
         raise SceneFileError(file, errors)
     given = tuple(filter(None, conditions))
-    return Wanted(tuple(variables.values()), given, objective.strip(), bool(maximise), required)
+    return SearchProblem(tuple(variables.values()), given, objective.strip(), bool(maximise), required)
 
 
 def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
