@@ -156,10 +156,10 @@ def mean_of_round(of: BallRun, values: Array) -> Array:
     return np.array(means)
 
 
-def at_azimuths(of: BallRun, values: Array, wanted: Array) -> Array:
+def at_azimuths(of: BallRun, values: Array, azimuths: Array) -> Array:
     """Values (sample, case) as each ball last passed these azimuths [rad]; shape (azimuth, case)."""
     columns = []
     for case, azimuth in enumerate(_azimuths(of).T):
-        last = wanted + 2.0 * np.pi * np.floor((azimuth[-1] - wanted) / (2.0 * np.pi))
+        last = azimuths + 2.0 * np.pi * np.floor((azimuth[-1] - azimuths) / (2.0 * np.pi))
         columns.append(np.interp(last, azimuth, values[:, case]))
     return np.stack(columns, axis=1)

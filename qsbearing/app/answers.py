@@ -26,7 +26,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import message
@@ -105,7 +105,7 @@ def solved(document: Tables, label: str) -> Answer:
         "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),
         "picture": picture,
         "pictures": pictures,
-        "effects": _switches(asked(solution)),
+        "effects": _switches(requested(solution)),
     }
 
 
@@ -197,7 +197,7 @@ def _named(document: Tables, label: str) -> Scene | BearingSet:
     if of.tolerance is None:
         return of
     solution = _solution(document, label)
-    return replace(asked(solution), tolerance=None)
+    return replace(requested(solution), tolerance=None)
 
 
 def _solution(document: Tables, label: str) -> Solution | SetSolution:

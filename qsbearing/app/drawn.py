@@ -64,8 +64,8 @@ def _over_speed(solution: Solution) -> tuple[Solution, Any, int]:
     speeds = np.unique(np.append(np.linspace(LOW * top, top, POINTS), own))
     sign = -1.0 if float(np.asarray(scene.operation.speed)) < 0.0 else 1.0
     readings = {name: given for name, given in scene.readings.items() if name in ("lubricant", "life")}
-    asked = replace(scene, readings={"life": {}, **readings})
-    swept = solve(replace(asked, operation=replace(scene.operation, speed=sign * speeds)))
+    requested = replace(scene, readings={"life": {}, **readings})
+    swept = solve(replace(requested, operation=replace(scene.operation, speed=sign * speeds)))
     return swept, sign * speeds / rpm, int(np.searchsorted(speeds, own))
 
 

@@ -74,7 +74,7 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     async def start(request: Request) -> Response:
         return JSONResponse(first)
 
-    routes = [Route(f"/{name}", _asked(question), methods=["POST"]) for name, question in QUESTIONS.items()]
+    routes = [Route(f"/{name}", _requested(question), methods=["POST"]) for name, question in QUESTIONS.items()]
     pages = [Mount("/documents", StaticFiles(directory=TEMPLATES)), Mount("/", StaticFiles(directory=PAGE, html=True))]
     guard = Middleware(_Guard, hosts=hosts, token=token)
     return Starlette(routes=[Route("/start", start), *routes, *pages], middleware=[guard])
@@ -154,7 +154,7 @@ def _name_in(host: str) -> str:
     return host.partition(":")[0].lower()
 
 
-def _asked(question: Callable[..., answers.Answer]) -> Callable[[Request], Any]:
+def _requested(question: Callable[..., answers.Answer]) -> Callable[[Request], Any]:
     async def answer(request: Request) -> Response:
         if request.headers.get("content-type", "").partition(";")[0] != "application/json":
             return _refused("questions are JSON", 415)  # no form of another page can ask
@@ -190,13 +190,13 @@ def _arguments(question: Callable[..., answers.Answer], data: bytes) -> dict[str
     Raises:
         SceneFileError: it is none of this page.
     """
-    asked = Path("question")
-    body = parsed(data, asked, MOST_KEYS)
+    requested = Path("question")
+    body = parsed(data, requested, MOST_KEYS)
     with suppress(TypeError):
         given: dict[str, Any] = signature(question).bind(**body).arguments
         if all(isinstance(value, ARGUMENTS[name]) for name, value in given.items()):
             return given
-    raise refused(asked, "is no question of this page")
+    raise refused(requested, "is no question of this page")
 
 
 def _refused(text: str, status: int) -> Response:

@@ -79,14 +79,14 @@ def claimed(
     Args:
         scene: what is read, and must not be written over.
     """
-    asked = {option: target for option, target in targets.items() if target is not None}
-    known = {} if scene is None or not asked else {os.path.realpath(scene): "SCENE"}
-    for option, target in asked.items():
+    requested = {option: target for option, target in targets.items() if target is not None}
+    known = {} if scene is None or not requested else {os.path.realpath(scene): "SCENE"}
+    for option, target in requested.items():
         other = known.setdefault(os.path.realpath(target), option) if target else option
         if other != option:
             problems.append(f"{option}: the same file as {other}")
     writers = {}
-    for option, target in asked.items():
+    for option, target in requested.items():
         from qsbearing.files.output_file import output_file
 
         try:

@@ -52,7 +52,7 @@ MOST_POINTS = 100_000_000
     metavar="FILE",
     help="Also draw the feasible region over the first two ranges; .png, .svg or .pdf.",
 )
-def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, **asked: Any) -> None:
+def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, **requested: Any) -> None:
     """Find values of keys of SCENE that meet goals and limits, and that make a result as small or as large as possible.
 
     Results are those of `qsbearing sweep`, such as effective_stiffness_radial_y, inner.max_pressure_MPa or
@@ -66,11 +66,11 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
 
     problems = picture_problems(target)
     varied = pairs_of(vary, "write KEY=LOW:HIGH or KEY=A,B,C", problems)
-    how = {name: asked.pop(name) for name in ("points", "seed")}
+    how = {name: requested.pop(name) for name in ("points", "seed")}
     with ExitStack() as stack:
         try:
             with warnings_as_notes():
-                search = prepared(scene, varied, **asked)
+                search = prepared(scene, varied, **requested)
         except SceneError as error:
             problems.append(str(error))
         writers = claimed(stack, {"--plot": target}, problems)

@@ -44,14 +44,14 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report needs", NEEDED, "report")
-    asked = load_scene_or_set(scene)
+    requested = load_scene_or_set(scene)
     from qsbearing.files.scene_file import is_file, text_of
 
     path = Path(scene)
     name = (path.stem if is_file(path) else scene).lower()
     page = Path(out) / f"{name}_report.html"
     _refuse_another(page, path)
-    make = _maker(asked, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
+    make = _maker(requested, text_of(scene), shlex.join(["qsbearing", "report", scene, "--out", "DIR"]))
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -92,15 +92,15 @@ def _refuse_another(page: Path, path: Path) -> None:
         refuse(f"{page}: is the report of {other.resolve()}, which it would replace\n    Choose another --out")
 
 
-def _maker(asked: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
+def _maker(requested: Scene | BearingSet, source: str, command: str) -> Callable[[], Document]:
     """What makes the document of a scene or set; ends with the exit code where it has no solution."""
     from qsbearing.remarks.of_solution import message
 
-    solution = solve(asked)
+    solution = solve(requested)
     if not solution.converged.all():
         first = int(solution.converged.argmin())
         note(f"point {first + 1}: {message(solution, first)}" if solution.shape else message(solution))
         sys.exit(UNSOLVED)
     from qsbearing.reports.of_any import document_of_any
 
-    return lambda: document_of_any(solution, asked, source, command)
+    return lambda: document_of_any(solution, requested, source, command)

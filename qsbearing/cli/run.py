@@ -186,10 +186,10 @@ def _of_scene(scene: Scene, accuracy: float | None) -> RunOutput:
         return result(solution, readings) + [Paragraph(each, is_apart=number == 0) for number, each in said]
 
     solution = _solved(scene, accuracy)
-    asked = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
+    requested = scene if accuracy is None else solution.scene  # a file cannot ask for a choice among what it names
     if "spectrum" in scene.readings:
         from qsbearing.results.spectrum_report import spectrum_result as blocks
-    return _output(solution, asked, all_columns, blocks)
+    return _output(solution, requested, all_columns, blocks)
 
 
 def _not_of_list(scene: Scene, options: dict[str, Any]) -> list[str]:
@@ -233,15 +233,15 @@ def _of_set(of: BearingSet, accuracy: float | None) -> RunOutput:
         return set_result(solution, readings) + said
 
     solution: SetSolution = _solved(of, accuracy)
-    asked = of if accuracy is None else solution.set
+    requested = of if accuracy is None else solution.set
     if "spectrum" in of.readings:
         from qsbearing.results.set_spectrum_report import set_spectrum_result as blocks
-    return _output(solution, asked, set_columns, blocks)
+    return _output(solution, requested, set_columns, blocks)
 
 
 def _output(
     solution: Any,
-    asked: Any,
+    requested: Any,
     columns: Callable[..., Any],
     blocks: Callable[..., Any],
     record: Callable[[], dict[str, Any]] | None = None,
@@ -256,7 +256,7 @@ def _output(
         return [*blocks(solution, readings), *(of_fits("fits_blocks", solution) or ())]
 
     whole = record or partial(whole_record, solution, readings)
-    return RunOutput(solution, asked, whole, shown, partial(columns, solution, readings), readings)
+    return RunOutput(solution, requested, whole, shown, partial(columns, solution, readings), readings)
 
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from qsbearing.systems.sets.bearing_set import BearingSet
 
 T = TypeVar("T")
-Asked = TypeVar("Asked", bound="Scene | BearingSet")
+Requested = TypeVar("Requested", bound="Scene | BearingSet")
 
 PATIENCE = 2.0
 """Seconds of silence on a terminal."""
@@ -46,13 +46,13 @@ def load_one(source: str) -> Scene | BearingSet:
     return _of_one_point(load_scene_or_set(source), source)
 
 
-def _of_one_point(asked: Asked, source: str) -> Asked:
-    if "spectrum" in asked.readings:
+def _of_one_point(requested: Requested, source: str) -> Requested:
+    if "spectrum" in requested.readings:
         refuse(
             f"{source}: [[spectrum]] has several operating points, which only `qsbearing run` and `report` solve: "
             "leave it out here"
         )
-    return asked
+    return requested
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:
@@ -85,19 +85,19 @@ def _told_by_sweep(source: str) -> None:
         note(f"{source}: {each.text}")
 
 
-def solve(asked: Scene | BearingSet, tolerance: float | None = None) -> Any:
+def solve(requested: Scene | BearingSet, tolerance: float | None = None) -> Any:
     """Its solution; the effects of a scene are chosen to a tolerance where one is given."""
     from qsbearing.model.scene.scene import Scene
 
-    if not isinstance(asked, Scene):
+    if not isinstance(requested, Scene):
         from qsbearing.studies.chooser.choose_set import solve_set
 
         with solving():
-            return solve_set(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
+            return solve_set(requested, effects=None if tolerance is None else "auto", accuracy=tolerance)
     from qsbearing.studies.chooser import choose
 
     with solving():
-        return choose.solve(asked, effects=None if tolerance is None else "auto", accuracy=tolerance)
+        return choose.solve(requested, effects=None if tolerance is None else "auto", accuracy=tolerance)
 
 
 @contextmanager

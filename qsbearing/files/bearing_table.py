@@ -240,9 +240,9 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     """The bearing of these fields in SI, or what is wrong with it."""
     angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
     has_angle, has_clearance = "free_contact_angle_deg" in good, "diametral_clearance_mm" in good
-    unwanted = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
-    fields = {name: value for name, value in fields.items() if name != unwanted}
-    make = BallBearing.from_diametral_clearance if unwanted == "free_contact_angle" else BallBearing
+    left_out = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
+    fields = {name: value for name, value in fields.items() if name != left_out}
+    make = BallBearing.from_diametral_clearance if left_out == "free_contact_angle" else BallBearing
     try:
         bearing = make(**fields)
     except SceneError as error:

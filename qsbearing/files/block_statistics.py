@@ -52,15 +52,15 @@ def varies_from_zero(numbers: Blocks) -> bool:
     return any(bool((np.isfinite(block) & (abs(block) > ROUNDING)).any()) for block in numbers())
 
 
-def quantiles(numbers: Blocks, wanted: Sequence[float]) -> list[float]:
+def quantiles(numbers: Blocks, levels: Sequence[float]) -> list[float]:
     """Quantiles of the finite numbers, interpolated between neighbours as numpy does; empty where there is none."""
     count = sum(int(np.isfinite(block).sum()) for block in numbers())
     if count == 0:
         return []
     if count <= MOST:
         together = np.concatenate([_finite(block) for block in numbers()])
-        return [float(value) for value in np.quantile(together, wanted)]
-    ranks = np.asarray(wanted) * (count - 1)
+        return [float(value) for value in np.quantile(together, levels)]
+    ranks = np.asarray(levels) * (count - 1)
     below = np.floor(ranks).astype(int)
     above = np.minimum(below + 1, count - 1)
     at_rank = _order_statistics(numbers, sorted({*below.tolist(), *above.tolist()}))

@@ -101,8 +101,8 @@ def effects_of(
     made[GyroscopicMoment.name] = _gyroscopic_moment(shares, si(EFFECTS, numbers), errors)
     effects = tuple(made[name] for name in names if name in made)
     if not unusable & {"ball", "raceway_control"}:
-        asked = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
-        errors += map(translate, effect_errors(effects, *asked))
+        requested = good.get("raceway_control"), good.get("orbit_radius", OrbitRadius.PITCH_CIRCLE)
+        errors += map(translate, effect_errors(effects, *requested))
     if "ball" not in unusable and GyroscopicMoment.name not in names:
         cause = "Leave it out, or ask for gyroscopic_moment in ball"
         of_moment = {"moment_shares": (shares, "share"), **{name: (each, "carry") for name, each in numbers.items()}}

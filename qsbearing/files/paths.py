@@ -162,5 +162,5 @@ def meant(name: str, document: dict[str, Any]) -> list[str]:
 def told(meant: list[str]) -> str:
     """A question after what is likely meant; empty where nothing is."""
     more = "" if len(meant) <= MOST_MEANT else f", of {len(meant)} such numbers of the file?"
-    asked = question(meant[:MOST_MEANT])
-    return asked.removesuffix("?") + more if more else asked
+    requested = question(meant[:MOST_MEANT])
+    return requested.removesuffix("?") + more if more else requested

@@ -22,7 +22,7 @@ def _model(name: str) -> TableModel:
     return table_model(name, reading_keys(name), dict.fromkeys(known.choices, as_word))
 
 
-def asked_readings(
+def requested_readings(
     document: dict[str, Any], errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
 ) -> dict[str, dict[str, Any]]:
     """The readings that a file asks for, by name, with their arguments in SI; `true` asks for one without any.
@@ -37,7 +37,7 @@ def asked_readings(
         errors.append(FileErrorDetail("readings", "is not a table", table, cause=how))
         return {}
     before = len(errors)
-    asked: dict[str, dict[str, Any]] = {}
+    requested: dict[str, dict[str, Any]] = {}
     known = reading_tables() if table else {}
     for name, given in table.items():
         if name not in known:
@@ -46,18 +46,18 @@ def asked_readings(
             continue
         choices, given = known[name].choices, stated.filled(name, given)
         good, _ = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
-        asked[name] = si(reading_keys(name), good) | {choice: good[choice] for choice in choices if choice in good}
-    if asked and len(errors) == before:  # what cannot be used would be missing as well
-        from qsbearing.readings.asked import asked_errors  # a scene without readings does not load them
+        requested[name] = si(reading_keys(name), good) | {choice: good[choice] for choice in choices if choice in good}
+    if requested and len(errors) == before:  # what cannot be used would be missing as well
+        from qsbearing.readings.asked import requested_errors  # a scene without readings does not load them
 
-        errors += map(translate, asked_errors(asked, oil_is_found=OIL_TEMPERATURE in balance_keys))
-    return asked
+        errors += map(translate, requested_errors(requested, oil_is_found=OIL_TEMPERATURE in balance_keys))
+    return requested
 
 
 def errors_in_scene(scene: Scene, balance_keys: frozenset[str] = frozenset()) -> list[FileErrorDetail]:
     """What is wrong with a scene's readings that only the whole scene shows."""
     if not scene.readings:
         return []
-    from qsbearing.readings.asked import asked_errors
+    from qsbearing.readings.asked import requested_errors
 
-    return list(map(translate, asked_errors(scene.readings, scene, OIL_TEMPERATURE in balance_keys)))
+    return list(map(translate, requested_errors(scene.readings, scene, OIL_TEMPERATURE in balance_keys)))

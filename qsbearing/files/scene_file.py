@@ -24,7 +24,7 @@ from qsbearing.files.keys import (
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.raw import STANDARD_INPUT, read_text
-from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.readings_table import errors_in_scene, requested_readings
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
 from qsbearing.files.stated import stated_in
 from qsbearing.files.table_checks import (
@@ -145,7 +145,7 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     operation = operation_of(document, errors)
     preload = preload_of(document, operation, errors)
     effects = effects_of(document, errors, balance_keys, stated)
-    readings = asked_readings(document, errors, balance_keys, stated)
+    readings = requested_readings(document, errors, balance_keys, stated)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings]))
     if errors or bearing is None or operation is None:

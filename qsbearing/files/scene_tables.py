@@ -150,8 +150,8 @@ def _material(material: Material) -> str | dict[str, float]:
 
 def _effects(of: Scene | BearingSet) -> Tables:
     if of.tolerance is not None:
-        asked = {each.name: each.default for each in fields(Scene) if each.name in (*CHOICES, "ball_effects")}
-        if of.ring_effects or any(getattr(of, name) != usual for name, usual in asked.items()):
+        requested = {each.name: each.default for each in fields(Scene) if each.name in (*CHOICES, "ball_effects")}
+        if of.ring_effects or any(getattr(of, name) != usual for name, usual in requested.items()):
             raise _without_key("tolerance", "a file chooses all effects by it, or names them")
         return {"effects": AUTO, "tolerance": of.tolerance}
     table: Tables = {"ball": [effect.name for effect in of.ball_effects]}
@@ -199,13 +199,13 @@ def _elastic_rings(effect: ElasticRings, numbers: Tables) -> Tables:
     return tables
 
 
-def _readings(asked: Mapping[str, Mapping[str, Any]]) -> Tables:
-    if not asked:
+def _readings(requested: Mapping[str, Mapping[str, Any]]) -> Tables:
+    if not requested:
         return {}
     from qsbearing.readings.asked import with_defaults  # a scene without readings does not load them
 
     tables: Tables = {}
-    for name, arguments in asked.items():
+    for name, arguments in requested.items():
         if name == "spectrum":
             continue  # its points are the file's operation
         given = with_defaults(name, arguments)

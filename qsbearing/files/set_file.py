@@ -13,7 +13,7 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, transla
 from qsbearing.files.file_keys import OTHER_TABLES
 from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import with_preload_class
-from qsbearing.files.readings_table import asked_readings, errors_in_scene
+from qsbearing.files.readings_table import errors_in_scene, requested_readings
 from qsbearing.files.scene_file import (
     document_of,
     heated,
@@ -73,7 +73,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
     preload = preload_of(document, None, errors)
     effects = effects_of(document, errors, balance_keys, stated)
-    readings = asked_readings(document, errors, balance_keys, stated)
+    readings = requested_readings(document, errors, balance_keys, stated)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -178,7 +178,7 @@ def _row(
     if "bearing" in table:
         stated = stated.of_bearing(table["bearing"])
     effects = [ring_effect(name, table[name], within, balance_keys, stated) for name in EFFECT_TABLES if name in table]
-    readings = asked_readings(table, within, balance_keys, stated) if "readings" in table else None
+    readings = requested_readings(table, within, balance_keys, stated) if "readings" in table else None
     bearing = common
     if "bearing" in table:
         bearing = bearing_of({"bearing": table["bearing"]}, "", within)

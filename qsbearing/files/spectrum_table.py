@@ -58,8 +58,8 @@ def over_spectrum(
     rows = rest.get("rows", ()) if isinstance(rest.get("rows"), list) else ()
     own = {f"row {number}.": row for number, row in enumerate(rows, 1) if isinstance(row, dict) and "readings" in row}
     for path, table in {"": rest, **own}.items():
-        asked = table.get("readings") or {}
-        if isinstance(asked, dict) and "life" not in asked and (path or len(own) < len(rows) or not rows):
+        requested = table.get("readings") or {}
+        if isinstance(requested, dict) and "life" not in requested and (path or len(own) < len(rows) or not rows):
             cause = "Write [readings.life] below the points, with or without keys: the spectrum adds up its damage"
             errors.append(FileErrorDetail(f"{path}readings.life", "missing", cause=cause))
     if not errors:

@@ -83,7 +83,9 @@ def name_errors(readings: Iterable[str]) -> Errors:
     return [ErrorDetail(f"readings.{name}", "is not a reading", cause=cause) for name in unknown]
 
 
-def asked_errors(readings: Mapping[str, Arguments], scene: Scene | None = None, oil_is_found: bool = False) -> Errors:
+def requested_errors(
+    readings: Mapping[str, Arguments], scene: Scene | None = None, oil_is_found: bool = False
+) -> Errors:
     """Everything that is wrong with what is asked for; fields begin with `readings.` and the reading's name.
 
     Args:
@@ -111,17 +113,17 @@ def take_asked(solution: Solution) -> dict[str, Any]:
         SceneError: arguments that are out of range; everything, at once.
     """
     check_kind("take_asked", solution, "Solution")
-    asked = solution.scene.readings
-    errors = asked_errors(asked, solution.scene)
+    requested = solution.scene.readings
+    errors = requested_errors(requested, solution.scene)
     if errors:
         raise SceneError(errors)
-    oil, _ = _oil(asked)
-    entries = [each for name, each in READINGS.items() if name in asked]
+    oil, _ = _oil(requested)
+    entries = [each for name, each in READINGS.items() if name in requested]
     needs = [each.needs for each in entries]
     solution.read_at_once(*(dict.fromkeys(chain.from_iterable(each)) for each in zip(*needs, strict=True)))
     taken: dict[str, Any] = {}
     for each in entries:
-        taken[each.name] = each.take(solution, each.arguments(asked[each.name], oil), taken)
+        taken[each.name] = each.take(solution, each.arguments(requested[each.name], oil), taken)
     return taken
 
 

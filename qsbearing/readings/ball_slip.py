@@ -139,8 +139,8 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
 
 
 def _used(contacts: RacewayContacts, mu: NDArray) -> NDArray | None:
-    asked = contacts.required_friction
-    return None if asked is None else np.asarray(asked / mu[..., None])
+    requested = contacts.required_friction
+    return None if requested is None else np.asarray(requested / mu[..., None])
 
 
 def _axis_moment(solution: Solution, mu: NDArray) -> NDArray | None:

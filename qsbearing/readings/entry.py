@@ -1,7 +1,7 @@
 """What each reading states about itself, in its own file: its arguments, what it takes, and how its numbers are shown.
 
-A new reading is a file with its `ENTRY`, and two lines in `asked`, which imports and lists it: files, text, JSON, CSV,
-reports, studies, `qsbearing init` and the guide follow.
+A new reading is a file with its `ENTRY`, and two lines in `asked`, which imports and lists it: files, text, JSON,
+CSV, reports, studies, `qsbearing init` and the guide follow.
 """
 
 from __future__ import annotations

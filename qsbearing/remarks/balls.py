@@ -56,10 +56,10 @@ def _slip(solution: Solution, part: slice) -> Iterator[Found]:
     slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
     given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
     sides = (solution.inner.required_friction, solution.outer.required_friction)
-    asked = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    requested = np.maximum(*(rows(side, part) for side in sides if side is not None))
     yield (
         slips.any(axis=-1),
-        lambda i: remark("balls_slip", balls=slips[i], required=asked[i].max(), given=given[i]),
+        lambda i: remark("balls_slip", balls=slips[i], required=requested[i].max(), given=given[i]),
     )
 
 
@@ -75,12 +75,12 @@ def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
 
         for code, (least, most) in FRICTIONS.items():
 
-            def asked(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
+            def requested(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
                 typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
                 return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **typical)
 
             largest = friction.max(axis=-1)
-            yield (largest > least) & (largest <= most), asked
+            yield (largest > least) & (largest <= most), requested
 
 
 def momentum_remarks(solution: Solution, part: slice) -> Iterator[Found]:

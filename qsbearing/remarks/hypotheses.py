@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.gyroscopic_moment import ENTRY as GYROSCOPIC_MOMENT
 from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
-from qsbearing.model.solution.changes import Change, alternatives, asked, rows_of
+from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
 from qsbearing.model.solution.ranges import ranges
 from qsbearing.remarks.remark import Found, Remark
@@ -24,7 +24,7 @@ MOST_CASES = 16
 
 def hypotheses(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
     """Of a scene or set, where few cases may be solved again; a row of a set has nothing to say of itself."""
-    if not may_solve or solution.solve_alike is None or asked(solution).raceway_control is None:
+    if not may_solve or solution.solve_alike is None or requested(solution).raceway_control is None:
         return
     if np.prod(solution.shape) > MOST_CASES or not np.any(_inertia(solution) > WORTH_A_SOLVE):
         return

@@ -149,7 +149,7 @@ def _lacking(fields: Mapping[str, Any], words: Words) -> str:
     begun = entry.without_it or f"{entry.what} is not included; it"
     change = _of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)
     needs = needed(entry, bool(fields.get("has_size")), words)
-    return f"{begun} would change the {change}. To include it, {_GIVE[words.reader]} {needs}"
+    return f"{begun} would change the {change}. To include it, {_ADVICE[words.reader]} {needs}"
 
 
 def _differing(fields: Mapping[str, Any], words: Words) -> str:
@@ -234,7 +234,7 @@ _ADD = {
     Audience.FILE: "Add under [effects]: {}",
     Audience.PAGE: "Tick what is missing in the table of effects",
 }
-_GIVE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
+_ADVICE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
 _DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
 _LIST = {
     Audience.PYTHON: "To see each: qsbearing explain FILE",

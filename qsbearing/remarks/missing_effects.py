@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.solution.changes import Change, asked, changes, has_size_for, rows_of
+from qsbearing.model.solution.changes import Change, changes, has_size_for, requested, rows_of
 from qsbearing.model.solution.comparison import moved
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.model.units import um
@@ -42,7 +42,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     """Effects and choices that could be named as it is."""
     if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
         return
-    of = asked(solution)
+    of = requested(solution)
     candidates = []
     for entry in EFFECTS:
         if entry.hypothesis or not entry.can_be_added(of):

@@ -21,7 +21,7 @@ from qsbearing.results.remarks import every_remark
 from qsbearing.studies.chooser.explain import explain
 
 
-def document(solution: Solution, asked: Scene, source: str, command: str) -> Document:
+def document(solution: Solution, requested: Scene, source: str, command: str) -> Document:
     """The whole report of one solved case.
 
     Args:
@@ -34,7 +34,7 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
     report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     title, bearing = report_of.get("title", name), report.geometry_text(solution)
     bearing = bearing if title == name else f"{name}: {bearing}"
-    tolerance = asked.tolerance or DEFAULT_ACCURACY
+    tolerance = requested.tolerance or DEFAULT_ACCURACY
     readings, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
@@ -46,8 +46,8 @@ def document(solution: Solution, asked: Scene, source: str, command: str) -> Doc
             *heat.sections(solution.thermal),
             *([Section("Readings", readings_tables(readings, scene))] if readings else []),
             curves.section(solution),
-            effects.section(solution, asked, rows, tolerance),
-            inputs.section(scene, source, asked.thermal),
+            effects.section(solution, requested, rows, tolerance),
+            inputs.section(scene, source, requested.thermal),
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],

@@ -71,7 +71,7 @@ def assumptions(scene: Scene) -> list[str]:
     return said
 
 
-def section(solution: Solution, asked: Scene, rows: Sequence[Assessment], tolerance: float) -> Section:
+def section(solution: Solution, requested: Scene, rows: Sequence[Assessment], tolerance: float) -> Section:
     """Assumptions, and a row for each effect and choice.
 
     Args:
@@ -80,7 +80,7 @@ def section(solution: Solution, asked: Scene, rows: Sequence[Assessment], tolera
         rows: of `explain`.
         tolerance: above which a change counts.
     """
-    said = [] if solution.choice is None else chosen(solution, asked, IN_FILE)
+    said = [] if solution.choice is None else chosen(solution, requested, IN_FILE)
     return _section(assumptions(solution.scene), said, rows, tolerance)
 
 
@@ -122,8 +122,8 @@ def is_right(rows: Sequence[Assessment], tolerance: float) -> list[Block]:
         if row.in_scene and row.verdict == NEEDED:
             has.append(f"{row.what}: {change}")
         elif row.verdict in (NEEDED, DATA_MISSING):
-            give = f"give {row.needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
-            lines.append([row.what, Badge("no", _status(row)), change, give])
+            advice = f"give {row.needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
+            lines.append([row.what, Badge("no", _status(row)), change, advice])
         elif what[row.effect].hypothesis and row.size(most) > tolerance:
             lines.append(
                 [row.what, Badge("a hypothesis", "finding"), change, "see the range below the table of effects"]

@@ -235,10 +235,10 @@ def _origin(bearing: BallBearing | None, table: str, key: str, value: float) -> 
     return CATALOGUE if bearing is not None and is_printed(bearing, table, key, value) else ""
 
 
-def reading_lines(asked: Mapping[str, Mapping[str, Any]], bearing: BallBearing | None = None) -> list[Line]:
+def reading_lines(requested: Mapping[str, Mapping[str, Any]], bearing: BallBearing | None = None) -> list[Line]:
     """Asked for, with their numbers; those of no key of a file in SI, as Python has them."""
     lines: list[Line] = []
-    for name, arguments in asked.items():
+    for name, arguments in requested.items():
         lines.append((name, "on", "", ""))
         for key, value in arguments.items():
             if isinstance(value, float | int | str) and not isinstance(value, bool):

@@ -11,7 +11,9 @@ from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def document_of_any(solution: Solution | SetSolution, asked: Scene | BearingSet, source: str, command: str) -> Document:
+def document_of_any(
+    solution: Solution | SetSolution, requested: Scene | BearingSet, source: str, command: str
+) -> Document:
     """The report of a bearing, of a set, or of either over a spectrum.
 
     Args:
@@ -20,9 +22,9 @@ def document_of_any(solution: Solution | SetSolution, asked: Scene | BearingSet,
         source: the text of its file; empty for an example of the catalogue.
         command: that makes this report.
     """
-    if "spectrum" in asked.readings:
-        return spectrum.document(solution, asked, solve_any, source, command)
+    if "spectrum" in requested.readings:
+        return spectrum.document(solution, requested, solve_any, source, command)
     if isinstance(solution, Solution):
-        assert isinstance(asked, Scene)
-        return document.document(solution, asked, source, command)
+        assert isinstance(requested, Scene)
+        return document.document(solution, requested, source, command)
     return set_document.document(solution, source, command)

@@ -26,7 +26,7 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 def document(
     solution: Solution | SetSolution,
-    asked: Scene | BearingSet,
+    requested: Scene | BearingSet,
     solve: Callable[[Scene | BearingSet], Any],
     source: str,
     command: str,
@@ -48,7 +48,7 @@ def document(
         blocks = spectrum_result(solution, readings[0])
     damage = np.max([np.nan_to_num(each["spectrum"].damage_share) for each in readings], axis=0)
     worst = int(np.argmax(damage))
-    point = point_of(asked, worst)
+    point = point_of(requested, worst)
     solved = solve(point)
     whole = (
         of_scene.document(solved, point, source, command)
@@ -70,8 +70,8 @@ def document(
     )
 
 
-def point_of(asked: Scene | BearingSet, number: int) -> Any:
+def point_of(requested: Scene | BearingSet, number: int) -> Any:
     """One operating point as a scene or set of its own, without a spectrum."""
-    tables = input_tables(asked)
-    label = asked.name if isinstance(asked, BearingSet) else asked.bearing.name
+    tables = input_tables(requested)
+    label = requested.name if isinstance(requested, BearingSet) else requested.bearing.name
     return scene_or_set_of(at_point(tables, point_in_file(tables["spectrum"][number])), label, label)

@@ -11,7 +11,7 @@ from qsbearing.documents.model import Block, Paragraph
 from qsbearing.model.effects import RingExpansion
 from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import N, mm, um
@@ -28,7 +28,7 @@ def fits_record(solution: Solution | SetSolution) -> dict[str, Any]:
     "at_limits" has what is found with the least and with the largest interference of all named fits together, at the
     temperatures of the results; None where it is not solved, or for several operating points.
     """
-    of = asked(solution)
+    of = requested(solution)
     rows = _effects(of)
     seats = [
         _seat(row, seat, fit, effect)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING, channels
 from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Group, Place, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
@@ -210,7 +210,7 @@ def numbers_of(
         row: of a set, from 1, of what each row has.
         readings: where they are of one; of a set those of each row.
     """
-    if group.is_asked is not None and not group.is_asked(asked(solution)):
+    if group.is_requested is not None and not group.is_requested(requested(solution)):
         return None
     numbers = {each.in_record: Place(group, each, row).of(solution, readings) for each in group.results}
     if all(values is None for values in numbers.values()):

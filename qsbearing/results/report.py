@@ -135,7 +135,7 @@ def _heading(solution: Solution, record: dict[str, Any]) -> list[Block]:
     name = solution.scene.bearing.name or "Bearing"
     parts: list[Block] = [
         Paragraph(f"{name}  {geometry_text(solution)}", name),
-        Paragraph(f"{speeds_text(solution)}. {asked_for(record)}"),
+        Paragraph(f"{speeds_text(solution)}. {requested_for(record)}"),
     ]
     preload = record["preload"]
     if preload is not None and record["status"] == "converged":
@@ -202,7 +202,7 @@ def ending(record: dict[str, Any]) -> list[Block]:
     return [Callout(told, "pass", status, "green")]
 
 
-def asked_for(record: dict[str, Any]) -> str:
+def requested_for(record: dict[str, Any]) -> str:
     """The effects of a record, and the choices that are not the usual ones."""
     choices = record["choices"]
     *others, last = record["effects"] or ["No ball effects (static)"]

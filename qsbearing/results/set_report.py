@@ -18,7 +18,6 @@ from qsbearing.remarks.wording import Words, capital
 from qsbearing.results.readings_record import Readings
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.report import (
-    asked_for,
     channels_table,
     contacts_table,
     digits,
@@ -26,6 +25,7 @@ from qsbearing.results.report import (
     ending,
     heat_tables,
     outer_turning,
+    requested_for,
     stiffness_matrix_table,
     stiffness_table,
     temperature_tables,
@@ -104,7 +104,7 @@ def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{outer_turning(of.operation.outer_speed)}"
     what = (
         f"{name}  {count}, {of.arrangement}; shaft {turning}, its channels at "
-        f"x = {record['reference_position_mm']:.6g} mm{datum}. {asked_for(record)}"
+        f"x = {record['reference_position_mm']:.6g} mm{datum}. {requested_for(record)}"
     )
     preload = [] if of.preload is None else [Paragraph(f"Preload ({of.preload.kind.replace('_', ' ')})")]
     return [Paragraph(what, name), *preload, *ending(record)]

@@ -16,7 +16,7 @@ from qsbearing.remarks.of_solution import message
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.remarks import blocks, of_points
-from qsbearing.results.report import asked_for
+from qsbearing.results.report import requested_for
 from qsbearing.results.tables import digits_of
 
 NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nN m", "moment z\nN m")
@@ -54,7 +54,7 @@ def spectrum_result(solution: Solution, readings: Readings) -> list[Block]:
     """A row for each operating point, and the life of all together."""
     spectrum, life = spectrum_record(solution, readings), readings["life"]
     name, inner, outer = spectrum["bearing"] or "Bearing", solution.inner.load, solution.outer.load
-    head = f"{name}  {len(spectrum['points'])} operating points. {asked_for(spectrum['points'][0])}"
+    head = f"{name}  {len(spectrum['points'])} operating points. {requested_for(spectrum['points'][0])}"
     loads = [i for i in range(5) if np.nan_to_num(solution.load[:, i]).any()]
     results = ("largest\nball load\nN", "life\nMrev", "life\nh", "damage\n%")
     heading, rows = ("point", "share", "speed\nrpm", *(NAMES[i] for i in loads), *results), []

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.solution import Solution
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def with_input(of: Scene | BearingSet, record: dict[str, Any]) -> dict[str, Any]
 
 def of_fits(what: str, solution: Solution | SetSolution) -> Any:
     """Of `fit_limits`, which is loaded only for a scene or set with expanding rings."""
-    of: Any = asked(solution)
+    of: Any = requested(solution)
     if not any(of.ring_effects) and not any(getattr(row, "ring_effects", None) for row in getattr(of, "rows", ())):
         return None
     from qsbearing.results import fit_limits

@@ -177,7 +177,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points, ever
     known = known_results(_solved(scene, chosen))
     kept: list[Place | FileErrorDetail | None]
     if study.quantities:
-        kept = [_asked(name, known) for name in study.quantities]
+        kept = [_requested(name, known) for name in study.quantities]
         errors = [each for each in kept if isinstance(each, FileErrorDetail)]
         if errors:
             raise SceneFileError(study.file, errors)
@@ -188,7 +188,7 @@ def plan_of(study: Study, scene: Scene | BearingSet | None, points: Points, ever
     return Plan(study, tuple(each for each in kept if isinstance(each, Place)), ball_axis, chosen)
 
 
-def _asked(name: str, known: dict[str, Place]) -> Place | FileErrorDetail:
+def _requested(name: str, known: dict[str, Place]) -> Place | FileErrorDetail:
     result = find(name, known)
     if result is not None:
         return result

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import GROUPS, STEADY, unasked
 from qsbearing.model.solution.result_keys import OVER, Group, Place, place_of, printed_unit, spelled
 from qsbearing.model.solution.solution import Solution
@@ -43,9 +43,9 @@ def _of_bearing(solution: Solution) -> Iterator[Place]:
 def _there(groups: Iterable[Group], solution: Any, taken: Any) -> Iterator[Place]:
     """Results of which there are numbers."""
     for group in groups:
-        if group.is_asked is None:
+        if group.is_requested is None:
             yield from (Place(group, each) for each, values in group.values(solution, taken) if values is not None)
-        elif group.is_asked(asked(solution)):
+        elif group.is_requested(requested(solution)):
             yield from (Place(group, each) for each in group.results)
 
 

@@ -181,14 +181,14 @@ class Study(Plotted):
 
 def _ask_for_readings(document: dict[str, Any], names: Iterable[str]) -> None:
     """Ask the scene for each reading of which a number is named; what else it needs stays for the scene to say."""
-    asked = document.get("readings", {})
-    if not isinstance(asked, dict):
+    requested = document.get("readings", {})
+    if not isinstance(requested, dict):
         return
     for name in names:
         reading = reading_of(name)
-        if reading and reading not in asked:
-            asked = asked | {reading: {}}
-            document["readings"] = asked
+        if reading and reading not in requested:
+            requested = requested | {reading: {}}
+            document["readings"] = requested
 
 
 def _table(document: dict[str, Any], name: str, errors: list[FileErrorDetail]) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from fem_check.book.case import CaseResult, Curve, Diagram, ValueTable, compared
 from qsbearing.studies.design.optimum import search
-from qsbearing.studies.design.wanted import Condition, Variable, Wanted
+from qsbearing.studies.design.problem import Condition, SearchProblem, Variable
 
 SOURCE = "Gupta, Tiwari & Nair 2007; Kumar et al. 2020, problem 2.3.14"
 D, d, BW = 160.0, 90.0, 30.0
@@ -28,7 +28,7 @@ PRINTED_CAPACITY = 81859.7
 ELSEWHERE = {"81,843.3, the optimum that the problem's collection states": 81843.3, "85,549.2": 85549.2}
 COUNTS = range(8, 15)
 
-PROBLEM = Wanted(
+PROBLEM = SearchProblem(
     (*(Variable(key, *ends) for key, ends in BOUNDS.items()), Variable("Z", 4, 50, values=tuple(range(4, 51)))),
     tuple(Condition(name, ">=", 0.0) for name in LIMITS),
     "capacity",

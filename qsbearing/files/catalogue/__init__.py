@@ -132,7 +132,7 @@ def _told(told: Designation, lacking: Set[str]) -> str:
         suggestion = f" Did you mean {' or '.join(entry.name for entry in same)}?" if same and is_open else ""
         needs = _needs(lacking, [])
         also = f" No designation tells the balls: give {needs}." if needs else ""
-        return f"{begun}.{unknown} {_angle_wanted(told)}.{also}{suggestion}"
+        return f"{begun}.{unknown} {_angle_missing(told)}.{also}{suggestion}"
     play = [] if has_angle else ["diametral_clearance_mm = 0.01 or what it is when mounted"]
     alike = [entry.name for entry in same if entry.bearing["free_contact_angle_deg"] == told.angle]
     has = f"; GMN's of these dimensions and angle, with balls of its own, is name = {alike[0]!r}" if alike else ""
@@ -152,20 +152,20 @@ def _needs(lacking: Set[str], others: list[str]) -> str:
     return f"{ratings}{listed(balls)}{f'; and {listed(others)}' if others else ''}"
 
 
-def _angle_wanted(told: Designation) -> str:
+def _angle_missing(told: Designation) -> str:
     """What its letters mean for the angle, and how to say it, a sentence without its end."""
-    give = "give free_contact_angle_deg"
+    advice = "give free_contact_angle_deg"
     if told.angles:
         means = dict.fromkeys(angle for _, angle in told.angles)
         makers = {angle: listed(maker for maker, each in told.angles if each == angle) for angle in means}
         said = ", ".join(f"{angle:g}° at {makers[angle]}" for angle in means)
         begun = f"Suffix {told.suffix} means" if told.suffix else "Without a suffix the angle is"
-        return f"{begun} {said}; write the maker first ({told.angles[0][0]} {told.text.strip()}) or {give}"
+        return f"{begun} {said}; write the maker first ({told.angles[0][0]} {told.text.strip()}) or {advice}"
     if told.maker:
         codes = listed(f"{code} ({angle:g}°)" for code, angle in angles_of(told.maker).items())
         whose = f"Prefix {told.prefix} is of {told.maker}, whose" if told.prefix else f"{told.maker}'s"
-        return f"{whose} suffixes for the angle are {codes}: add one, or {give}"
-    return f"Its suffix tells no angle: {give}, or write the maker first"
+        return f"{whose} suffixes for the angle are {codes}: add one, or {advice}"
+    return f"Its suffix tells no angle: {advice}, or write the maker first"
 
 
 def _entry(data: dict[str, Any]) -> CatalogueEntry:

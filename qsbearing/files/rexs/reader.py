@@ -100,9 +100,9 @@ class AttributeReader:
 
     def _unit(self, component: Component, attribute: Attribute, name: str) -> RexsUnit | None:
         usual = unit_of(name)
-        wanted, given = unit_named(usual), unit_named(attribute.unit)
-        assert wanted is not None, usual
-        if given is None or given.kind != wanted.kind:
+        expected, given = unit_named(usual), unit_named(attribute.unit)
+        assert expected is not None, usual
+        if given is None or given.kind != expected.kind:
             is_bare = given is not None and given.kind == NUMBER
             problem = (
                 "has no unit" if is_bare else f"is in {attribute.unit!r}, which is no unit of this kind that is known"

@@ -322,7 +322,7 @@ def deflections_at_balls(
     return total
 
 
-def _largest_give(point: OperatingPoint) -> NDArray:
+def _largest_deflection(point: OperatingPoint) -> NDArray:
     """Under the loads as they are, without the rings' own relief: far too much where radial loads bend them."""
     rings = next(one for one in point.full_scene.ring_effects if isinstance(one, ElasticRings))
     radial = [np.asarray(each.load * each.cosine) for each in (point.solution.inner, point.solution.outer)]
@@ -334,7 +334,7 @@ def _largest_give(point: OperatingPoint) -> NDArray:
 def _errors(point: OperatingPoint) -> Errors:
     if not any(isinstance(one, ElasticRings) for one in point.full_scene.ring_effects):
         return {name: np.zeros(point.solution.shape) for name in QUANTITIES}
-    return geometry_errors(point, GeometryChange(-_largest_give(point), 0.0))
+    return geometry_errors(point, GeometryChange(-_largest_deflection(point), 0.0))
 
 
 def _usual(of: Any, points: list[OperatingPoint]) -> list[Assumed]:

@@ -68,13 +68,13 @@ class OperatingPoint:
     """A solution as indicators read it; arrays of shape (*cases) unless said otherwise, SI and radians."""
 
     solution: Solved
-    asked: Any = None
+    requested: Any = None
     """A scene with everything whose influence is asked for, parameters included; None: the solution's own."""
 
     @property
     def full_scene(self) -> Any:
         """The scene that says with which parameters an effect is asked for, whether the solution has it or not."""
-        return self.scene if self.asked is None else self.asked
+        return self.scene if self.requested is None else self.requested
 
     @property
     def scene(self) -> Any:

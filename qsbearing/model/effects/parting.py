@@ -72,10 +72,10 @@ def by_friction(friction: Callable[[OperatingPoint], NDArray]) -> Callable[[Oper
     """
 
     def errors(point: OperatingPoint) -> Errors:
-        asked = friction(point)
-        angle, most = np.maximum(np.abs(point.angle), SMALLEST_ANGLE), asked.max(axis=-1)
+        requested = friction(point)
+        angle, most = np.maximum(np.abs(point.angle), SMALLEST_ANGLE), requested.max(axis=-1)
         factors = {"contact_angle": 1.0 / angle, "load": 0.25, "pressure": 0.125, "displacement": 0.2, "stiffness": 0.5}
-        parted = parting_errors(point, asked, is_in=False)
+        parted = parting_errors(point, requested, is_in=False)
         return {name: np.maximum(factor * most, parted[name]) for name, factor in factors.items()}
 
     return errors

@@ -135,7 +135,7 @@ def section_errors(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
 
 
 def _expansion_missing(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
-    asked: dict[str, tuple[Material, bool]] = {
+    requested: dict[str, tuple[Material, bool]] = {
         "bearing.ring_material": (
             bearing.ring_material,
             any(getattr(effect, f"{side}_ring_temperature") is not None for side in ("inner", "outer")),
@@ -145,11 +145,11 @@ def _expansion_missing(effect: Any, bearing: BallBearing) -> list[ErrorDetail]:
         material = getattr(effect, f"{seat}_material")
         is_warm = any(getattr(effect, f"{body}_temperature") is not None for body in (seat, ring))
         field = "bearing.ring_material" if material is None else f"{effect.name}.{seat}_material"
-        known, before = asked.get(field, (material, False))
-        asked[field] = (known, before or is_warm)
+        known, before = requested.get(field, (material, False))
+        requested[field] = (known, before or is_warm)
     detail, cause = "temperatures are given", "12e-6 per kelvin for bearing steel"
     return [
         ErrorDetail(f"{field}.thermal_expansion", "missing", cause=cause, detail=detail)
-        for field, (material, is_needed) in asked.items()
+        for field, (material, is_needed) in requested.items()
         if is_needed and material.thermal_expansion is None
     ]

@@ -79,7 +79,7 @@ def alternatives(entry: Entry, solution: Any) -> list[Change]:
 
 def _against_others(entry: Entry, solution: Any) -> list[Change]:
     members = entry.switch.members
-    others = [] if members is None else members.others(asked(solution))
+    others = [] if members is None else members.others(requested(solution))
     finest = None if members is None else members.finest
     by_it = [each for each in others if finest is not None and getattr(each.of, entry.switch.slot) == finest]
     solutions = [(each, solution.solve_alike(each.of)) for each in by_it or others]
@@ -101,7 +101,7 @@ def _is_same(one: Any, other: Any) -> bool:
 
 
 def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
-    of = asked(solution)
+    of = requested(solution)
     finer = entry.finer(of)
     if finer is not of:
         return [Assumed("", "", finer)]
@@ -112,7 +112,7 @@ def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
 
 
 def _change(assumed: Assumed, solution: Any) -> Change:
-    full = solution if assumed.of is asked(solution) else solution.solve_alike(assumed.of)
+    full = solution if assumed.of is requested(solution) else solution.solve_alike(assumed.of)
     return _made(assumed, by_quantity(solution, full), full)
 
 
@@ -121,7 +121,7 @@ def _made(assumed: Assumed, errors: dict[str, NDArray], other: Any) -> Change:
     return Change(assumed.under, assumed.what, errors, np.asarray(other.converged), other.displacement, tangent)
 
 
-def asked(solution: Any) -> Any:
+def requested(solution: Any) -> Any:
     """The scene or set of a solution."""
     return getattr(solution, "set", None) or solution.scene
 

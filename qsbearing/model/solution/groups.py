@@ -224,7 +224,7 @@ TEMPERATURES = tuple(
     for body in BODIES
 )
 OPERATING = Group(GEOMETRY, prefix="operating", holder=_reshaped, table=("operating_geometry",))
-OF_PRELOAD = Group(PRELOAD, prefix="preload", table=("preload",), is_asked=_has_preload, by_words=True)
+OF_PRELOAD = Group(PRELOAD, prefix="preload", table=("preload",), is_requested=_has_preload, by_words=True)
 STEADY = Group(
     tuple(Result(f"{node}_temperature", "C", path=node, entry=node) for node in NODES),
     prefix="steady", holder="thermal.temperatures", table=("thermal", "temperatures_C"),
@@ -246,6 +246,6 @@ GROUPS = (
     OF_AZIMUTH,
     *TEMPERATURES,
     OF_MIDDLE,
-    Group(SHARE, table=("elastic_rings",), is_asked=_has_elastic_rings, by_words=True),
+    Group(SHARE, table=("elastic_rings",), is_requested=_has_elastic_rings, by_words=True),
 )
 """Of every solution of a bearing; a group that its scene does not call for has no numbers."""

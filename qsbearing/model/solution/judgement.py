@@ -47,9 +47,9 @@ class Judgement:
         return name, errors[name]
 
 
-def judge(entry: Entry, solution: Solution, asked: Scene | None = None) -> Judgement:
+def judge(entry: Entry, solution: Solution, requested: Scene | None = None) -> Judgement:
     """One effect or choice at a solution, whose scene has it or not; asked for with the parameters of another scene."""
-    point = solution.operating_point if asked is None else replace(solution.operating_point, asked=asked)
+    point = solution.operating_point if requested is None else replace(solution.operating_point, requested=requested)
     with np.errstate(invalid="ignore", divide="ignore"):
         return Judgement(entry, entry.indicator(point), entry.errors(point))
 

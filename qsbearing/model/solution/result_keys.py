@@ -187,7 +187,7 @@ class Group(NamedTuple):
     """Of all of a reading."""
     by_words: bool = False
     """Whether each one's words alone state what it is."""
-    is_asked: Callable[[Any], bool] | None = None
+    is_requested: Callable[[Any], bool] | None = None
     """Whether a scene or set calls for them, so that nothing is read to know it; None: they are read."""
 
     def values(self, solution: Any, readings: Mapping[str, Any] | None = None) -> Iterator[tuple[Result, Any]]:

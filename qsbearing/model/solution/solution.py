@@ -145,8 +145,8 @@ class Solution(SolutionOfCases):
             balls: names of arrays of the balls, such as "orbital_speed". What the scene does not call for is left out.
         """
         of_contacts = [(row, name) for row in (results.AT_INNER, results.AT_OUTER) for name in contacts]
-        asked = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
-        self.solved.read_all([(row, CODES[name]) for row, name in asked if self._has(name)])
+        requested = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
+        self.solved.read_all([(row, CODES[name]) for row, name in requested if self._has(name)])
 
     def _has(self, name: str) -> bool:
         """Whether the scene calls for an array of contacts or balls."""

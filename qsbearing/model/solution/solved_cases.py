@@ -72,9 +72,9 @@ class SolvedCases:
         self.read_all([(row, what)])
         return self._known[row, what]
 
-    def read_all(self, asked: Iterable[tuple[int, int]]) -> None:
+    def read_all(self, requested: Iterable[tuple[int, int]]) -> None:
         """Read off, in threads, what is not known yet of these quantities."""
-        missing = [each for each in asked if each not in self._known]
+        missing = [each for each in requested if each not in self._known]
         if not missing:
             return
         tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)

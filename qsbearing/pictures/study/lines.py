@@ -181,9 +181,9 @@ def _curve_over_samples(results: Dataset, name: str, x: str) -> tuple[NDArray, N
     values = _loaded_contacts(results, name)
     if BALL in values.dims:
         values = _most_loaded(results, values)
-    wanted = [BAND[0], 0.5, BAND[1]]
+    levels = [BAND[0], 0.5, BAND[1]]
     with warnings.catch_warnings(action="ignore", category=RuntimeWarning):  # where no sample is solved
-        low, middle, high = values.quantile(wanted, SAMPLE).transpose("quantile", x).values
+        low, middle, high = values.quantile(levels, SAMPLE).transpose("quantile", x).values
     return middle, low, high
 
 

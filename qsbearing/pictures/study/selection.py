@@ -153,21 +153,21 @@ def _panels(results: Dataset, kind: PictureKind, y: Sequence[str]) -> tuple[tupl
 
 def _default(results: Dataset, kind: PictureKind) -> list[str]:
     """What the study names; else what most readers want, and of it what is there and not zero everywhere."""
-    if asked := [name for name in _named(results) if kind is not PictureKind.AZIMUTH or BALL in results[name].dims]:
-        return asked
+    if requested := [name for name in _named(results) if kind is not PictureKind.AZIMUTH or BALL in results[name].dims]:
+        return requested
     if kind is PictureKind.MAP:
-        wanted = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
-        wanted += ["ring_effective_stiffness_axial"]
+        names = ["inner_max_pressure", "outer_max_pressure", "outer_required_friction", "balls_off_inner"]
+        names += ["ring_effective_stiffness_axial"]
     elif kind is PictureKind.AZIMUTH:
-        wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
+        names = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
     elif loads := [place for name in results if (place := place_named(str(name))) and place.group is AXIAL_LOAD]:
         largest = [Place(group, CONTACT_LOAD, each.row, "max").name for group in CONTACTS for each in loads]
-        wanted = [*(each.name for each in loads), *largest, "shaft_effective_stiffness_axial"]
+        names = [*(each.name for each in loads), *largest, "shaft_effective_stiffness_axial"]
     else:
-        wanted = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
+        names = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
         if _varies(results, "ring_load_radial_y"):
-            wanted.append("ring_effective_stiffness_radial_y")
-    every = [each for name in wanted for each in (name, *_over_balls(name))]
+            names.append("ring_effective_stiffness_radial_y")
+    every = [each for name in names for each in (name, *_over_balls(name))]
     varying = [each for each in every if _varies(results, each)]
     if kind in (PictureKind.DISTRIBUTION, PictureKind.SENSITIVITY) or not varying:
         varying += [str(name) for name in results.data_vars if name not in (*varying, *_NOT_RESULTS)]

@@ -8,7 +8,7 @@ import warnings
 from qsbearing.model.scene.scene import COARSEST, DEFAULT_ACCURACY, FINEST
 
 
-def asked_accuracy(effects: str | None, given: float | None, own: float | None) -> float | None:
+def requested_accuracy(effects: str | None, given: float | None, own: float | None) -> float | None:
     """The error that choosing effects may leave; None where they are those that are named.
 
     Args:
@@ -28,10 +28,10 @@ def asked_accuracy(effects: str | None, given: float | None, own: float | None) 
             f"accuracy = {given:g} is the error that choosing effects may leave: give effects='auto' too; the solver's "
             "own is residual_tolerance"
         )
-    asked = next(each for each in (given, own, DEFAULT_ACCURACY) if each is not None)
-    if not FINEST <= asked <= COARSEST:
-        raise ValueError(f"accuracy = {asked:g}: must lie between {FINEST:g} and {COARSEST:g}")
-    return asked
+    requested = next(each for each in (given, own, DEFAULT_ACCURACY) if each is not None)
+    if not FINEST <= requested <= COARSEST:
+        raise ValueError(f"accuracy = {requested:g}: must lie between {FINEST:g} and {COARSEST:g}")
+    return requested
 
 
 def renamed(old: str, by_old: float | None, new: str, by_new: float | None) -> float | None:

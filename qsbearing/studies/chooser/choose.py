@@ -31,7 +31,7 @@ from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind, raise_if_any
-from qsbearing.studies.chooser.accuracy import asked_accuracy, renamed
+from qsbearing.studies.chooser.accuracy import renamed, requested_accuracy
 
 MARGIN = 5.0
 """What a prediction may be wrong by without harm: of 6,500 random scenes without a light ball none erred by more."""
@@ -39,16 +39,16 @@ SHARE = 0.25
 """Part of the tolerance that predictions, with their margin, may use up where others have to be tried."""
 
 
-def check_readings(asked: Mapping[str, Any]) -> None:
+def check_readings(requested: Mapping[str, Any]) -> None:
     """See that what is to be read off are readings, before anything is solved.
 
     Raises:
         SceneError: names that no reading has.
     """
-    if asked:
+    if requested:
         from qsbearing.readings.asked import name_errors  # a scene without readings does not load them
 
-        raise_if_any(name_errors(asked))
+        raise_if_any(name_errors(requested))
 
 
 def solve(
@@ -86,16 +86,16 @@ def solve(
     check_kind("solve", scene, "Scene")
     check_readings(scene.readings)
     solver.check_residual(residual_tolerance)
-    asked = asked_accuracy(effects, renamed("tolerance", tolerance, "accuracy", accuracy), scene.tolerance)
-    if asked is None and scene.thermal is None:
+    requested = requested_accuracy(effects, renamed("tolerance", tolerance, "accuracy", accuracy), scene.tolerance)
+    if requested is None and scene.thermal is None:
         return solver.solve(scene, start=start, threads=threads, tolerance=residual_tolerance)
-    if asked is None:
+    if requested is None:
         from qsbearing.systems.heat import solve as hot
 
         return hot.solve(scene, threads=threads, tolerance=residual_tolerance)
     if scene.thermal is not None:
         raise ValueError("effects are not chosen for a scene with a heat balance: name them")
-    return _Chooser(replace(scene, tolerance=None), asked, start, threads, residual_tolerance).choose()
+    return _Chooser(replace(scene, tolerance=None), requested, start, threads, residual_tolerance).choose()
 
 
 def completed(scene: Scene) -> Scene:
@@ -116,9 +116,9 @@ class _Chooser:
     """One choice: what is in the full model, and the solutions made on the way."""
 
     def __init__(
-        self, scene: Scene, asked: float, start: Solution | None, threads: int | None, residual: float
+        self, scene: Scene, requested: float, start: Solution | None, threads: int | None, residual: float
     ) -> None:
-        self.scene, self.asked, self.start, self.threads, self.residual = scene, asked, start, threads, residual
+        self.scene, self.requested, self.start, self.threads, self.residual = scene, requested, start, threads, residual
         self.full = completed(scene)
         self.open = [entry for entry in EFFECTS if entry.saves_time and not entry.hypothesis and entry.is_in(self.full)]
         self.solves = 0
@@ -136,7 +136,7 @@ class _Chooser:
             for entry in EFFECTS
             if entry.name in there and not entry.hypothesis and not entry.is_in(self.scene)
         )
-        solution.choice = Choice(self.asked, there, added, left_out, self.solves)
+        solution.choice = Choice(self.requested, there, added, left_out, self.solves)
         return solution
 
     def _solve(self, out: list[Entry]) -> Solution:
@@ -150,7 +150,7 @@ class _Chooser:
         while True:
             solution = self._solve(out)
             predicted = {entry.name: judge(entry, solution, self.full).largest for entry in out}
-            rest = [entry for entry in out if _most(predicted[entry.name]) <= MARGIN * self.asked]
+            rest = [entry for entry in out if _most(predicted[entry.name]) <= MARGIN * self.requested]
             if len(rest) == len(out):
                 return solution, out, predicted
             out = rest
@@ -159,11 +159,11 @@ class _Chooser:
         """What stays out without being tried: all of it, or what takes a small share of the tolerance."""
         if np.any(solution.operating_point.has_light_ball):
             return []
-        if MARGIN * _most(sum(predicted.values())) <= self.asked:
+        if MARGIN * _most(sum(predicted.values())) <= self.requested:
             return list(out)
         sure: list[Entry] = []
         for entry in sorted(out, key=lambda each: _most(predicted[each.name])):
-            if MARGIN * _most(sum(predicted[one.name] for one in (*sure, entry))) <= SHARE * self.asked:
+            if MARGIN * _most(sum(predicted[one.name] for one in (*sure, entry))) <= SHARE * self.requested:
                 sure.append(entry)
         return sure
 
@@ -181,7 +181,7 @@ class _Chooser:
         for entry in sorted(doubtful, key=lambda each: _most(predicted[each.name])):
             trial = self._solve([*out, entry])
             error = largest(trial, reference)
-            if _most(error) + spent <= self.asked:
+            if _most(error) + spent <= self.requested:
                 out.append(entry)
                 solution, errors[entry.name], before = trial, np.maximum(error - before, 0.0), error
         return solution, errors

@@ -19,7 +19,7 @@ from qsbearing.model.solution.of_cases import Choice, LeftOut
 from qsbearing.model.solution.solver import TOLERANCE, check_residual
 from qsbearing.model.validation import check_kind
 from qsbearing.studies.chooser import choose
-from qsbearing.studies.chooser.accuracy import asked_accuracy, renamed
+from qsbearing.studies.chooser.accuracy import renamed, requested_accuracy
 from qsbearing.studies.chooser.choose import check_readings
 from qsbearing.systems.sets import solve as systems
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -62,12 +62,12 @@ def solve_set(
         check_residual(residual_tolerance)
     residual = renamed("tolerance", tolerance, "residual_tolerance", residual_tolerance)
     how: dict[str, Any] = {"threads": threads, "tolerance": TOLERANCE if residual is None else residual}
-    asked = asked_accuracy(effects, accuracy, of.tolerance)
-    if asked is None:
+    requested = requested_accuracy(effects, accuracy, of.tolerance)
+    if requested is None:
         return systems.solve_set(of, **how)
     if of.thermal is not None:
         raise ValueError("effects are not chosen for a set with a heat balance: name them")
-    return _chosen(replace(of, tolerance=None), asked, how)
+    return _chosen(replace(of, tolerance=None), requested, how)
 
 
 def solve_any(of: Scene | BearingSet) -> Any:
@@ -75,7 +75,7 @@ def solve_any(of: Scene | BearingSet) -> Any:
     return choose.solve(of) if isinstance(of, Scene) else solve_set(of)
 
 
-def _chosen(of: BearingSet, asked: float, how: dict[str, Any]) -> SetSolution:
+def _chosen(of: BearingSet, requested: float, how: dict[str, Any]) -> SetSolution:
     full = of
     for entry in EFFECTS:
         full = full if entry.hypothesis else entry.finer(full)
@@ -87,19 +87,19 @@ def _chosen(of: BearingSet, asked: float, how: dict[str, Any]) -> SetSolution:
             trials.append((_error(alone, reference), entry, alone))
     solves, before, chosen = 1 + len(trials), 0.0, full
     for error, entry, alone in sorted(trials, key=lambda each: each[0]):
-        if error > asked:
+        if error > requested:
             continue
         trial = alone
         if chosen is not full:
             trial, solves = systems.solve_set(entry.coarser(chosen), **how), solves + 1
             error = _error(trial, reference)
-        if error <= asked:
+        if error <= requested:
             chosen, solution = trial.set, trial
             errors[entry.name], before = max(error - before, 0.0), error
     there = tuple(entry.name for entry in EFFECTS if entry.is_in(chosen))
     added = tuple(e.name for e in EFFECTS if e.name in there and not e.hypothesis and not e.is_in(of))
     left = tuple(LeftOut(entry.name, np.asarray(errors[entry.name])) for entry in EFFECTS if entry.name in errors)
-    solution.choice = Choice(asked, there, added, left, solves)
+    solution.choice = Choice(requested, there, added, left, solves)
     return solution
 
 

@@ -14,7 +14,7 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, alternatives, asked, changes, has_size_for
+from qsbearing.model.solution.changes import Change, alternatives, changes, has_size_for, requested
 from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.solution.judgement import (
     WORTH_A_WARNING,
@@ -212,7 +212,7 @@ def row_of(
         time_with_over_without=None,
         verdict=judged,
         why="; ".join(filter(None, (why, ", ".join(said), change.beyond))),
-        add=lines_to_add(asked(solution), entry),
+        add=lines_to_add(requested(solution), entry),
         assumed=_told(solution, change.assumed),
         alternatives=others,
         range={name: each.record for name, each in spans.items()},

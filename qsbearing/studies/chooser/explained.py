@@ -31,11 +31,13 @@ def explained(of: Scene | BearingSet, tolerance: float) -> Explained:
     Args:
         tolerance: the relative change below which an effect is not needed.
     """
-    asked = replace(of, tolerance=None)
-    solution, rows, record = _of_scene(asked, tolerance) if isinstance(asked, Scene) else _of_set(asked, tolerance)
+    requested = replace(of, tolerance=None)
+    solution, rows, record = (
+        _of_scene(requested, tolerance) if isinstance(requested, Scene) else _of_set(requested, tolerance)
+    )
     said = every_remark(solution)
     told = remarks_record(said)
-    record |= {"remarks": told["remarks"]} if isinstance(asked, Scene) else told
+    record |= {"remarks": told["remarks"]} if isinstance(requested, Scene) else told
     record |= {"tolerance": tolerance, "effects": [vars(row) for row in rows]}
     return Explained(solution, rows, said, record)
 

@@ -29,7 +29,7 @@ from qsbearing.model.version import __version__
 from qsbearing.studies.chooser.choose import completed, without
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.record import BASE, added, name_of, short_number, solve_one, text_of_loads
-from qsbearing.studies.cost.speeds import Asked
+from qsbearing.studies.cost.speeds import Requested
 
 BUDGET = 9.0
 """Processor time in seconds that solving may take: with the start of the program and the table, ten."""
@@ -40,7 +40,7 @@ SHOWN = {1: "1\ncase", 1_000: "1,000\ncases", 1_000_000: "1e6\ncases"}
 ROUNDS = 5
 """Of the calls with one case, each in turn; more cases average by themselves."""
 
-Level = tuple[str, str, Asked]
+Level = tuple[str, str, Requested]
 """Its key, its words, and the scene or set at that level."""
 
 
@@ -58,7 +58,7 @@ def levels(scene: Any) -> list[Level]:
     return steps if is_one_of_them else [("as_given", "the scene as it is", scene), *steps]
 
 
-def measure(scene: Asked, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
+def measure(scene: Requested, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
     """The table as data, in the form above.
 
     Args:
@@ -93,7 +93,7 @@ def measure(scene: Asked, progress: Callable[[str], None] = lambda text: None) -
     }
 
 
-def _timed(scenes: list[Asked], end: float, progress: Callable[[str], None]) -> dict[int, list[float]]:
+def _timed(scenes: list[Requested], end: float, progress: Callable[[str], None]) -> dict[int, list[float]]:
     """Seconds of one call of each, by the number of cases: so many as fit before the end, and one case in any event."""
     times: dict[int, list[float]] = {}
     for count in COUNTS:

@@ -35,7 +35,7 @@ from qsbearing.model.version import __version__
 from qsbearing.studies.chooser.choose import without
 from qsbearing.studies.cost import measuring, speeds
 from qsbearing.studies.cost.measuring import machine
-from qsbearing.studies.cost.speeds import Asked
+from qsbearing.studies.cost.speeds import Requested
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.solve import solve_set
 
@@ -104,7 +104,7 @@ class Call:
 
     part: str
     name: str
-    scene: Asked
+    scene: Requested
     cases: int = 1
 
     def prepared(self) -> Callable[[], Solution | SetSolution]:
@@ -124,7 +124,7 @@ def solve_one(of: Any, threads: int | None = None) -> Solution | SetSolution:
     return solve(of, threads=threads) if isinstance(of, Scene) else solve_set(of, threads=threads)
 
 
-def series(scene: Asked, settings: Settings) -> list[list[Call]]:
+def series(scene: Requested, settings: Settings) -> list[list[Call]]:
     """All that is measured; the last of each series is what the others are compared with."""
     counts = (1, settings.batch)
     by_level = [[Call("levels", level.name, level.of(scene), cases) for level in LEVELS] for cases in counts]
@@ -136,7 +136,9 @@ def steps(settings: Settings) -> int:
     return 1 + settings.processes + len(settings.sizes)
 
 
-def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = lambda text: None) -> dict[str, Any]:
+def measure(
+    scene: Requested, settings: Settings, progress: Callable[[str], None] = lambda text: None
+) -> dict[str, Any]:
     """Everything measured, in the form above.
 
     Args:
@@ -181,14 +183,14 @@ def measure(scene: Asked, settings: Settings, progress: Callable[[str], None] = 
     }
 
 
-def times(scene: Asked, settings: Settings) -> measuring.Times:
+def times(scene: Requested, settings: Settings) -> measuring.Times:
     """Seconds a case of every call, by the positions of its series and in it; all taken in turn."""
     listed = {(k, j): call for k, calls in enumerate(series(scene, settings)) for j, call in enumerate(calls)}
     seconds = measuring.interleaved({key: call.prepared() for key, call in listed.items()}, settings.rounds)
     return {key: [value / listed[key].cases for value in values] for key, values in seconds.items()}
 
 
-def errors(scene: Asked, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
+def errors(scene: Requested, levels: tuple[Level, ...] = LEVELS) -> list[dict[str, Any]]:
     """Error of each quantity that people read at every level against the last, along the speeds."""
     names, swept = speeds.along_speeds(scene)
     parameter = speeds.dm_n(swept)
@@ -209,12 +211,12 @@ def short_number(value: NDArray | float) -> float | None:
     return float(f"{value:.4g}") if np.isfinite(value) else None
 
 
-def name_of(scene: Asked) -> str | None:
+def name_of(scene: Requested) -> str | None:
     """The bearing's, or the set's."""
     return scene.bearing.name if isinstance(scene, Scene) else scene.name
 
 
-def text_of_loads(scene: Asked) -> str:
+def text_of_loads(scene: Requested) -> str:
     """The scene's or set's loads in a line."""
     said = []
     for channel in CHANNELS:

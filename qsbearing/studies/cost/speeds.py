@@ -24,16 +24,16 @@ VARIED = 0.1
 """Batches vary loads, displacements and speeds by this part to either side."""
 
 
-Asked = Scene | BearingSet
+Requested = Scene | BearingSet
 
 
-def pitch_diameter(of: Asked) -> NDArray:
+def pitch_diameter(of: Requested) -> NDArray:
     """Of a set the largest of its rows [mm]."""
     bearings = [of.bearing] if isinstance(of, Scene) else [row.bearing for row in of.rows]
     return np.asarray(np.max([np.asarray(each.pitch_diameter, float) for each in bearings], axis=0) / mm)
 
 
-def dm_n(scene: Asked) -> NDArray:
+def dm_n(scene: Requested) -> NDArray:
     """Speed parameter of one ring against the other [mm rpm]."""
     operation = scene.operation
     outer = 0.0 if operation.outer_speed is None else operation.outer_speed
@@ -41,7 +41,7 @@ def dm_n(scene: Asked) -> NDArray:
     return pitch_diameter(scene) * np.abs(speed) / rpm
 
 
-def along_speeds(scene: Asked) -> tuple[list[str | None], Asked]:
+def along_speeds(scene: Requested) -> tuple[list[str | None], Requested]:
     """(names, the scene along one case axis): its inner ring alone turning at the speeds of `NAMED` and `BETWEEN`, in
     order, and last the scene as it is; None for speeds without a name."""
     names: dict[float, str] = {value: name for name, value in NAMED.items()}
@@ -53,7 +53,7 @@ def along_speeds(scene: Asked) -> tuple[list[str | None], Asked]:
     return [*map(names.get, values), OWN], replace(scene, operation=operation)
 
 
-def batch(scene: Asked, count: int) -> Asked:
+def batch(scene: Requested, count: int) -> Requested:
     """So many cases around a scene, or for one the scene itself: all that is not zero varied by `VARIED` to either
     side, each in its own rhythm: multiples of the golden ratio's fraction fill the interval, no value twice."""
     varied: dict[str, Any] = {}

@@ -22,7 +22,7 @@ from qsbearing.model.solution.result_keys import SIZE, Place
 from qsbearing.studies import keys
 from qsbearing.studies.chunk import Plan, plan_of, solve_points
 from qsbearing.studies.design.optimum import MET, Best, NoResultError, search, violations
-from qsbearing.studies.design.wanted import Wanted, wanted
+from qsbearing.studies.design.problem import SearchProblem, problem_of
 from qsbearing.studies.points import CHUNK, Points
 from qsbearing.studies.results import find as find_result
 from qsbearing.studies.results import why_unknown
@@ -46,7 +46,7 @@ FLAT = 0.01
 class Found:
     """The result of a search; numbers in the units of files."""
 
-    wanted: Wanted
+    problem: SearchProblem
     is_feasible: bool
     """Whether every goal and limit is met."""
     values: dict[str, float]
@@ -121,11 +121,11 @@ def find(
 class Prepared(NamedTuple):
     """A search that can begin: nothing is wrong with what is asked for."""
 
-    asked: Wanted
+    problem: SearchProblem
     study: Study
     plan: Plan
     kept: tuple[Place, ...]
-    """A result for each name of `asked`."""
+    """A result for each name of `problem`."""
     began: float
 
 
@@ -142,13 +142,13 @@ def prepared(
     if isinstance(source, Scene | BearingSet):
         source = input_tables(source)
     read = read_source(source)
-    asked = wanted(vary, goals, limits, minimise, maximise, "find", read.document)
-    study = _study(read, asked)
-    count = len(asked.variables)
-    _check(study.replaced(variables=_axes(asked, LOOK[count])), asked)
-    looked_at = base_scene(study.replaced(variables=_axes(asked, LOOK[count])))
+    problem = problem_of(vary, goals, limits, minimise, maximise, "find", read.document)
+    study = _study(read, problem)
+    count = len(problem.variables)
+    _check(study.replaced(variables=_axes(problem, LOOK[count])), problem)
+    looked_at = base_scene(study.replaced(variables=_axes(problem, LOOK[count])))
     plan = plan_of(study, looked_at, Points(study), every=True)
-    return Prepared(*_named(asked, plan, study), began)
+    return Prepared(*_named(problem, plan, study), began)
 
 
 def searched(
@@ -159,58 +159,58 @@ def searched(
     Raises:
         SceneError: no point of the sample has all results.
     """
-    asked, study, plan, kept, began = of
-    evaluate = partial(_evaluated, plan, kept, tuple(each.key for each in asked.variables))
-    size = points or ALL_POINTS << (len(asked.variables) - 1)
+    problem, study, plan, kept, began = of
+    evaluate = partial(_evaluated, plan, kept, tuple(each.key for each in problem.variables))
+    size = points or ALL_POINTS << (len(problem.variables) - 1)
     try:
-        best = search(asked, evaluate, size, seed, progress)
+        best = search(problem, evaluate, size, seed, progress)
     except NoResultError as error:
-        raise SceneFileError(study.file, _without_result(asked, error.missing)) from None
-    values = dict(zip((each.key for each in asked.variables), map(float, best.values), strict=True))
+        raise SceneFileError(study.file, _without_result(problem, error.missing)) from None
+    values = dict(zip((each.key for each in problem.variables), map(float, best.values), strict=True))
     there = tuple(Axis(key, (value,)) for key, value in values.items())
     scene = base_scene(study.replaced(variables=there))
     assert scene is not None  # it was solved
-    units = {each.key: keys.known(each.key).unit for each in asked.variables}
-    units |= {name: result.unit for name, result in zip(asked.names, kept, strict=True)}
-    results = dict(zip(asked.names, map(float, best.results), strict=True))
-    ranges = _ranges(asked, evaluate, best) if best.is_feasible else {}
+    units = {each.key: keys.known(each.key).unit for each in problem.variables}
+    units |= {name: result.unit for name, result in zip(problem.names, kept, strict=True)}
+    results = dict(zip(problem.names, map(float, best.results), strict=True))
+    ranges = _ranges(problem, evaluate, best) if best.is_feasible else {}
 
     def for_pictures(given: dict[str, NDArray]) -> dict[str, NDArray]:
-        columns = np.broadcast_arrays(*(given[each.key] for each in asked.variables))
+        columns = np.broadcast_arrays(*(given[each.key] for each in problem.variables))
         at_points = evaluate(np.stack([column.ravel() for column in columns], axis=1))
-        return {name: at_points[:, i].reshape(columns[0].shape) for i, name in enumerate(asked.names)}
+        return {name: at_points[:, i].reshape(columns[0].shape) for i, name in enumerate(problem.names)}
 
     return Found(
-        asked, best.is_feasible, values, results, kept, units, _binding(asked, best), _failed(asked, best), ranges,
-        best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
+        problem, best.is_feasible, values, results, kept, units, _binding(problem, best), _failed(problem, best),
+        ranges, best.feasible_share, size, best.evaluations, time.perf_counter() - began, scene, for_pictures,
     )  # fmt: skip
 
 
-def _axes(asked: Wanted, count: int) -> tuple[Axis, ...]:
-    return tuple(Axis(each.key, each.some(count)) for each in asked.variables)
+def _axes(problem: SearchProblem, count: int) -> tuple[Axis, ...]:
+    return tuple(Axis(each.key, each.some(count)) for each in problem.variables)
 
 
-def _study(source: Read, asked: Wanted) -> Study:
+def _study(source: Read, problem: SearchProblem) -> Study:
     """A study over some values of each variable, which asks for the readings that are named."""
-    vary = {axis.key: list(axis.values) for axis in _axes(asked, SOME)}
-    study = Study.of(source, vary, quantities=asked.names)
+    vary = {axis.key: list(axis.values) for axis in _axes(problem, SOME)}
+    study = Study.of(source, vary, quantities=problem.names)
     if any(each.key not in vary for each in study.variables):
         error = FileErrorDetail("[vary]", "varies further keys", cause="A search takes its variables from vary alone")
         raise SceneFileError(study.file, [error])
     return study.replaced(quantities=())
 
 
-def _check(study: Study, asked: Wanted) -> None:
+def _check(study: Study, problem: SearchProblem) -> None:
     if check(study) is not None:
         return
-    first = {axis.key: np.asarray(axis.values) for axis in _axes(asked, 2)[:1]}
-    first |= {axis.key: np.asarray(axis.values[0]) for axis in _axes(asked, 2)[1:]}
+    first = {axis.key: np.asarray(axis.values) for axis in _axes(problem, 2)[:1]}
+    first |= {axis.key: np.asarray(axis.values[0]) for axis in _axes(problem, 2)[1:]}
     reasons = scenes_of_points(study, first, 2).reasons
-    problem = f"no point describes a bearing: {reasons[0] if reasons else ''}"
-    raise SceneFileError(study.file, [FileErrorDetail("vary", problem, cause="Move or widen the ranges")])
+    why = f"no point describes a bearing: {reasons[0] if reasons else ''}"
+    raise SceneFileError(study.file, [FileErrorDetail("vary", why, cause="Move or widen the ranges")])
 
 
-def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
+def _without_result(problem: SearchProblem, missing: NDArray) -> list[FileErrorDetail]:
     if missing.all() or not missing.any():
         cause = (
             "Move or narrow the ranges: `qsbearing sweep` over them says why points have no solution. A stiffness "
@@ -218,11 +218,11 @@ def _without_result(asked: Wanted, missing: NDArray) -> list[FileErrorDetail]:
         )
         return [FileErrorDetail("vary", "no point of the sample has a solution with all results", cause=cause)]
     cause = "Such as a stiffness along a channel that is held: name the channel's load, or another result"
-    names = dict.fromkeys(name for name, lacks in zip(asked.names, missing, strict=True) if lacks)
+    names = dict.fromkeys(name for name, lacks in zip(problem.names, missing, strict=True) if lacks)
     return [FileErrorDetail(name, "has no value at any point of the ranges", cause=cause) for name in names]
 
 
-def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan, tuple[Place, ...]]:
+def _named(problem: SearchProblem, plan: Plan, study: Study) -> tuple[SearchProblem, Study, Plan, tuple[Place, ...]]:
     """The conditions by the results' full names, those of all balls with an ending of `OVER`; a plan that keeps
     these alone.
 
@@ -232,23 +232,23 @@ def _named(asked: Wanted, plan: Plan, study: Study) -> tuple[Wanted, Study, Plan
     known = {result.name: result for result in plan.results}
     errors: list[FileErrorDetail] = []
     full: list[Place] = []
-    for name in asked.names:
+    for name in problem.names:
         result = find_result(name, known)
         if result is None:
-            problem, cause = why_unknown(name, known)
-            errors.append(FileErrorDetail(name, problem, cause=cause))
+            why, cause = why_unknown(name, known)
+            errors.append(FileErrorDetail(name, why, cause=cause))
         else:
             full.append(result)
     if errors:
         raise SceneFileError(plan.study.file, errors)
-    senses = [each.sense for each in asked.conditions] + [">=" if asked.is_maximised else "<="]
+    senses = [each.sense for each in problem.conditions] + [">=" if problem.is_maximised else "<="]
     kept: list[Place] = []
     for result, sense in zip(full, senses, strict=False):
         ending = "min" if sense == ">=" else SIZE if result.result.is_signed else "max"
         kept.append(result._replace(over=ending) if result.is_per_ball else result)
-    conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(asked.conditions))
-    objective = kept[-1].name if asked.objective else ""
-    named = replace(asked, conditions=conditions, objective=objective)
+    conditions = tuple(replace(each, name=kept[i].name) for i, each in enumerate(problem.conditions))
+    objective = kept[-1].name if problem.objective else ""
+    named = replace(problem, conditions=conditions, objective=objective)
     return named, study, plan._replace(results=tuple(dict.fromkeys(kept))), tuple(kept)
 
 
@@ -274,12 +274,12 @@ BINDS = 1e-4
 """A limit that is met with less than this part of its value to spare binds."""
 
 
-def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
+def _binding(problem: SearchProblem, best: Best) -> tuple[str, ...]:
     binding = []
-    for each, off in zip(asked.conditions, best.violation, strict=True):
+    for each, off in zip(problem.conditions, best.violation, strict=True):
         if each.sense != "=" and abs(off) <= BINDS:
             binding.append(str(each))
-    for variable, u in zip(asked.variables, best.unit, strict=True):
+    for variable, u in zip(problem.variables, best.unit, strict=True):
         values = variable.values or (variable.low, variable.high)
         at = float(variable.at(np.asarray(u)))
         if u <= BINDS or u >= 1.0 - BINDS or (variable.values and at in (values[0], values[-1])):
@@ -288,36 +288,38 @@ def _binding(asked: Wanted, best: Best) -> tuple[str, ...]:
     return tuple(binding)
 
 
-def _failed(asked: Wanted, best: Best) -> tuple[str, ...]:
+def _failed(problem: SearchProblem, best: Best) -> tuple[str, ...]:
     return tuple(
         f"{each}: found {value:.6g}, off by {plain(100.0 * off, '.3g')} %"
-        for each, value, off in zip(asked.conditions, best.results, best.violation, strict=False)
+        for each, value, off in zip(problem.conditions, best.results, best.violation, strict=False)
         if off > MET
     )
 
 
-def _ranges(asked: Wanted, evaluate: Callable[[NDArray], NDArray], best: Best) -> dict[str, tuple[float, float]]:
+def _ranges(
+    problem: SearchProblem, evaluate: Callable[[NDArray], NDArray], best: Best
+) -> dict[str, tuple[float, float]]:
     offsets = np.concatenate([-np.geomspace(1.0, 1e-5, 60), [0.0], np.geomspace(1e-5, 1.0, 60)])
     ranges = {}
-    for i, variable in enumerate(asked.variables):
+    for i, variable in enumerate(problem.variables):
         places = np.unique(np.clip(best.unit[i] + offsets, 0.0, 1.0))
         values = np.asarray(variable.values) if variable.values else variable.at(places)
         points = np.repeat(best.values[None], values.size, axis=0)
         points[:, i] = values
-        ranges[variable.key] = _range(asked, evaluate(points), values, best, i)
+        ranges[variable.key] = _range(problem, evaluate(points), values, best, i)
     return ranges
 
 
-def _range(asked: Wanted, results: NDArray, values: NDArray, best: Best, i: int) -> tuple[float, float]:
+def _range(problem: SearchProblem, results: NDArray, values: NDArray, best: Best, i: int) -> tuple[float, float]:
     """Ends of the stretch around the optimum where what is asked for holds; between points by a straight line."""
     over = []
-    for k, each in enumerate(asked.conditions):
-        off = violations(asked, results, best.scale)[:, k]
+    for k, each in enumerate(problem.conditions):
+        off = violations(problem, results, best.scale)[:, k]
         if each.sense == "=":
-            over += [] if asked.objective else [off - FLAT]
+            over += [] if problem.objective else [off - FLAT]
         else:
             over.append(off - MET)
-    if asked.objective:
+    if problem.objective:
         here = best.results[-1]
         over.append(np.abs(results[:, -1] - here) / (abs(here) or 1.0) - FLAT)
     above = np.max(over, axis=0) if over else np.zeros(values.size)
@@ -330,7 +332,7 @@ def _range(asked: Wanted, results: NDArray, values: NDArray, best: Best, i: int)
             at += step
         end = float(values[at])
         beyond = at + step
-        if 0 <= beyond < values.size and not asked.variables[i].values and np.isfinite(above[beyond]):
+        if 0 <= beyond < values.size and not problem.variables[i].values and np.isfinite(above[beyond]):
             inside = min(float(above[at]), 0.0)
             end += float(values[beyond] - values[at]) * -inside / (float(above[beyond]) - inside)
         ends.append(end)

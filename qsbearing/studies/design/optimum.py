@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.studies.design.wanted import Variable, Wanted
+from qsbearing.studies.design.problem import SearchProblem, Variable
 
 Evaluate = Callable[[NDArray], NDArray]
 """Values of the variables, shape (point, variable), to results, shape (point, result); NaN where there is none."""
@@ -69,26 +69,28 @@ class Best:
         return bool((self.violation <= MET).all())
 
 
-def violations(wanted: Wanted, results: NDArray, scale: NDArray) -> NDArray:
+def violations(problem: SearchProblem, results: NDArray, scale: NDArray) -> NDArray:
     """Of each condition, as a part of its value: above zero where it is not met; shape (point, condition)."""
-    excess = np.empty((len(results), len(wanted.conditions)))
-    for i, each in enumerate(wanted.conditions):
+    excess = np.empty((len(results), len(problem.conditions)))
+    for i, each in enumerate(problem.conditions):
         off = (results[:, i] - each.value) / scale[i]
         excess[:, i] = np.abs(off) if each.sense == "=" else -off if each.sense == ">=" else off
     return excess
 
 
-def cost(wanted: Wanted, results: NDArray, scale: NDArray) -> NDArray:
+def cost(problem: SearchProblem, results: NDArray, scale: NDArray) -> NDArray:
     """What the best point has least of: the objective, or minus the margin to the nearest limit; shape (point,)."""
-    if wanted.objective:
-        return np.asarray(-results[:, -1] if wanted.is_maximised else results[:, -1])
-    limits = [i for i, each in enumerate(wanted.conditions) if each.sense != "="]
+    if problem.objective:
+        return np.asarray(-results[:, -1] if problem.is_maximised else results[:, -1])
+    limits = [i for i, each in enumerate(problem.conditions) if each.sense != "="]
     if not limits:
         return np.zeros(len(results))
-    return np.asarray(violations(wanted, results, scale)[:, limits].max(axis=1))
+    return np.asarray(violations(problem, results, scale)[:, limits].max(axis=1))
 
 
-def search(wanted: Wanted, evaluate: Evaluate, points: int, seed: int = 0, progress: Progress | None = None) -> Best:
+def search(
+    problem: SearchProblem, evaluate: Evaluate, points: int, seed: int = 0, progress: Progress | None = None
+) -> Best:
     """The point that meets every condition with the least cost; where none does, that of least violation.
 
     Args:
@@ -99,16 +101,16 @@ def search(wanted: Wanted, evaluate: Evaluate, points: int, seed: int = 0, progr
     Raises:
         NoResultError: no point of the sample has all results.
     """
-    return _Search(wanted, evaluate, progress or (lambda done, count: None), points).run(seed)
+    return _Search(problem, evaluate, progress or (lambda done, count: None), points).run(seed)
 
 
 class _Search:
-    def __init__(self, wanted: Wanted, evaluate: Evaluate, progress: Progress, points: int) -> None:
-        self.wanted, self.evaluate, self.progress, self.points = wanted, evaluate, progress, points
+    def __init__(self, problem: SearchProblem, evaluate: Evaluate, progress: Progress, points: int) -> None:
+        self.problem, self.evaluate, self.progress, self.points = problem, evaluate, progress, points
         self.done = 0
-        self.variables: tuple[Variable, ...] = wanted.variables
+        self.variables: tuple[Variable, ...] = problem.variables
         self.smooth = np.array([not each.values for each in self.variables])
-        self.scale = np.array([abs(each.value) for each in wanted.conditions])
+        self.scale = np.array([abs(each.value) for each in problem.conditions])
         self.unit = 1.0
 
     def run(self, seed: int) -> Best:
@@ -124,10 +126,10 @@ class _Search:
         spread = results.std(axis=0)
         self.scale[self.scale == 0.0] = np.maximum(spread[: self.scale.size][self.scale == 0.0], 1e-300)
         worst = self.worst(results)
-        costs = cost(self.wanted, results, self.scale)
+        costs = cost(self.problem, results, self.scale)
         self.unit = float(costs.std()) or 1.0
-        goals = [each.sense == "=" for each in self.wanted.conditions]
-        off = violations(self.wanted, results, self.scale) - np.where(goals, 0.01, 0.0)
+        goals = [each.sense == "=" for each in self.problem.conditions]
+        off = violations(self.problem, results, self.scale) - np.where(goals, 0.01, 0.0)
         share = float((off <= 0.0).all(axis=1).sum()) / known.size
         candidates = [
             (u[i], results[i]) for i in {int(np.argmin(np.where(worst <= MET, costs, np.inf))), int(np.argmin(worst))}
@@ -136,7 +138,7 @@ class _Search:
             candidates.append(self._polished(start))
         best = self._best(candidates)
         best = self._followed(best, seed)
-        violation = violations(self.wanted, best[1][None], self.scale)[0]
+        violation = violations(self.problem, best[1][None], self.scale)[0]
         values = self._values(best[0][None])[0]
         self.progress(self.done, self.done)
         return Best(best[0], values, best[1], violation, self.done, share, self.scale)
@@ -164,7 +166,7 @@ class _Search:
     def _gains(self, before: NDArray, after: NDArray) -> bool:
         """Whether the second is better by more than rounding."""
         both = np.array([before, after])
-        worst, costs = self.worst(both), cost(self.wanted, both, self.scale)
+        worst, costs = self.worst(both), cost(self.problem, both, self.scale)
         return bool(worst[0] - worst[1] > GAIN or costs[0] - costs[1] > GAIN * abs(costs[0]))
 
     def _values(self, u: NDArray) -> NDArray:
@@ -179,13 +181,13 @@ class _Search:
 
     def worst(self, results: NDArray) -> NDArray:
         """The largest violation of each point, at least 0."""
-        return violations(self.wanted, results, self.scale).max(axis=1, initial=0.0)
+        return violations(self.problem, results, self.scale).max(axis=1, initial=0.0)
 
     def order(self, results: NDArray) -> NDArray:
         """Numbers of the points, the best first; those without results last."""
         known = np.isfinite(results).all(axis=1)
         worst = np.where(known, self.worst(results), np.inf)
-        costs = np.where(known, cost(self.wanted, results, self.scale), np.inf)
+        costs = np.where(known, cost(self.problem, results, self.scale), np.inf)
         return np.lexsort((costs, np.where(worst <= MET, 0.0, worst)))
 
     def _best(self, candidates: list[tuple[NDArray, NDArray]]) -> tuple[NDArray, NDArray]:
@@ -259,16 +261,16 @@ class _Differences:
     def _rows(self, x: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
         """Signed violations of the conditions with slopes, and the cost with its slope, in the search's unit."""
         results, slopes = self.local(x)
-        wanted, scale = self.of.wanted, self.of.scale
-        signs = np.array([-1.0 if each.sense == ">=" else 1.0 for each in wanted.conditions])
-        values = np.array([each.value for each in wanted.conditions])
+        problem, scale = self.of.problem, self.of.scale
+        signs = np.array([-1.0 if each.sense == ">=" else 1.0 for each in problem.conditions])
+        values = np.array([each.value for each in problem.conditions])
         count = signs.size
         off = signs * (results[:count] - values) / scale
         slope = (signs / scale)[:, None] * slopes[:count]
         if not np.isfinite(results).all():
             return np.full(count, FAR), np.zeros((count, x.size)), np.array(FAR), np.zeros(x.size)
-        sign = -1.0 if wanted.is_maximised else 1.0
-        if not wanted.objective:
+        sign = -1.0 if problem.is_maximised else 1.0
+        if not problem.objective:
             return off, slope, np.array(0.0), np.zeros(x.size)
         return off, slope, sign * results[-1] / self.of.unit, sign * slopes[-1] / self.of.unit
 
@@ -278,11 +280,11 @@ class _Differences:
 
     def to_least_cost(self) -> None:
         """Least cost among the points that meet every condition."""
-        if not self.of.wanted.objective:
-            if any(each.sense != "=" for each in self.of.wanted.conditions):
+        if not self.of.problem.objective:
+            if any(each.sense != "=" for each in self.of.problem.conditions):
                 self._with_slack(goals_within=False)
             return
-        goal = np.array([each.sense == "=" for each in self.of.wanted.conditions], bool)
+        goal = np.array([each.sense == "=" for each in self.of.problem.conditions], bool)
         constraints = []
         for kind, rows, sign in (("eq", goal, 1.0), ("ineq", ~goal, -1.0)):
             if rows.any():
@@ -297,7 +299,7 @@ class _Differences:
         self._minimise(lambda x: float(self._rows(x)[2]), lambda x: self._rows(x)[3], x, [], constraints)
 
     def _with_slack(self, goals_within: bool) -> None:
-        goal = np.array([each.sense == "=" for each in self.of.wanted.conditions], bool)
+        goal = np.array([each.sense == "=" for each in self.of.problem.conditions], bool)
         limits = np.ones(goal.size, bool) if goals_within else ~goal
 
         def inside(z: NDArray) -> NDArray:

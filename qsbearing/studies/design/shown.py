@@ -14,7 +14,7 @@ from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import blocks, every_remark, remarks_record
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.design.find import Found
-from qsbearing.studies.design.wanted import Variable
+from qsbearing.studies.design.problem import Variable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,24 +30,24 @@ def heading(outcome: Found) -> str:
     if outcome.is_feasible and outcome.feasible_share == 0.0:
         return _at_one_point(outcome)
     share = f"{plain(100.0 * outcome.feasible_share, '.3g')} % of the sampled points meet all goals and limits"
-    goals = " (goals within 1 %)" if any(each.sense == "=" for each in outcome.wanted.conditions) else ""
+    goals = " (goals within 1 %)" if any(each.sense == "=" for each in outcome.problem.conditions) else ""
     if not outcome.is_feasible:
         nearest = "The nearest point is shown: its largest violation, relative to the limit, is the smallest"
         return f"No point is feasible. {nearest}."
-    if outcome.wanted.objective:
-        kind = "Largest" if outcome.wanted.is_maximised else "Smallest"
-        return f"{kind} {outcome.wanted.objective} found. {share}{goals}."
+    if outcome.problem.objective:
+        kind = "Largest" if outcome.problem.is_maximised else "Smallest"
+        return f"{kind} {outcome.problem.objective} found. {share}{goals}."
     return f"All goals and limits are met. {share}{goals}."
 
 
 def _at_one_point(outcome: Found) -> str:
     """Where no sampled point meets them, but one between."""
-    count = len(outcome.wanted.conditions)
-    goals = all(each.sense == "=" for each in outcome.wanted.conditions)
+    count = len(outcome.problem.conditions)
+    goals = all(each.sense == "=" for each in outcome.problem.conditions)
     what, one = ("goal" if goals else "limit" if not _has_goals(outcome) else "goals and limits"), count == 1
     are = f"The {what} is" if one else f"All {what if what.endswith('s') else what + 's'} are"
-    best = f", where {outcome.wanted.objective} is {'largest' if outcome.wanted.is_maximised else 'smallest'}"
-    return f"{are} met at one point, between those sampled{best * bool(outcome.wanted.objective)}."
+    best = f", where {outcome.problem.objective} is {'largest' if outcome.problem.is_maximised else 'smallest'}"
+    return f"{are} met at one point, between those sampled{best * bool(outcome.problem.objective)}."
 
 
 def sizes(outcome: Found) -> list[str]:
@@ -74,13 +74,13 @@ def tables(outcome: Found) -> list[Block]:
         shown = ("", "") if ends is None else (f"{ends[0]:.5g}", f"{ends[1]:.5g}")
         variables.append((key, f"{value:.6g}", *shown, printed_unit(outcome.units[key])))
     for name, value in outcome.results.items():
-        asked = [f"{each.sense} {each.value:g}" for each in outcome.wanted.conditions if each.name == name]
-        if name == outcome.wanted.objective:
-            asked.append("largest" if outcome.wanted.is_maximised else "smallest")
-        results.append((name, f"{value:.6g}", ", ".join(asked), printed_unit(outcome.units[name])))
+        requested = [f"{each.sense} {each.value:g}" for each in outcome.problem.conditions if each.name == name]
+        if name == outcome.problem.objective:
+            requested.append("largest" if outcome.problem.is_maximised else "smallest")
+        results.append((name, f"{value:.6g}", ", ".join(requested), printed_unit(outcome.units[name])))
     lines = []
     if outcome.ranges:
-        within = outcome.wanted.objective or ("each goal" if _has_goals(outcome) else "")
+        within = outcome.problem.objective or ("each goal" if _has_goals(outcome) else "")
         change = f" and {within} stays within 1 %" if within else ""
         lines.append(f"From, to: how far one variable may move, the others fixed, while all limits hold{change}.")
     lines += [f"{each}." for each in sizes(outcome)]
@@ -125,8 +125,8 @@ def picture(outcome: Found) -> Figure:
     """The feasible region over the first two variables that have a range, or over one; the others as found."""
     from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 
-    ranged = [each for each in outcome.wanted.variables if not each.values]
-    over = ranged[:2] or [outcome.wanted.variables[0]]
+    ranged = [each for each in outcome.problem.variables if not each.values]
+    over = ranged[:2] or [outcome.problem.variables[0]]
     places = {each.key: _spread(each) for each in over}
     if len(over) == 1:  # the curve meets the star
         places = {key: np.union1d(values, [outcome.values[key]]) for key, values in places.items()}
@@ -139,15 +139,15 @@ def picture(outcome: Found) -> Figure:
     shown = [
         Bounded(
             name, outcome.units[name], values,
-            [(each.sense, each.value) for each in outcome.wanted.conditions if each.name == name],
+            [(each.sense, each.value) for each in outcome.problem.conditions if each.name == name],
         )
         for name, values in results.items()
     ]  # fmt: skip
     held = [f"{key} = {value:.5g}" for key, value in outcome.values.items() if key not in grid]
-    best = "optimum" if outcome.wanted.objective else "point found"
+    best = "optimum" if outcome.problem.objective else "point found"
     name = best if outcome.is_feasible else "nearest point"
     return draw_region(
-        axes[0], axes[1] if len(axes) > 1 else None, shown, outcome.wanted.objective, ", ".join(held), name
+        axes[0], axes[1] if len(axes) > 1 else None, shown, outcome.problem.objective, ", ".join(held), name
     )
 
 
@@ -156,4 +156,4 @@ def _spread(variable: Variable) -> Any:
 
 
 def _has_goals(outcome: Found) -> bool:
-    return any(each.sense == "=" for each in outcome.wanted.conditions)
+    return any(each.sense == "=" for each in outcome.problem.conditions)

@@ -40,8 +40,8 @@ def with_whole_friction(of: Any) -> tuple[Any, list[str]]:
     if rows is None:
         own: dict[str, Any] = {"readings": _readings(of.bearing, of.ring_effects, of.readings, assumed)}
     else:
-        asked = [of.readings if row.readings is None else row.readings for row in rows]
-        given = [_readings(r.bearing, of.effects_of(r), each, assumed) for r, each in zip(rows, asked, strict=True)]
+        requested = [of.readings if row.readings is None else row.readings for row in rows]
+        given = [_readings(r.bearing, of.effects_of(r), each, assumed) for r, each in zip(rows, requested, strict=True)]
         own = {"rows": tuple(replace(row, readings=each) for row, each in zip(rows, given, strict=True))}
     if thermal.oil_node is None:
         thermal = replace(thermal, viscosity_at="outer_ring")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.documents.installation import pip_install
-from qsbearing.model.solution.changes import asked
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.status import Status
 from qsbearing.model.validation import SPEED, ErrorDetail, SceneError, check_kind, choose, numeric, raise_if_any
@@ -163,7 +163,7 @@ def ross_element(solution: SolutionOfCases, n: int, index: Any = None, **argumen
         errors.append(ErrorDetail("index", problem, index, cause=cause))
     errors += _unsolved(solution, np.ravel(chosen))
     raise_if_any(errors)
-    speeds = np.broadcast_to(np.asarray(asked(solution).operation.speed, float), solution.shape).ravel()
+    speeds = np.broadcast_to(np.asarray(requested(solution).operation.speed, float), solution.shape).ravel()
     return to_ross(solution.stiffness.reshape(-1, 5, 5)[chosen], speeds[chosen], n, **arguments)
 
 

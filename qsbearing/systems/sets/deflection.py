@@ -86,15 +86,15 @@ class Deflection:
 
     def along(self, positions: ArrayLike) -> NDArray:
         """Displacement at these positions [m]; shape (case, position, 5)."""
-        asked = list(np.atleast_1d(np.asarray(positions, float)))
-        arms, (at, forces) = self.places.arms(asked), self._acting(asked)
+        requested = list(np.atleast_1d(np.asarray(positions, float)))
+        arms, (at, forces) = self.places.arms(requested), self._acting(requested)
         bent = np.einsum("kpaij,kaj->kpi", self._cases(self.places.flexibility(arms, at)), forces)
         return np.asarray(bent + np.einsum("kpij,kj->kpi", self._cases(rigid_motion(arms)), self.q[:, :5]))
 
     def inner_forces(self, positions: ArrayLike) -> NDArray:
         """What the shaft beyond a position, in +x, does to what is before it; shape (case, position, 5) [N, N m]."""
-        asked = list(np.atleast_1d(np.asarray(positions, float)))
-        arms, (at, forces) = self.places.arms(asked), self._acting(asked)
+        requested = list(np.atleast_1d(np.asarray(positions, float)))
+        arms, (at, forces) = self.places.arms(requested), self._acting(requested)
         lever = at[:, None, :] - arms[..., None]
         carried = rigid_motion(lever).swapaxes(-1, -2) * (lever > 0.0)[..., None, None]
         return np.asarray(np.einsum("kpaij,kaj->kpi", self._cases(carried), forces))

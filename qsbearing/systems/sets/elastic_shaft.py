@@ -243,7 +243,7 @@ def _modes(own: NDArray, channels: tuple[int, ...], length: NDArray) -> tuple[ND
     return out, resists
 
 
-def axial_give(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
+def axial_deflection(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
     """How far shaft and housings let each row draw back in the direction that it carries, under rows' axial loads in
     theirs [m]; of a set at rest and cold, its shaft unloaded."""
     given = (of.reference, *(row.position for row in of.rows), *of.numbers_around, *loads)
@@ -252,5 +252,5 @@ def axial_give(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
     rows = len(of.rows)
     axial = places.own_flexibility()[:, :rows, :rows, 0, 0] * signs[:, None] * signs
     pressed = np.stack([np.broadcast_to(load, shape).reshape(-1) for load in loads], axis=-1)
-    give = np.einsum("kij,kj->ki", np.broadcast_to(axial, (places.count, rows, rows)), pressed)
-    return [give[:, number].reshape(shape)[()] for number in range(rows)]
+    deflection = np.einsum("kij,kj->ki", np.broadcast_to(axial, (places.count, rows, rows)), pressed)
+    return [deflection[:, number].reshape(shape)[()] for number in range(rows)]

@@ -56,8 +56,8 @@ def held_by(of: BearingSet, own: NDArray, turned: NDArray) -> NDArray:
     held: NDArray = turned.swapaxes(2, 3) @ own @ turned
     for number, row in enumerate(of.rows):
         if row.housing_stiffness is not None:
-            give = np.eye(5) + row.housing_stiffness.compliance @ held[number]
-            held[number] = held[number] @ np.linalg.inv(give)
+            softening = np.eye(5) + row.housing_stiffness.compliance @ held[number]
+            held[number] = held[number] @ np.linalg.inv(softening)
     sleeves = [[number - 1 for number in group.rows] for group in of.floating]
     sleeves += [[number for number, row in enumerate(of.rows) if row.sprung]]
     for sleeve in filter(None, sleeves):

@@ -37,7 +37,7 @@ PRELOAD = Group(
         Result("carried", "N", path="axial_loads", entry="preload_carried_N", is_usual=False),
         Result("share", path="preload_share", entry="preload_share", is_usual=False),
     ),
-    prefix="preload", axis=ROW, table=("rows",), is_asked=_is_opposed,
+    prefix="preload", axis=ROW, table=("rows",), is_requested=_is_opposed,
 )  # fmt: skip
 """Of each row. `in_operation` is what is left without external loads; of a bearing it is what it carries with them."""
 OF_ROWS = AXIAL_LOAD, PRELOAD, SHARE
@@ -61,7 +61,7 @@ def _slides(of: BearingSet) -> bool:
     return any(row.sprung for row in of.rows)
 
 
-SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=("preload",), is_asked=_slides)
+SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=("preload",), is_requested=_slides)
 
 
 class OfAllRows(NamedTuple):
@@ -136,12 +136,12 @@ def _always(of: BearingSet) -> bool:
 def _of_part(point: str, part: str) -> Group:
     """What part of the deflection at a point it is."""
     table, of = ("shaft", "points", point, "shares", part), ("points", point, "relative_shares", part)
-    return Group(SHARES, prefix=f"{point}_share_{in_name(part)}", holder=of, table=table, is_asked=_always)
+    return Group(SHARES, prefix=f"{point}_share_{in_name(part)}", holder=of, table=table, is_requested=_always)
 
 
 def _of_support(number: int) -> Group:
     table, prefix = ("shaft", "supports", str(number)), f"support_{number + 1}_load"
-    return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_asked=_always)
+    return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_requested=_always)
 
 
 def _grows(of: BearingSet) -> bool:
@@ -154,11 +154,11 @@ def _of_line(name: str) -> list[Group]:
 
     def group(kind: str, results: tuple[Result, ...]) -> Group:
         return Group(
-            unasked(results), prefix=f"{prefix}_{kind}", holder=(*of, kind), table=(*table, kind), is_asked=_always
+            unasked(results), prefix=f"{prefix}_{kind}", holder=(*of, kind), table=(*table, kind), is_requested=_always
         )
 
     return [
         group("displacement", DISPLACEMENT),
-        Group(unasked((GROWTH,)), prefix=prefix, holder=of, table=table, is_asked=_grows),
+        Group(unasked((GROWTH,)), prefix=prefix, holder=of, table=table, is_requested=_grows),
         group("inner_forces", LOAD),
     ]

@@ -20,7 +20,7 @@ from qsbearing.model.solution.solver import TOLERANCE, unfound_errors
 from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what there is to say of sets
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.elastic_shaft import axial_give
+from qsbearing.systems.sets.elastic_shaft import axial_deflection
 from qsbearing.systems.sets.problem import Problem
 from qsbearing.systems.sets.row import OUT_OF_LINE
 from qsbearing.systems.sets.set_solution import AtRest, SetSolution
@@ -153,11 +153,14 @@ def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
         if preload is not None and preload.kind == "axial_displacement" and of.opposes(group):
             for number in group:
                 pressed[number] = 0.5 * np.asarray(preload.axial_displacement, float)
-    gives = _give(of, sides)
-    return [np.asarray(row.offset, float) + by + give for row, by, give in zip(of.rows, pressed, gives, strict=True)]
+    deflections = _deflections(of, sides)
+    return [
+        np.asarray(row.offset, float) + by + deflection
+        for row, by, deflection in zip(of.rows, pressed, deflections, strict=True)
+    ]
 
 
-def _give(of: BearingSet, sides: Sides) -> list[Any]:
+def _deflections(of: BearingSet, sides: Sides) -> list[Any]:
     """By how much further each row is pressed for what shaft and housings give way under the preload [m]."""
     if not sides or (of.shaft is None and all(row.housing_stiffness is None for row in of.rows)):
         return [0.0] * len(of.rows)
@@ -167,7 +170,7 @@ def _give(of: BearingSet, sides: Sides) -> list[Any]:
     for numbers, side in sides.items():
         for number, load in zip(numbers, np.moveaxis(side.axial_loads, -1, 0), strict=True):
             loads[number] = load
-    return axial_give(cold, loads)
+    return axial_deflection(cold, loads)
 
 
 class HotSet:

@@ -23,7 +23,7 @@ from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.optimum import search
 from qsbearing.studies.design.shown import heading, picture, record, tables
-from qsbearing.studies.design.wanted import Variable, wanted
+from qsbearing.studies.design.problem import Variable, problem_of
 from tests.studies.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
 CLOSE = 1e-3
@@ -229,7 +229,7 @@ def test_what_is_shown_of_a_search_is_what_it_did() -> None:
 
 
 def test_a_logarithmic_range_is_spread_evenly_over_its_logarithm() -> None:
-    (variable,) = wanted({"rigid_N": "1:100:log"}, [], [], STIFF, None, "").variables
+    (variable,) = problem_of({"rigid_N": "1:100:log"}, [], [], STIFF, None, "").variables
     assert variable.at(np.array([0.0, 0.5, 1.0])) == pytest.approx([1.0, 10.0, 100.0])
     assert Variable("speed_rpm", 0.0, 1.0).at(np.array([1.5])) == 1.0
 

@@ -63,7 +63,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class Wanted:
+class SearchProblem:
     """All that a search is asked for; conditions in the order goals, limits."""
 
     variables: tuple[Variable, ...]
@@ -78,7 +78,7 @@ class Wanted:
         return (*(each.name for each in self.conditions), *([self.objective] if self.objective else []))
 
 
-def wanted(
+def problem_of(
     vary: Mapping[str, Any],
     goals: Iterable[str],
     limits: Iterable[str],
@@ -86,7 +86,7 @@ def wanted(
     maximise: str | None,
     file: str,
     document: dict[str, Any] | None = None,
-) -> Wanted:
+) -> SearchProblem:
     """What was asked for in words.
 
     Args:
@@ -127,7 +127,7 @@ def wanted(
         errors.append(FileErrorDetail("goal", "nothing is asked for", cause=cause))
     if errors:
         raise SceneFileError(file, errors)
-    return Wanted(tuple(variables.values()), tuple(filter(None, conditions)), objective.strip(), bool(maximise))
+    return SearchProblem(tuple(variables.values()), tuple(filter(None, conditions)), objective.strip(), bool(maximise))
 
 
 def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
