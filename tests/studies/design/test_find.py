@@ -22,8 +22,8 @@ from qsbearing.documents.model import Paragraph
 from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.optimum import search
-from qsbearing.studies.design.shown import heading, picture, record, tables
 from qsbearing.studies.design.problem import Variable, problem_of
+from qsbearing.studies.design.shown import heading, picture, record, tables
 from tests.studies.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
 CLOSE = 1e-3
