@@ -28,6 +28,7 @@ from qsbearing.model.effects import (
 )
 from qsbearing.model.effects.hertz_angle import HertzAngle as HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius as OrbitRadius
+from qsbearing.model.effects.ball_motion import MotionOfBalls as MotionOfBalls
 from qsbearing.model.effects.raceway_control import RacewayControl as RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever as TiltLever
 from qsbearing.model.effects.traction import Traction as Traction

@@ -58,7 +58,7 @@ class CheckRecord(TypedDict):
     kind: NotRequired[str]
     reference: NotRequired[str]
     tolerance: NotRequired[str]
-    provenance: dict[str, Any]
+    provenance: NotRequired[dict[str, Any]]
     notes: list[str]
     pictures: dict[str, Any]
 

@@ -24,8 +24,9 @@ from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution

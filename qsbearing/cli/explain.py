@@ -12,7 +12,7 @@ import click
 from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -291,7 +291,7 @@ def _output(
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
     if accuracy is not None:
-        from qsbearing.model.scene.scene import COARSEST, FINEST
+        from qsbearing.model.accuracy import COARSEST, FINEST
 
         if not FINEST <= accuracy <= COARSEST:
             allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"

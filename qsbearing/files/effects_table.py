@@ -37,6 +37,7 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.described import materials_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
@@ -52,7 +53,7 @@ from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.effects.traction import Traction
-from qsbearing.model.scene.scene import CHOICES, DEFAULT_ACCURACY, effect_errors
+from qsbearing.model.scene.scene import CHOICES, effect_errors
 
 BALL_EFFECTS: dict[str, Any] = types_in("ball_effects")
 AUTO = "auto"

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.documents.numbers import plain
 from qsbearing.inference.ball_sets import (
     INCH_SIZES,
     METRIC_SIZES,
@@ -71,7 +72,7 @@ def nearest_set(sheet: DataSheet, practice: Practice) -> Nearest | None:
         f"fills are {least:.2f} to {most:.2f}": not least <= fill <= most,
         "its f0 is another": not of_f0[best],
         _range_of_c(practice): abs(over[best]) > practice.within,
-        f"C0 within {100.0 * practice.within * practice.static_share:.2g} %": abs(np.log(static[best]))
+        f"C0 within {plain(100.0 * practice.within * practice.static_share, '.2g')} %": abs(np.log(static[best]))
         > practice.within * practice.static_share,
     }
     excluded = tuple(reason for reason, is_so in reasons.items() if is_so) or ("all in all too far",)
@@ -82,7 +83,7 @@ def nearest_set(sheet: DataSheet, practice: Practice) -> Nearest | None:
 def _range_of_c(practice: Practice) -> str:
     """Which C over computed is believed."""
     raised = practice.dynamic_factor[1] / practice.dynamic_factor[0]
-    return f"C within {100.0 * practice.within:.2g} %" + f", raised to {raised:.2f} at most" * (raised > 1.0)
+    return f"C within {plain(100.0 * practice.within, '.2g')} %" + f", raised to {raised:.2f} at most" * (raised > 1.0)
 
 
 def _ratios(sheet: DataSheet, sets: BallSets, practice: Practice) -> tuple[NDArray, NDArray, BallBearing]:

@@ -48,12 +48,9 @@ class Severity(IntEnum):
 WRONG, INCOMPLETE, CHECK, NOTE = Severity
 
 _NO_FIELD = Field()
-STATUSES = "how_to#meaning-of-each-status"
-HYPOTHESES, AXIS = "limits#hypotheses", "ball_axis"
-HEAT = "how_to#heat-fits-and-rotation"
-CHOICES = "readings#choices-that-change-the-numbers"
-PRELOAD = "sets#preload"
-RINGS = "elastic_rings"
+STATUSES, HEAT = "how_to#meaning-of-each-status", "how_to#heat-fits-and-rotation"
+HYPOTHESES, AXIS, CHOICES = "limits#hypotheses", "ball_axis", "readings#choices-that-change-the-numbers"
+PRELOAD, RINGS = "sets#preload", "elastic_rings"
 
 
 @dataclass(frozen=True)
@@ -441,13 +438,12 @@ _ALL = (
     Kind("sheet_spin_twice", NOTE, "data_sheet",
          "ball_spin = {printed:g} is read as twice how often a ball turns about itself, {spin:.4g}"),
     Kind("sheet_guessed", CHECK, "data_sheet",
-         "nobody here knows the ratings of this bearing: its balls are guessed by the proportions of its dimension "
-         "series, for stiffness and pressure with their range, not for a life. C and C0 as printed replace the guess: "
-         "{field} and the static one", field=Field("bearing.dynamic_load_rating")),
+         "the ratings of this bearing are not known here: its balls are guessed by its dimension series, for stiffness "
+         "and pressure, not for life. Printed ratings replace the guess: {field} and the static one",
+         field=Field("bearing.dynamic_load_rating")),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
-         "nothing states what the ratings mean: they agree with the standards as printed, which may be chance, and "
-         "are read so and as those of the bearing's own grooves. Add whose they are, such as {field}",
-         field=Setting("maker", "SKF")),
+         "nothing states what the ratings mean: they agree with the standards, perhaps by chance, and are read so and "
+         "as those of the bearing's own grooves. Add whose they are, such as {field}", field=Setting("maker", "SKF")),
 )
 # fmt: on
 KINDS = {kind.code: kind for kind in _ALL}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.scene_file import load_scene
 from qsbearing.model.contact.hertz import HertzForm
-from qsbearing.model.effects.ball_motion import BallMotion
+from qsbearing.model.effects.ball_motion import MotionOfBalls
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.tilt_lever import TiltLever
@@ -111,7 +111,7 @@ def other_choices(facts: SceneFacts, control: Collection[str] = ()) -> list[Diff
         reasons.append("Hertz's constants at each contact's own angle, checked at the free angle")
     if scene.orbit_radius is not OrbitRadius.PITCH_CIRCLE:
         reasons.append("no balls on orbits of their own in the check")
-    if scene.ball_motion is not BallMotion.OWN:
+    if scene.ball_motion is not MotionOfBalls.OWN:
         reasons.append("no balls that all move alike in the check")
     if scene.gyroscopic_moment is not None and scene.gyroscopic_moment.friction_coefficient is not None:
         reasons.append("no limit of friction in the check")

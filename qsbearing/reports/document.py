@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
 from qsbearing.pictures.style import carry_alike

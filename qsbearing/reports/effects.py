@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.files.file_keys import IN_FILE
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.effects import EFFECTS, QUANTITIES
-from qsbearing.model.effects.ball_motion import BallMotion
+from qsbearing.model.effects.ball_motion import MotionOfBalls
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.judgement import WORDS, unit_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.bearing import chosen
@@ -69,7 +70,7 @@ def assumptions(scene: Scene) -> list[str]:
         said.append(FREE_ANGLE)
     if scene.raceway_control is not None:
         said.append(ROLLING[scene.raceway_control])
-    if scene.ball_motion is BallMotion.COMMON:
+    if scene.ball_motion is MotionOfBalls.COMMON:
         said.append(ALIKE)
     if scene.gyroscopic_moment is not None:
         said.append(UNBOUNDED if scene.gyroscopic_moment.friction_coefficient is None else BOUNDED)

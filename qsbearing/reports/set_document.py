@@ -8,7 +8,7 @@ import numpy as np
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Bullets, Document, Section
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.units import mm, rpm
 from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
 from qsbearing.remarks.remark import row_name

@@ -49,6 +49,10 @@ class StudyKey:
     """Of which ball it is one number of a list; None: it is a number by itself."""
 
 
+SETTINGS = ("radial_points", "points_around")
+"""Numbers of the solver, one for all cases."""
+
+
 def _all() -> dict[str, StudyKey]:
     tables: list[tuple[tuple[str, ...], str]] = []
     by_table, of_section = numbers(), sections()
@@ -63,6 +67,8 @@ def _all() -> dict[str, StudyKey]:
     by_name: dict[str, StudyKey] = {}
     for path, table in tables:
         for key in by_table[table]:
+            if key.field in SETTINGS:
+                continue
             name = f"{path[-1]}_{key.name}" if table == "material" or key.name in by_name else key.name
             own = ".".join((*path, key.name))
             replaces = tuple(other for group in _EITHER if own in group for other in group if other != own)

@@ -51,7 +51,7 @@ def echo(document: dict[str, Any], label: str) -> dict[str, Any]:
 
 def guarded(question: Any, hosts: tuple[str, ...] = server.LOCAL, token: str = "") -> Starlette:
     guard = Middleware(server._Guard, hosts=hosts, token=token)
-    return Starlette(routes=[Route("/solve", server._asked(question), methods=["POST"])], middleware=[guard])
+    return Starlette(routes=[Route("/solve", server._requested(question), methods=["POST"])], middleware=[guard])
 
 
 QUESTION = {"document": {"a": 1}, "label": ""}

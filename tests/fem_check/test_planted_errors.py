@@ -284,8 +284,8 @@ PLANTED = {
     ),
     "rows of a set displaced without their offset": (
         "qsbearing/systems/sets/solve.py",
-        "np.asarray(row.offset, float) + by + give",
-        "0.0 * np.asarray(row.offset, float) + by + give",
+        "np.asarray(row.offset, float) + by + deflection",
+        "0.0 * np.asarray(row.offset, float) + by + deflection",
         SOLUTION,
     ),
     "groove of the catalogue, digits swapped": (

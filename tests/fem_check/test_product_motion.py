@@ -75,22 +75,22 @@ def free(drawn, points, law=TractionLaw.COULOMB):
     return FreeBalls(cases, friction, points)
 
 
-def placed(balls, drawn, found):
+def placed(balls, drawn, product):
     """The state that the product says, the first ball of each bearing in the plane of x and y."""
     diameter, outer = drawn[1], drawn[4] * drawn[1]
-    line = outer - 0.5 * diameter + found.outer.approach[:, 0]
-    angle = found.outer.angle[:, 0]
+    line = outer - 0.5 * diameter + product.outer.approach[:, 0]
+    angle = product.outer.angle[:, 0]
     centre = np.array([of.outer_groove_centre_radius for of in balls.drawings])
-    w = found.angular_velocity[:, 0]
+    w = product.angular_velocity[:, 0]
     place = line * np.sin(angle) + 1j * (centre + line * np.cos(angle))
-    state = balls.start(place, found.orbital_speed[:, 0], w[:, 0] + 1j * w[:, 2], found.displacement[:, 0])
+    state = balls.start(place, product.orbital_speed[:, 0], w[:, 0] + 1j * w[:, 2], product.displacement[:, 0])
     state[ACROSS.start + 1] -= 1j * w[:, 1]  # e_r x e_x
     return state
 
 
-def left_over(balls, state, found):
+def left_over(balls, state, product):
     """Forces over the load and moments over load and diameter that turning round does not ask for: (what, case)."""
-    rates, orbit, load = balls.rates(state), found.orbital_speed[:, 0], found.outer.load[:, 0]
+    rates, orbit, load = balls.rates(state), product.orbital_speed[:, 0], product.outer.load[:, 0]
     mass, inertia = (np.array([getattr(of, name) for of in balls.drawings]) for name in ("ball_mass", "ball_inertia"))
     lever = np.array([of.ball_diameter for of in balls.drawings]) * load
     round_it = 1j * orbit * state[ACROSS]
@@ -105,17 +105,17 @@ def left_over(balls, state, found):
 @pytest.mark.parametrize("is_curved", [True, False])
 def test_what_the_product_says_of_twenty_bearings_is_a_steady_motion(is_curved):
     drawn = Drawn(20, 5).bearings()
-    found = solved(drawn, is_curved=is_curved)
-    assert (found.status == "converged").all()
+    product = solved(drawn, is_curved=is_curved)
+    assert (product.status == "converged").all()
     balls = free(drawn, same_points(is_curved=is_curved))
-    state = placed(balls, drawn, found)
-    assert left_over(balls, state, found).max() < 1e-9
+    state = placed(balls, drawn, product)
+    assert left_over(balls, state, product).max() < 1e-9
     seen = motion(balls, state)
-    np.testing.assert_allclose(seen.angle, [found.inner.angle[:, 0], found.outer.angle[:, 0]], rtol=1e-12)
-    np.testing.assert_allclose(seen.load, [found.inner.load[:, 0], found.outer.load[:, 0]], rtol=1e-10)
-    np.testing.assert_allclose(seen.tangential, [found.inner.traction[:, 0], found.outer.traction[:, 0]], rtol=1e-7)
-    np.testing.assert_allclose(seen.moment, -found.gyroscopic_moment[:, 0], rtol=1e-8)
-    np.testing.assert_allclose(seen.heat, [found.inner.heat[:, 0], found.outer.heat[:, 0]], rtol=1e-7)
+    np.testing.assert_allclose(seen.angle, [product.inner.angle[:, 0], product.outer.angle[:, 0]], rtol=1e-12)
+    np.testing.assert_allclose(seen.load, [product.inner.load[:, 0], product.outer.load[:, 0]], rtol=1e-10)
+    np.testing.assert_allclose(seen.tangential, [product.inner.traction[:, 0], product.outer.traction[:, 0]], rtol=1e-7)
+    np.testing.assert_allclose(seen.moment, -product.gyroscopic_moment[:, 0], rtol=1e-8)
+    np.testing.assert_allclose(seen.heat, [product.inner.heat[:, 0], product.outer.heat[:, 0]], rtol=1e-7)
 
 
 @pytest.mark.parametrize("is_curved", [True, False])
@@ -123,27 +123,27 @@ def test_so_it_is_under_linear_friction(is_curved):
     """Flat contacts have the sums of any points."""
     drawn = Drawn(4, 6).bearings()
     drawn[8], drawn[9] = 0.1, 0.05
-    found = solved(drawn, TractionLaw.LINEAR, is_curved=is_curved)
+    product = solved(drawn, TractionLaw.LINEAR, is_curved=is_curved)
     points = same_points() if is_curved else over_ellipse(3, 6, curved=False)
     balls = free(drawn, points, TractionLaw.LINEAR)
-    assert left_over(balls, placed(balls, drawn, found), found).max() < 1e-8
+    assert left_over(balls, placed(balls, drawn, product), product).max() < 1e-8
 
 
 @pytest.mark.parametrize("changed", ["wx", "wy", "wz", "orbit", "mu"])
 def test_another_motion_is_none(changed):
     drawn = Drawn(3, 5).bearings()
-    found = solved(drawn)
+    product = solved(drawn)
     if changed == "mu":
         drawn[8] *= 1.0 + 1e-6
     balls = free(drawn, same_points())
-    state = placed(balls, drawn, found)
+    state = placed(balls, drawn, product)
     if changed == "orbit":
         state[ACROSS.start] *= 1.0 + 1e-6
     elif changed == "wx":
         state[ALONG.start + 1] *= 1.0 + 1e-5
     elif changed != "mu":
         state[ACROSS.start + 1] += 1e-5 * drawn[7] * (1.0 if changed == "wz" else 1j)
-    assert (left_over(balls, state, found).max(axis=0) > 1e-9).all()
+    assert (left_over(balls, state, product).max(axis=0) > 1e-9).all()
 
 
 MESHES = {(4, 12): (0.25, 1.0), (6, 16): (0.12, 0.7), (10, 24): (0.05, 0.4), (32, 80): (1e-3, 0.02)}
@@ -170,21 +170,21 @@ def test_points_converge():
 B218 = (22.225e-3, 125.26e-3, 11.6281 / 22.225, 11.6281 / 22.225, np.radians(40.0))
 
 
-def carried_left_over(found, ball, is_centred):
+def carried_left_over(product, ball, is_centred):
     """What a ball of B218 lacks that goes round as the product says, the rates of its motion included.
 
     Args:
         is_centred: whether the inner ring turns about the outer one's axis, as the product takes it, with a groove that
             is wider there by its displacement; else about its own.
     """
-    count = found.weight.size
+    count = product.weight.size
     wave = 1j * np.fft.fftfreq(count, 1 / count)
     wave[count // 2] = 0.0
-    moving = np.vstack([found.angular_velocity.T, found.orbital_speed])
+    moving = np.vstack([product.angular_velocity.T, product.orbital_speed])
     (wx, wy, wz, orbit), rates = moving[:, ball], np.fft.ifft(wave * np.fft.fft(moving)).real[:, ball]
-    of, angle, load = drawing(*B218), found.outer.angle[ball], found.outer.load[ball]
-    line = of.outer_groove_radius - 0.5 * of.ball_diameter + found.outer.approach[ball]
-    moved = (found.displacement[1] + 1j * found.displacement[2]) * np.exp(-2j * np.pi * ball / count)
+    of, angle, load = drawing(*B218), product.outer.angle[ball], product.outer.load[ball]
+    line = of.outer_groove_radius - 0.5 * of.ball_diameter + product.outer.approach[ball]
+    moved = (product.displacement[1] + 1j * product.displacement[2]) * np.exp(-2j * np.pi * ball / count)
     case = FreeBallCase(of, 10_000 * qs.rpm, None, 0.0 if is_centred else moved)
     balls = FreeBalls([case], Coulomb(np.full((2, 1), 0.07), 0.1), same_points())
     # The product's balls turn on the pitch circle: grooves are put where they then are.
@@ -192,7 +192,7 @@ def carried_left_over(found, ball, is_centred):
     circles = balls._grooves[0]
     circles -= of.outer_groove_centre_radius + line * np.cos(angle) - place.imag
     circles[0] += moved.real * is_centred
-    given = place, orbit, wx + 1j * wz, found.displacement[0]
+    given = place, orbit, wx + 1j * wz, product.displacement[0]
     state = balls.start(*(np.array([each]) for each in given))
     state[ACROSS.start + 1] -= 1j * wy  # e_r x e_x
     change, (by_wx, by_wy, by_wz, by_orbit) = balls.rates(state)[:, 0], rates * orbit
@@ -209,24 +209,24 @@ def test_balls_carried_round_are_so_too():
     bearing = qs.BallBearing(16, *B218[:2], B218[2] * B218[0], B218[3] * B218[0], B218[4])
     held = {"radial_load_y": 8e3, "tilt_y": 0.0, "tilt_z": 0.0}
     operation = qs.Operation(speed=10_000 * qs.rpm, axial_load=17.8e3, **held)
-    found = friction_motion(qs.Scene(bearing, operation), Traction())
-    assert found.status == "converged"
-    assert max(carried_left_over(found, ball, True) for ball in range(0, 16, 2)) < 1e-9
-    assert 1e-3 < max(carried_left_over(found, ball, False) for ball in range(0, 16, 2)) < 3e-3
+    product = friction_motion(qs.Scene(bearing, operation), Traction())
+    assert product.status == "converged"
+    assert max(carried_left_over(product, ball, True) for ball in range(0, 16, 2)) < 1e-9
+    assert 1e-3 < max(carried_left_over(product, ball, False) for ball in range(0, 16, 2)) < 3e-3
 
 
 @pytest.mark.heavy
 def test_balls_run_towards_what_the_product_says():
     """Four bearings, begun off their axes by up to 4 degrees: after 30 ms none is farther off than a fifth of that."""
     drawn, points = Drawn(4, 7).bearings(), {"radii": 6, "angles": 16}
-    found = solved(drawn, points=points)
+    product = solved(drawn, points=points)
     balls = free(drawn, same_points(**points))
-    state = placed(balls, drawn, found)
+    state = placed(balls, drawn, product)
     state[ACROSS.start + 1] *= 0.9
     begun, end = (motion(balls, each) for each in (state, run(balls, state, 0.03, step=4e-6, samples=10).states[-1]))
-    off = [np.abs(each.attitude - found.attitude_angle[:, 0]) for each in (begun, end)]
+    off = [np.abs(each.attitude - product.attitude_angle[:, 0]) for each in (begun, end)]
     print(np.degrees(off))
     assert np.degrees(off[0]).max() > 1.0
     assert (off[1] < 0.2 * off[0].max()).all()
     assert (off[1] < 0.6 * off[0]).all()
-    np.testing.assert_allclose(end.load[1], found.outer.load[:, 0], rtol=0.02)
+    np.testing.assert_allclose(end.load[1], product.outer.load[:, 0], rtol=0.02)

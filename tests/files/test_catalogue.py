@@ -98,15 +98,18 @@ def test_every_commented_line_of_a_printed_scene_is_good_when_taken_in(name: str
 
 
 def test_the_commented_tables_of_a_printed_scene_are_good_when_taken_in(tmp_path: Path) -> None:
-    """All of them at once; their diameters are those of B218."""
+    """All of them at once, but the law of friction, which goes without the others; their diameters are those of B218."""
     text = scene_template(catalogue.find("B218"), by_name=True)
     before, mark, tables = text.partition("# [effects.")
+    law, rest = (each.replace("\n# ", "\n").removeprefix("# ") for each in (mark + tables).split("\n\n", 1))
     file = tmp_path / "scene.toml"
-    file.write_text(before + (mark + tables).replace("\n# ", "\n").removeprefix("# "))
+    file.write_text(before.replace('"outer"', '"friction"') + law)
+    assert qs.load_scene(file).traction is not None
+    file.write_text(before + rest)
     scene = qs.load_scene(file)
     assert [effect.name for effect in scene.ring_effects] == ["ring_expansion", "ball_expansion", "elastic_rings"]
     assert set(scene.readings) == set(reading_tables())
     effects, _, _ = tables.partition("# [readings]")
-    keys = [line.lstrip("# ").partition(" = ")[0] for line in (mark + effects).splitlines() if " = " in line]
+    keys = [line.lstrip("# ").partition(" = ")[0] for line in effects.splitlines()[1:] if " = " in line]
     known = {key for section in scene_keys.EFFECT_SECTIONS.values() for key in section}
     assert set(keys) == known, "every key is shown"

@@ -293,7 +293,7 @@ def test_effects_need_a_raceway_control_and_the_reverse() -> None:
     thrust = qs.Operation(axial_load=1e3, speed=100.0)
     missing = errors_of(qs.Scene, bearing=B218, operation=thrust, ball_effects=BOTH)["raceway_control"]
     assert "centrifugal_force and gyroscopic_moment" in missing.detail
-    assert "outer, inner, per_ball or minimum_dissipation" in missing.cause
+    assert "outer, inner, per_ball, minimum_dissipation or friction" in missing.cause
     idle = errors_of(qs.Scene, bearing=B218, operation=thrust, raceway_control=OUTER)["raceway_control"]
     assert "no ball effect" in idle.problem
 

@@ -58,9 +58,31 @@ def other(**tables: Any) -> dict[str, Any]:
     return {name: table | tables.get(name, {}) for name, table in TURNING.items()}
 
 
+MOVED = {
+    "bearing": {"name": "7210C"},
+    "operation": TURNING["operation"],
+    "effects": {
+        "ball": ["centrifugal_force", "gyroscopic_moment"],
+        "raceway_control": "friction",
+        "traction": {"cage_drag_N": 1.0},
+    },
+}
+"""By friction."""
+DEEP_GROOVE = {
+    "bearing": {
+        "kind": "deep_groove", "ball_material": "steel", "ring_material": "steel",
+        "ball_count": 9, "ball_diameter_mm": 7.94, "pitch_diameter_mm": 39.04,
+        "groove_radius_coefficient": 0.52, "diametral_clearance_mm": 0.02,
+    },
+    "operation": {"speed_rpm": 3000, "axial_load_N": -400},
+    "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
+}  # fmt: skip
+"""Pushed the other way."""
 SCENES = (
     TURNING,
     other(effects={"raceway_control": "inner"}),
+    MOVED,
+    MOVED | {"operation": TURNING["operation"] | {"speed_rpm": -9000, "radial_load_y_N": -400}},
     other(operation={"speed_rpm": -9000}, effects={"raceway_control": "minimum_dissipation"}),
     other(operation={"speed_rpm": 3000, "radial_load_y_N": 900}, readings=BLUNT),
     other(effects={"ball_diameter_deviations_um": [1, -3] + [0] * 13}),
@@ -69,16 +91,9 @@ SCENES = (
         readings=BLUNT,
         effects={"elastic_rings": FREE_RINGS},
     ),
-    {
-        "bearing": {
-            "kind": "deep_groove", "ball_material": "steel", "ring_material": "steel",
-            "ball_count": 9, "ball_diameter_mm": 7.94, "pitch_diameter_mm": 39.04,
-            "groove_radius_coefficient": 0.52, "diametral_clearance_mm": 0.02,
-        },
-        "operation": {"speed_rpm": 3000, "axial_load_N": -400},
-        "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
-    },
-)  # fmt: skip
+    DEEP_GROOVE,
+    DEEP_GROOVE | {"effects": MOVED["effects"]},
+)
 
 
 @cache

@@ -21,7 +21,8 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.scene_file import document_of, text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables, tables_of
-from qsbearing.model.scene.scene import DEFAULT_ACCURACY, Scene
+from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.scene.scene import Scene
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.whole import whole_record, with_input
 from qsbearing.studies.chooser.choose_set import solve_any

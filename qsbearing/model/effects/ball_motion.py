@@ -15,7 +15,7 @@ When not      slow bearings, whose balls do follow: where the momentum gap is sm
               friction balance, which knows how far balls follow, has .2 to .9 of this change
 Parameters    none
 Indicator     range of the centrifugal forces over the largest load
-Example       Scene(bearing, operation, effects, RacewayControl.OUTER, ball_motion=BallMotion.COMMON)
+Example       Scene(bearing, operation, effects, RacewayControl.OUTER, ball_motion=MotionOfBalls.COMMON)
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from qsbearing.model.effects.parting import by_friction
 from qsbearing.model.validation import ErrorDetail
 
 
-class BallMotion(StrEnum):
+class MotionOfBalls(StrEnum):
     """What of the balls' motion is their own."""
 
     OWN = "own"
@@ -47,7 +47,7 @@ CONTROLS = ("outer", "inner", "minimum_dissipation")
 
 def motion_errors(of: Any) -> list[ErrorDetail]:
     """Errors of a common motion that a scene cannot have."""
-    if of.ball_motion != BallMotion.COMMON:
+    if of.ball_motion != MotionOfBalls.COMMON:
         return []
     problem, shown = "is not known with", str(of.ball_motion)
     errors = []
@@ -79,7 +79,7 @@ def _apart(point: OperatingPoint) -> NDArray:
     return np.where(point.is_heavy, apart / largest_load, 0.0)
 
 
-_SWITCH = choice("ball_motion", BallMotion.OWN, BallMotion.COMMON, of_balls=True)
+_SWITCH = choice("ball_motion", MotionOfBalls.OWN, MotionOfBalls.COMMON, of_balls=True)
 assert _SWITCH.members is not None
 
 ENTRY = Entry(

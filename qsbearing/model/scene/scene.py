@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.above import InNotebooks
+from qsbearing.model.accuracy import COARSEST, FINEST
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.bearing_errors import clash_errors, shapes_of
 from qsbearing.model.contact.hertz import HertzForm
@@ -28,7 +29,7 @@ from qsbearing.model.effects import (
     as_made,
     types_in,
 )
-from qsbearing.model.effects.ball_motion import BallMotion, motion_errors
+from qsbearing.model.effects.ball_motion import MotionOfBalls, motion_errors
 from qsbearing.model.effects.body_temperature import BodyTemperature, assumed_of_balls, body_temperatures
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
@@ -64,7 +65,7 @@ CHOICES: dict[str, type[StrEnum]] = {
     "hertz_form": HertzForm,
     "tilt_lever": TiltLever,
     "orbit_radius": OrbitRadius,
-    "ball_motion": BallMotion,
+    "ball_motion": MotionOfBalls,
 }
 """The fields of a scene that choose one of several; each may be given as a member or as its word."""
 
@@ -96,7 +97,7 @@ class Scene(InNotebooks):
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
     """Of the balls, for their motion; only the ball effects ask for it."""
-    ball_motion: BallMotion = BallMotion.OWN
+    ball_motion: MotionOfBalls = MotionOfBalls.OWN
     """Whether each ball has the axis and orbit of its azimuth, or all have the mean; likewise."""
     thermal: Any = None
     """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
@@ -216,12 +217,6 @@ class Scene(InNotebooks):
     def gyroscopic_moment(self) -> GyroscopicMoment | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
-
-
-DEFAULT_ACCURACY = 0.01
-"""The error that choosing effects may leave, where none is given."""
-FINEST, COARSEST = 1e-12, 1.0
-"""What of it may be asked for: the solver's own tolerance, and everything."""
 
 
 def tolerance_errors(of: Any) -> list[ErrorDetail]:

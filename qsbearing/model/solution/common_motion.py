@@ -44,17 +44,17 @@ SolveWith = Callable[[Scene, Solution | None, dict[str, NDArray]], Solution]
 
 def solve_common(scene: Scene, start: Solution | None, solve_with: SolveWith) -> Solution:
     """The scene with all balls moving alike."""
-    found = solve_with(scene, start, {})
-    if not fastest(found).any():
-        return found
-    motion = _first_motion(found)
-    iterations, seconds = found.results["iterations"].copy(), found.seconds
-    size, step = fastest(found)[:, None], np.zeros_like(motion[:, :2])
+    solution = solve_with(scene, start, {})
+    if not fastest(solution).any():
+        return solution
+    motion = _first_motion(solution)
+    iterations, seconds = solution.results["iterations"].copy(), solution.seconds
+    size, step = fastest(solution)[:, None], np.zeros_like(motion[:, :2])
     apart, inverse = step, np.broadcast_to(-np.eye(2), (motion.shape[0], 2, 2)).copy()
     for k in range(MOST_ROUNDS):
-        found = solve_with(scene, found, _by_name(motion, found.shape))
-        iterations, seconds = iterations + found.results["iterations"], seconds + found.seconds
-        change = np.nan_to_num(mean_motion(found) - motion)
+        solution = solve_with(scene, solution, _by_name(motion, solution.shape))
+        iterations, seconds = iterations + solution.results["iterations"], seconds + solution.seconds
+        change = np.nan_to_num(mean_motion(solution) - motion)
         differs = (np.abs(change) > AGREED * size).any(axis=-1)
         if not differs.any():
             break
@@ -64,10 +64,10 @@ def solve_common(scene: Scene, start: Solution | None, solve_with: SolveWith) ->
         step = -np.einsum("cij,cj->ci", inverse, apart)
         change[:, ACTING] = step
         motion = motion + change
-    found.results["iterations"], found.seconds = iterations, seconds
-    found.results["status"][differs & (found.results["status"] == CONVERGED)] = NOT_CONVERGED
-    found.solved.following = cache(lambda: following(found, solve_with))
-    return found
+    solution.results["iterations"], solution.seconds = iterations, seconds
+    solution.results["status"][differs & (solution.results["status"] == CONVERGED)] = NOT_CONVERGED
+    solution.solved.following = cache(lambda: following(solution, solve_with))
+    return solution
 
 
 def _update(inverse: NDArray, step: NDArray, change: NDArray) -> NDArray:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.compiled import is_fast_for
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects.ball_expansion import BallExpansion
-from qsbearing.model.effects.ball_motion import BallMotion
+from qsbearing.model.effects.ball_motion import MotionOfBalls
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.case import CASE, RESULT
@@ -96,7 +96,7 @@ def _solve(
     Args:
         motion: of balls that all move alike; empty: each has its own; None: as the scene says.
     """
-    if motion is None and scene.ball_motion is BallMotion.COMMON:
+    if motion is None and scene.ball_motion is MotionOfBalls.COMMON:
         return solve_common(scene, start, lambda of, near, common: _solve(of, near, threads, tolerance, common))
     began = time.perf_counter()
     as_preloaded = scene.as_preloaded

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import warnings
 
-from qsbearing.model.scene.scene import COARSEST, DEFAULT_ACCURACY, FINEST
+from qsbearing.model.accuracy import COARSEST, DEFAULT_ACCURACY, FINEST
 
 
 def requested_accuracy(effects: str | None, given: float | None, own: float | None) -> float | None:

@@ -16,7 +16,7 @@ from qsbearing.model.bearing import BallBearing
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.described import given_in
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
-from qsbearing.model.effects.ball_motion import BallMotion
+from qsbearing.model.effects.ball_motion import MotionOfBalls
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -80,7 +80,7 @@ class BearingSet(InNotebooks):
     hertz_form: HertzForm = HertzForm.EXACT
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
     orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
-    ball_motion: BallMotion = BallMotion.OWN
+    ball_motion: MotionOfBalls = MotionOfBalls.OWN
     """Each ball's own: a common one is known to a bearing alone."""
     ring_effects: tuple[RingEffect, ...] = ()
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
@@ -400,9 +400,9 @@ def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:
     return errors
 
 
-def _motion_errors(motion: BallMotion) -> list[ErrorDetail]:
+def _motion_errors(motion: MotionOfBalls) -> list[ErrorDetail]:
     """Of a common motion, which the balance of a set does not look for."""
-    if motion != BallMotion.COMMON:
+    if motion != MotionOfBalls.COMMON:
         return []
     cause = "Leave it out: the balls of a set have the motion of their azimuths"
     return [ErrorDetail("ball_motion", "is known of single bearings alone", str(motion), cause=cause)]

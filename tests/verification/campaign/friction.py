@@ -34,7 +34,8 @@ import qsbearing as qs
 from qsbearing.model.effects.traction import Traction, TractionLaw
 from qsbearing.model.kernel.traction import ANGLES, RADII
 from qsbearing.model.kernel.traction_balance import TOLERANCE
-from qsbearing.model.solution.friction_motion import ContactFriction, FrictionMotion, friction_motion
+from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
+from qsbearing.model.solution.friction_motion import friction_motion
 from tests.verification.campaign import realistic
 from tests.verification.campaign.batches import Batch, run
 from tests.verification.campaign.checks import CLOSURE, HERTZ, Contacts, hertz_error
@@ -204,7 +205,7 @@ class Recomputed:
     def over_slip(self, slip: NDArray) -> NDArray:
         """Friction over load and slip."""
         of = self.traction
-        mu, vc = (self.column(each)[:, None] for each in (of.friction_coefficient, of.slip_speed))
+        mu, vc = (self.column(each)[:, None] for each in (of.coefficient, of.slip_speed))
         if of.law is TractionLaw.LINEAR:
             return np.broadcast_to(mu / vc, slip.shape[:-1])
         return np.asarray(mu / np.sqrt((slip**2).sum(axis=-1) + vc**2))
