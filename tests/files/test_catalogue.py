@@ -98,7 +98,7 @@ def test_every_commented_line_of_a_printed_scene_is_good_when_taken_in(name: str
 
 
 def test_the_commented_tables_of_a_printed_scene_are_good_when_taken_in(tmp_path: Path) -> None:
-    """All of them at once, but the law of friction, which goes without the others; their diameters are those of B218."""
+    """All of them at once, but the law of friction, which goes alone; their diameters are those of B218."""
     text = scene_template(catalogue.find("B218"), by_name=True)
     before, mark, tables = text.partition("# [effects.")
     law, rest = (each.replace("\n# ", "\n").removeprefix("# ") for each in (mark + tables).split("\n\n", 1))

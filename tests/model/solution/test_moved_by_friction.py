@@ -234,6 +234,19 @@ def test_hypotheses_know_nothing_of_it() -> None:
     assert solution.friction is None and solution.balance is None
 
 
+def test_rings_that_wedge_the_balls_are_those_of_a_hypothesis_at_low_speed() -> None:
+    """At 100 rpm the balls' inertia is 1e-7 of the load: what is left is the geometry."""
+    bearing = qs.BallBearing.from_diametral_clearance(
+        ball_count=9, ball_diameter=7.94e-3, pitch_diameter=39.04e-3, inner_groove_radius=4.1288e-3,
+        outer_groove_radius=4.1288e-3, diametral_clearance=-20e-6, kind="deep_groove",
+    )  # fmt: skip
+    scene = moved(None, {"axial_load": 400.0, "speed": 100 * qs.rpm})
+    scene = replace(scene, bearing=bearing)
+    solution, outer = qs.solve(scene), qs.solve(replace(scene, raceway_control="outer"))
+    assert solution.displacement[0] == pytest.approx(outer.displacement[0], rel=1e-6)
+    np.testing.assert_allclose(solution.inner.load, outer.inner.load, rtol=1e-6)
+
+
 @settings(max_examples=25, deadline=None)
 @given(
     axial=st.floats(1.0, 30.0),
