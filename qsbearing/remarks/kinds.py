@@ -438,8 +438,8 @@ _ALL = (
     Kind("sheet_spin_twice", NOTE, "data_sheet",
          "ball_spin = {printed:g} is read as twice how often a ball turns about itself, {spin:.4g}"),
     Kind("sheet_guessed", CHECK, "data_sheet",
-         "the ratings of this bearing are not known here: its balls are guessed by its dimension series, for stiffness "
-         "and pressure, not for life. Printed ratings replace the guess: {field} and the static one",
+         "the ratings of this bearing are not known here: its balls are guessed by the proportions of its series, for "
+         "stiffness and pressure, not for life. Printed ratings replace the guess: {field} and the static one",
          field=Field("bearing.dynamic_load_rating")),
     Kind("sheet_ratings_unstated", CHECK, "data_sheet",
          "nothing states what the ratings mean: they agree with the standards, perhaps by chance, and are read so and "

@@ -58,7 +58,7 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
             answered(solution, readings),
             every_remark(solution, readings),
             [key_results(solution, readings)],
-            [*effects.is_right(rows, tolerance), evidence.in_short(checks)],
+            [*effects.is_right(rows, tolerance, solution.friction is not None), evidence.in_short(checks)],
             solution,
         ),
     )

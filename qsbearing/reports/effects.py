@@ -116,8 +116,12 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessm
     return Section("Assumptions and effects", blocks, "effects")
 
 
-def is_right(rows: Sequence[Assessment], tolerance: float) -> list[Block]:
-    """In short: what the model has or lacks that changes a result by more than the tolerance, and what to do."""
+def is_right(rows: Sequence[Assessment], tolerance: float, is_by_friction: bool = False) -> list[Block]:
+    """In short: what the model has or lacks that changes a result by more than the tolerance, and what to do.
+
+    Args:
+        is_by_friction: whether friction moves the balls, so that no hypothesis is left open.
+    """
     title = "Is the model right for this case?"
     what = {entry.name: entry for entry in EFFECTS}
     lines: list[list[Cell]] = []
@@ -130,7 +134,7 @@ def is_right(rows: Sequence[Assessment], tolerance: float) -> list[Block]:
         elif row.verdict in (NEEDED, DATA_MISSING):
             advice = f"give {row.needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
             lines.append([row.what, Badge("no", _status(row)), change, advice])
-        elif what[row.effect].hypothesis and row.size(most) > tolerance:
+        elif what[row.effect].hypothesis and row.size(most) > tolerance and not is_by_friction:
             lines.append(
                 [row.what, Badge("a hypothesis", "finding"), change, "see the range below the table of effects"]
             )

@@ -82,12 +82,14 @@ def _friction(part: Part) -> Iterator[Limit]:
     moment, slip = part.solution.scene.gyroscopic_moment, part.readings.get("ball_slip")
     if moment is None:
         return
-    given = moment.friction_coefficient
+    law = part.solution.scene.traction
+    given = moment.friction_coefficient if law is None else law.coefficient
     if given is None and slip is not None:
         given = slip.friction_coefficient
     places = tuple(part.place(group, FRICTION._replace(path=_of_loaded), MAX) for group in CONTACTS)
     if given is not None:
-        yield Limit(places, "<=", np.asarray(given, float)[..., None], "input; beyond it balls slip")
+        origin = "input" if law is None or not law.is_assumed else "assumed"
+        yield Limit(places, "<=", np.asarray(given, float)[..., None], f"{origin}; beyond it balls slip")
         return
     others = (Estimate(FRICTION_BEYOND, "the contacts offer that much friction"),)
     yield Limit(

@@ -55,6 +55,7 @@ def test_explain_says_what_friction_gives_beside_the_hypotheses() -> None:
     assert hypotheses <= set(map(str, HYPOTHESES)), "friction is none of them"
     moved = of_control(explain(scene_of(tables({"friction_range": [0.05, 0.07]}), "a file"), 0.01)[1])
     assert moved.by_friction["friction_range"] == [0.05, 0.07]
+    assert "friction is solved for" in moved.why and "hypothesis" not in moved.why
     assert {str(each["under"]).split('"')[1] for each in moved.alternatives} == set(map(str, HYPOTHESES))
     of_moved = explain(scene_of(tables({}), "a file"), 0.01)[1]
     (slip,) = (each for each in of_moved if each.effect == "gyroscopic_slip")

@@ -304,7 +304,8 @@ def verdict(
     if error is None:
         return NOT_ASSESSED, "does not apply here"
     if error > tolerance and entry.hypothesis:
-        return NOT_ASSESSED, entry.hypothesis
+        is_solved_for = getattr(solution, "friction", None) is not None
+        return NOT_ASSESSED, "friction is solved for: hypotheses would say this" if is_solved_for else entry.hypothesis
     return (NEEDED if error > tolerance else NOT_NEEDED), ""
 
 

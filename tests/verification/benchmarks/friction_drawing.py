@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -14,6 +16,20 @@ from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain
 
 COEFFICIENTS = np.geomspace(0.02, 0.2, 46)
 USUAL = (0.03, 0.1)
+
+
+def levels(others: list[tuple[str, Any]], read: Callable[[Any], Any]) -> dict[float, list[str]]:
+    """Of hypotheses by their names: those that say the same stand at one level; of how they share a moment that one
+    raceway carries whole, nothing is said."""
+    at: dict[float, list[str]] = {}
+    for under, each in others:
+        control, *shares = re.findall('"(.*?)"', under) or [under]
+        level = round(float(read(each)), 6)
+        words = control.replace("_", " ")
+        of_level = at.setdefault(level, [])
+        if words not in of_level:
+            of_level.append(", ".join([words, *shares]) if shares and control not in ("outer", "per_ball") else words)
+    return at
 
 
 def over_friction() -> Figure:
@@ -31,12 +47,13 @@ def over_friction() -> Figure:
         values = getattr(moved, name)[:, 0] / size
         axes.axvspan(*USUAL, color=GREY, alpha=0.15, linewidth=0.0)
         axes.semilogx(COEFFICIENTS, values, color=STYLE["outer"]["color"], linewidth=1.8)
-        for under, each in others:
-            level = float(getattr(each, name)[0] / size)
+        for level, names in levels(others, lambda each, name=name, size=size: getattr(each, name)[0] / size).items():
             axes.axhline(level, color=GREY, linestyle="--", linewidth=0.9)
-            words = ", ".join(re.findall('"(.*?)"', under)).replace("_", " ") or under
-            axes.annotate(words, (COEFFICIENTS[-1], level), fontsize=7, ha="right", va="bottom", color=GREY)
-        axes.annotate("friction", (COEFFICIENTS[0], values[0]), fontsize=8, va="bottom", color=STYLE["outer"]["color"])
+            style = {"fontsize": 7, "ha": "right", "va": "bottom", "color": GREY}
+            axes.annotate("; ".join(names), (COEFFICIENTS[-1], level), **style)
+        style = {"fontsize": 8, "ha": "right", "va": "top", "color": STYLE["outer"]["color"]}
+        axes.annotate("friction", (COEFFICIENTS[-1], values[-1]), (0, -2 if name == "displacement" else 12),
+                      textcoords="offset points", **style)  # fmt: skip
         axes.set_xlabel("friction coefficient of the contacts", fontsize=9)
         axes.set_ylabel(label, fontsize=9)
         axes.set_xticks([0.02, 0.03, 0.05, 0.07, 0.1, 0.2], ["0.02", "0.03", "0.05", "0.07", "0.1", "0.2"])
