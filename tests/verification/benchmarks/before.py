@@ -29,7 +29,7 @@ from zipfile import ZipFile
 import numpy as np
 
 ROOT = Path(__file__).parents[3]
-RELEASE, COMMIT = "0.1.0", "11be3c0"
+RELEASE, COMMIT = "0.2.0", "96e5871"
 """The last release: the first commit with all records of a gate that passed. To be changed after each release."""
 RECORD = Path(__file__).with_suffix(".json")
 ROUNDS, COLD_ROUNDS, FEW_ROUNDS, FIRST_ROUNDS = 40, 10, 6, 2

@@ -250,8 +250,11 @@ def recomputed() -> str:
     rows = []
     for record in campaigns_of(RECOMPUTED):
         ended = record["ended"]
-        refused = sum(number for how, number in ended.items() if how.startswith("no_equilibrium"))
-        counts = record["count"], ended["converged"], refused, ended.get("not_converged", 0), len(record["wrong"])
+        refused, lost = (
+            sum(number for how, number in ended.items() if how.startswith(status))
+            for status in ("no_equilibrium", "not_converged")
+        )
+        counts = record["count"], ended["converged"], refused, lost, len(record["wrong"])
         worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
         rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *map("{:,}".format, counts), worst])
     headings = ["cases", "seed", "number", "converged", "no equilibrium", "not converged", "wrong", "largest"]

@@ -47,7 +47,7 @@ BALANCE = 1e-9
 """Of the largest load, of that times D, and of the power."""
 SKIDDING = 0.9
 """Of the drag that friction can bear: the balance may be lost from here on."""
-UNEXPLAINED = "unexplained"
+UNEXPLAINED = "not_converged"
 E_X = np.array([1.0, 0.0, 0.0])
 
 
@@ -346,10 +346,10 @@ def ends(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> list[str
     has_lost = (start.inner.load == 0.0).any(axis=1)
     for k, status in enumerate(found.status):
         if status == "not_converged":
-            why = "skids" if skids[k] else "balls off the inner ring" if has_lost[k] else UNEXPLAINED
-            words.append(f"not converged: {why}")
+            why = ": skids" if skids[k] else ": balls off the inner ring" if has_lost[k] else ""
+            words.append(UNEXPLAINED + why)
         else:
-            words.append(f"{status.replace('_', ' ')}: {found.reason[k]}".removesuffix(": "))
+            words.append(f"{status}: {found.reason[k]}".removesuffix(": "))
     return words
 
 
@@ -404,7 +404,7 @@ def judged(found: FrictionMotion, words: list[str], errors: dict[str, NDArray]) 
         for k in np.flatnonzero(converged & ~(each <= most)):
             of.wrong[int(k)] = f"{of.wrong.get(int(k), '')} {name} {each[k]:.1e}".strip()
         of.largest[name] = float(np.max(each, where=converged, initial=0.0))
-    of.not_converged = [k for k, word in enumerate(words) if word.endswith(UNEXPLAINED)]
+    of.not_converged = [k for k, word in enumerate(words) if word == UNEXPLAINED]
     return of
 
 
