@@ -112,7 +112,7 @@ def test_motion_and_heat_of_a_ball_to_five_digits() -> None:
     found = [outer["across_N"], inner["across_N"], outer["along_N"], outer["heat_W"], inner["heat_W"]]
     np.testing.assert_allclose(found, [-110.37176, -37.96087, 1.66773, 45.90787, 107.26439], rtol=1e-5)
     wx, wy, wz = -2.4607050, 0.0260416, 1.5192953
-    angles = [ball["attitude_deg"], ball["yaw_deg"]]
+    angles = [ball["attitude_angle_deg"], ball["yaw_angle_deg"]]
     np.testing.assert_allclose(angles, np.degrees([np.arctan2(wz, -wx), np.arctan2(wy, -wx)]), rtol=1e-5)
     assert of["balls"][0]["rotation_speed_rpm"] == pytest.approx(-rpm * np.hypot(np.hypot(wx, wz), wy), rel=1e-5)
     assert of["balls"][0]["gyroscopic_moment_Nmm"] == pytest.approx(-1643.151, rel=1e-5)
@@ -132,7 +132,7 @@ def test_balls_carried_round_to_the_digits_of_the_trial() -> None:
     np.testing.assert_allclose(
         [each["inner"]["load_N"] for each in quarters], [1974.96, 1385.49, 1026.73, 1397.21], rtol=1e-5
     )
-    axes = [of["traction"]["balls"][k]["attitude_deg"] for k in (0, 4, 8, 12)]
+    axes = [of["traction"]["balls"][k]["attitude_angle_deg"] for k in (0, 4, 8, 12)]
     np.testing.assert_allclose(axes, [31.265, 31.990, 31.464, 30.524], atol=2e-3)
     orbits = [each["orbital_speed_rpm"] / 1e4 for each in quarters]
     np.testing.assert_allclose(orbits, [0.441464, 0.444415, 0.450439, 0.448085], rtol=1e-5)
@@ -228,7 +228,7 @@ def test_each_number_is_in_text_record_and_names() -> None:
         values = names[name].of(solution)
         assert values is not None and np.isfinite(values).all()
     columns = solution.to_dataframe().columns
-    assert {"inner_traction_heat_W", "traction_attitude_deg", "traction_cage_speed_rpm"} <= set(columns)
+    assert {"inner_traction_heat_W", "traction_attitude_angle_deg", "traction_cage_speed_rpm"} <= set(columns)
     assert "inner_traction_friction_use" in solution.to_xarray()
 
 

@@ -12,6 +12,7 @@ from qsbearing.files.file_keys import numbers
 from qsbearing.model.effects import GyroscopicMoment
 from qsbearing.model.solution.groups import CONTACT, OF_BALL
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, Result, place_of
+from qsbearing.model.solution.traction_groups import OF_BALL as OF_MOVED_BALL
 from qsbearing.readings.asked import READINGS, every_group
 from qsbearing.results.guide_lists import LISTS
 from qsbearing.studies import keys
@@ -28,6 +29,7 @@ def described() -> list[Result]:
     return [
         *CONTACT,
         *OF_BALL,
+        *OF_MOVED_BALL,
         *(each for entry in READINGS.values() for group in entry.groups for each in group.results),
     ]
 
