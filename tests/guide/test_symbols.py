@@ -10,9 +10,9 @@ import qsbearing as qs
 from qsbearing.documents.guide import topics
 from qsbearing.files.file_keys import numbers
 from qsbearing.model.effects import GyroscopicMoment
+from qsbearing.model.solution.friction_balance import FrictionMotion
 from qsbearing.model.solution.groups import CONTACT, OF_BALL
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, Result, place_of
-from qsbearing.model.solution.traction_groups import OF_BALL as OF_MOVED_BALL
 from qsbearing.readings.asked import READINGS, every_group
 from qsbearing.results.guide_lists import LISTS
 from qsbearing.studies import keys
@@ -21,7 +21,7 @@ from tests.guide.pages import GUIDE
 LINES = re.findall(r"^\| (.+?) \| (`.+?`) \| .*? \| (.+?) \|$", (GUIDE / "symbols.md").read_text("utf-8"), re.MULTILINE)
 WRITTEN = {"um": "µm", "Mrev": "million revolutions", "1": "-", "": "-", "balls": "-"}
 """Units that the page writes otherwise."""
-OTHERS = (qs.Solution, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
+OTHERS = (qs.Solution, FrictionMotion, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
 
 
 def described() -> list[Result]:
@@ -29,7 +29,6 @@ def described() -> list[Result]:
     return [
         *CONTACT,
         *OF_BALL,
-        *OF_MOVED_BALL,
         *(each for entry in READINGS.values() for group in entry.groups for each in group.results),
     ]
 
