@@ -49,13 +49,21 @@ def needed(entry: Entry, has_size: bool, words: Words) -> str:
 
 def lacking(fields: Mapping[str, Any], words: Words) -> str:
     """An effect that needs numbers of the scene: what it would change, and what to give."""
+    needs = needed(EFFECT[fields["effect"]], bool(fields.get("has_size")), words)
+    return f"{_would_change(fields)}. To include it, {_ADVICE[words.reader]} {needs}"
+
+
+def unknown_to_friction(fields: Mapping[str, Any], words: Words) -> str:
+    """An effect that cannot be asked for where friction moves the balls, and what it would change elsewhere."""
+    return f"{_would_change(fields)} under outer control. Balls that friction moves do not know it yet"
+
+
+def _would_change(fields: Mapping[str, Any]) -> str:
     entry, quantity = EFFECT[fields["effect"]], fields["quantity"]
     changes = _changes(fields, quantity, fields["changes"], iter(fields.get("displacements_um", ())), MORE)
     by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
     begun = entry.without_it or f"{entry.what} is not included; it"
-    change = _of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)
-    needs = needed(entry, bool(fields.get("has_size")), words)
-    return f"{begun} would change the {change}. To include it, {_ADVICE[words.reader]} {needs}"
+    return f"{begun} would change the {_of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)}"
 
 
 def differing(fields: Mapping[str, Any], words: Words) -> str:
