@@ -24,10 +24,10 @@ from qsbearing.model.units import MPa, mrad, um
 from qsbearing.remarks.balls import ball_remarks, friction_remarks, momentum_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
 from qsbearing.remarks.hypotheses import hypotheses
-from qsbearing.remarks.kinds import to_add
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.preload import preload_remarks
 from qsbearing.remarks.remark import Found, Remark, in_case, remark
+from qsbearing.remarks.sentences import to_add
 from qsbearing.remarks.wording import Words
 
 SMALL_TILT = 0.02

@@ -7,19 +7,15 @@ field in the words of whoever reads it: {field}.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from string import Formatter
 from typing import Any
 
-import numpy as np
-
-from qsbearing.documents.numbers import plain
-from qsbearing.model.effects import EFFECTS, Entry
-from qsbearing.model.solution.judgement import ANOTHER_RESULT, WORDS, changed, estimated, shifted, unit_of
 from qsbearing.model.validation import Field, Setting
-from qsbearing.remarks.wording import Audience, Raceways, Words, listed, spanned
+from qsbearing.remarks import sentences
+from qsbearing.remarks.wording import Raceways, Words
 
 
 class Severity(IntEnum):
@@ -79,7 +75,7 @@ class Kind:
         if self.say is not None:
             return self.say(values, words)
         more = self.more if all(name in values for name in _fields(self.more)) else ""
-        return _IN_WORDS.vformat(self.sentence + more, (), {**values, "field": words.spell(self.field, path)})
+        return sentences.IN_WORDS.vformat(self.sentence + more, (), {**values, "field": words.spell(self.field, path)})
 
     def outline(self, words: Words) -> str:
         """The sentence with … for each number."""
@@ -102,142 +98,12 @@ class _Blank(dict[str, Any]):
         return f"… balls {spec.partition('/')[2]}" if "/" in spec else "…"
 
 
-class _InWords(Formatter):
-    """Of numbers without powers of ten."""
-
-    def format_field(self, value: Any, spec: str) -> str:
-        return plain(value, spec) if isinstance(value, float | int) and spec else format(value, spec)
-
-
-_IN_WORDS = _InWords()
-
-
 def _fields(sentence: str) -> list[str]:
     return list(dict.fromkeys(name for _, name, *_ in Formatter().parse(sentence) if name))
 
 
-def to_add(settings: Sequence[Setting], words: Words) -> str:
-    """What to do for effects that could be named as it is."""
-    return _ADD[words.reader].format(", ".join(words.spell(each, "") for each in settings))
-
-
-def _missing(fields: Mapping[str, Any], words: Words) -> str:
-    """Effects that could be named as it is, and what each would change."""
-    moved = iter(fields.get("displacements_um", ()))
-    said = [
-        f"{EFFECT[name].what} ({_of_quantity(quantity, _changes(fields, quantity, change, moved))})"
-        for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
-    ]
-    are = "is" if len(said) == 1 else "are"
-    return f"{listed(said)} {are} not included. {to_add(fields['add'], words)}"
-
-
-def needed(entry: Entry, has_size: bool, words: Words) -> str:
-    """What to give for an effect that needs numbers of the scene: in a file not what its bearing has."""
-    beside = entry.needs_beside_size if has_size and words.reader is not Audience.PYTHON else ""
-    return words.of(beside or entry.needs)
-
-
-def _lacking(fields: Mapping[str, Any], words: Words) -> str:
-    """An effect that needs numbers of the scene: what it would change, and what to give."""
-    entry, quantity = EFFECT[fields["effect"]], fields["quantity"]
-    changes = _changes(fields, quantity, fields["changes"], iter(fields.get("displacements_um", ())), MORE)
-    by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
-    begun = entry.without_it or f"{entry.what} is not included; it"
-    change = _of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)
-    needs = needed(entry, bool(fields.get("has_size")), words)
-    return f"{begun} would change the {change}. To include it, {_ADVICE[words.reader]} {needs}"
-
-
-def _differing(fields: Mapping[str, Any], words: Words) -> str:
-    """What displacement and stiffness are by all hypotheses, and how to see each."""
-    said = [
-        f"{fields[name]} is {fields[f'{name}_least']:.4g} to {fields[f'{name}_most']:.4g} {fields[f'{name}_unit']} "
-        f"(here {fields[f'{name}_here']:.4g})"
-        for name in ("displacement", "stiffness")
-        if name in fields and _largest(fields[f"{name}_most"]) > _largest(fields[f"{name}_least"])
-    ]
-    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
-
-
-def _pressing(fields: Mapping[str, Any], words: Words) -> str:
-    """Rows that press each other, and what to write so that one of them slides."""
-    said = KINDS["rows_press"].sentence.format_map(fields)
-    row = f"{fields['slides']:.0f}"
-    written = {
-        Audience.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
-        Audience.FILE: f": floating = [{{rows = [{row}]}}]",
-    }
-    return f"{said}{written.get(words.reader, '')}."
-
-
-def _cut(fields: Mapping[str, Any], words: Words) -> str:
-    """A contact cut by the edge, with as many of its numbers as there are."""
-    said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
-    if "beyond_percent" not in fields:
-        return f"{said}: pressure there exceeds Hertz's"
-    written = lambda name: _IN_WORDS.format_field(fields[name], ".2g")  # noqa: E731
-    said += f", with {written('beyond_percent')} % of its major axis: "
-    is_small = "turn_deg" not in fields
-    if _largest(fields["beyond_percent"]) >= 10.0:
-        said += "it is no longer Hertz's contact; " + "most of it is beyond the edge" * is_small
-    elif is_small:
-        return f"{said}load and angle hold, and the pressure rises at the edge"
-    if not is_small:
-        said += (
-            f"at the same approach it carries {written('load_loss_percent')} % less load, which acts "
-            f"{written('turn_deg')} deg farther from the edge; "
-        )
-        if "edge_pressure_MPa" not in fields:
-            return f"{said}at a sharp edge the pressure has no limit"
-        pressure = fields["edge_pressure_MPa"]
-        above = "above " if _largest(pressure) >= fields["limit_MPa"] else ""
-        said += f"the pressure at the edge is {above}{pressure:.0f} MPa"
-    return said
-
-
-def _largest(number: Any) -> float:
-    return float(np.max(number))
-
-
-MORE, BY = "more than 100", " by "
-"""`ANOTHER_RESULT` in a sentence, and what then stands between a quantity and its change."""
-
-
-def _changes(
-    fields: Mapping[str, Any], quantity: str, changes: Sequence[Any], moved: Iterator[Any], more: str = ANOTHER_RESULT
-) -> list[str]:
-    """Changes of a quantity, each of which may be a `Span`: in its own unit where solved, else relative ones."""
-    if quantity == "displacement" and not fields["is_estimated"]:
-        return [f"{spanned(shifted, next(moved))} {unit_of(quantity)}" for _ in changes]
-    number = estimated if fields["is_estimated"] else changed
-    return [f"{spanned(lambda each: more if each > 1.0 else number(each, ''), change)} %" for change in changes]
-
-
-def _of_quantity(quantity: str, by: Sequence[str], link: str = " ") -> str:
-    """What changes most, and by how much."""
-    if not quantity:
-        return "result: no solution is found with it"
-    said = " to ".join(by)
-    is_about = link == BY and not said.startswith(("≈", MORE, "0 "))
-    return f"{WORDS[quantity]}{link}{'about ' * is_about}{said}"
-
-
-EFFECT = {entry.name: entry for entry in EFFECTS}
 BESIDE = ("who", "raceways", "balls", "field")
 """What sentences have beside the values of a remark."""
-_ADD = {
-    Audience.PYTHON: "Set {}",
-    Audience.FILE: "Add under [effects]: {}",
-    Audience.PAGE: "Tick what is missing in the table of effects",
-}
-_ADVICE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
-_DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
-_LIST = {
-    Audience.PYTHON: "To see each: qsbearing explain FILE",
-    Audience.FILE: "To see each: qsbearing explain FILE",
-    Audience.PAGE: "The table of effects has the range",
-}
 _ENDED = ", a limit of practice; wear or the lubricant will"
 _YIELDING = (
     " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
@@ -331,22 +197,23 @@ _ALL = (
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
     Kind("rows_press", CHECK, "sets#deep-groove-rows",
-         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
-         "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
-         say=_pressing),
+         sentences.PRESSING, say=sentences.pressing),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model
     Kind("effects_missing", INCOMPLETE, "accuracy",
-         "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}", say=_missing),
+         "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}", say=sentences.missing),
     Kind("effect_data_missing", INCOMPLETE, "accuracy",
          "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
-         "its numbers", say=_lacking),
+         "its numbers", say=sentences.lacking),
+    Kind("effect_unknown_to_friction", INCOMPLETE, AXIS,
+         "{effect} is not included, which balls that friction moves do not know; under outer control it would change the "
+         "{quantity} by about {changes} ({under})", say=sentences.unknown_to_friction),
     Kind("hypotheses_differ", INCOMPLETE, HYPOTHESES,
-         f"{_DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
+         f"{sentences.DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
          "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
          "{stiffness_most:.4g} {stiffness_unit} (here {stiffness_here:.4g}). To see each: qsbearing explain FILE",
-         say=_differing),
+         say=sentences.differing),
     # Readings: life
     Kind("life_of_ceramic", NOTE, CHOICES,
          "the dynamic rating and the life modification factor of ceramic balls are those of steel balls"),
@@ -384,10 +251,10 @@ _ALL = (
          "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
          "axis: it is no longer Hertz's contact; at the same approach it carries {load_loss_percent:.2g} % less load, "
          "which acts {turn_deg:.2g} deg farther from the edge; the pressure at the edge is {edge_pressure_MPa:.0f} MPa",
-         say=_cut),
+         say=sentences.cut),
     Kind("ellipse_cut_little", NOTE, "limits",
          "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
-         "axis: load and angle hold, and the pressure rises at the edge", say=_cut),
+         "axis: load and angle hold, and the pressure rises at the edge", say=sentences.cut),
     # Readings: motion, friction, film
     Kind("control_assumed", NOTE, CHOICES, "no raceway control is named: all spin is put on the inner raceway"),
     Kind("balls_press_cage", CHECK, "cage_and_grease#balls-and-their-pockets",

@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
-from qsbearing.model.solution.changes import Change, changes, has_size_for, requested, rows_of
+from qsbearing.model.solution.changes import (
+    Change,
+    changes,
+    has_size_for,
+    is_unknown_to_friction,
+    requested,
+    rows_of,
+)
 from qsbearing.model.solution.comparison import moved
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
 from qsbearing.model.units import um
@@ -36,6 +43,7 @@ def missing_effects(solution: Any, part: slice, may_solve: bool = True) -> Itera
     are_few = may_solve and int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)
     yield from _of_assumed(solution, part, are_few)
+    yield from _of_unknown_to_friction(solution, part, are_few)
 
 
 def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
@@ -82,7 +90,7 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     rows = rows_of(solution)
     for entry in EFFECTS:
         lacking = [n for n, row in enumerate(rows, 1) if not entry.is_in(row.scene)]
-        if not entry.needs or not lacking:
+        if not entry.needs or not lacking or is_unknown_to_friction(entry, solution):
             continue
         predicted = [_predicted(entry, solution)] if entry.tells_without else []
         assumed = changes(entry, solution) if are_few else predicted
@@ -91,6 +99,30 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
             matters = np.any([_matters(each, part) for each in assumed], axis=0)
             by = np.max([each.largest.reshape(-1)[part] for each in assumed], axis=0)
             yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, assumed, part.start)
+
+
+def _of_unknown_to_friction(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+    """What cannot be asked for beside friction, by what it changes under outer control."""
+    for entry in EFFECTS:
+        if not is_unknown_to_friction(entry, solution) or entry.is_in(requested(solution)):
+            continue
+        predicted = [_predicted(entry, solution)] if entry.tells_without or not entry.needs else []
+        is_worth_it = entry.needs or np.any(predicted[0].largest > WORTH_A_SOLVE)
+        found = changes(entry, solution) if are_few and is_worth_it else [] if are_few else predicted
+        if found:
+            matters = np.any([_matters(each, part) for each in found], axis=0)
+            by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
+            yield np.where(matters, by, 0.0), partial(_unknown, solution, entry, found, part.start)
+
+
+def _unknown(solution: Any, entry: Entry, found: list[Change], start: int, i: int) -> Remark:
+    k = start + i
+    there = [each for each in found if np.ravel(each.is_solved)[k]]
+    quantity, by = _most(found, k)
+    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
+    values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
+    values |= {"is_estimated": not is_solved, **_moved(solution, there if quantity == DISPLACEMENT else [], k)}
+    return Remark("effect_unknown_to_friction", values=values)
 
 
 def _lacks(solution: Any, entry: Entry, of: Of, assumed: list[Change], start: int, i: int) -> Remark:

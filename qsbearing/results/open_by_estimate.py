@@ -2,7 +2,8 @@
 hypothesis: open.
 
 What such an effect changes has been solved for remarks, with usual numbers where its own are not known
-(`qsbearing.model.solution.changes`); here the required result is read off these solutions too.
+(`qsbearing.model.solution.changes`); here the required result is read off these solutions too. Where balls that friction
+moves do not know an effect, friction's result is moved by its change under outer control.
 """
 
 from __future__ import annotations
@@ -13,7 +14,15 @@ from typing import Any
 import numpy as np
 
 from qsbearing.model.effects import EFFECTS
-from qsbearing.model.solution.changes import Change, changes, known_changes, requested, rows_of
+from qsbearing.model.solution.changes import (
+    Change,
+    beside_friction,
+    changes,
+    is_unknown_to_friction,
+    known_changes,
+    requested,
+    rows_of,
+)
 from qsbearing.model.solution.judgement import judge
 from qsbearing.model.solution.limit import Answer, Standing, WhyOpen, answers
 from qsbearing.remarks.missing_effects import MOST_CASES
@@ -45,7 +54,8 @@ def _solve_small_ones(solution: Any, least: float) -> None:
     if getattr(solution, "choice", None) is not None:
         return
     for entry in EFFECTS:
-        if entry.hypothesis or not entry.can_be_added(of):
+        is_unknown = not entry.needs and is_unknown_to_friction(entry, solution)
+        if entry.hypothesis or not (entry.can_be_added(of) or is_unknown):
             continue
         if max(float(np.max(judge(entry, row).largest)) for row in rows_of(solution)) > least:
             changes(entry, solution)
@@ -58,8 +68,16 @@ def _otherwise(solution: Any, met: Sequence[Answer]) -> Iterator[tuple[str, Answ
         for change in several:
             if change.solution is None or change.solution is solution or not np.all(change.is_solved):
                 continue
-            for answer in answers(change.solution, limits, all_taken(change.solution)):
+            with_it = answers(change.solution, limits, all_taken(change.solution))
+            if change.against is not None:
+                without = answers(change.against, limits, all_taken(change.against))
+                with_it = [_beside(*each) for each in zip(met, without, with_it, strict=True)]
+            for answer in with_it:
                 yield name, answer, change
+
+
+def _beside(own: Answer, without: Answer, with_it: Answer) -> Answer:
+    return own.moved_to(float(beside_friction(own.value, without.value, with_it.value, own.place.result.is_signed)))
 
 
 def _judged(given: Answer, otherwise: Iterable[tuple[str, Answer, Change]]) -> Answer:
@@ -68,4 +86,6 @@ def _judged(given: Answer, otherwise: Iterable[tuple[str, Answer, Change]]) -> A
         return given
     name, worst, change = min(missed, key=lambda each: each[1].spare)
     values = {"effect": name, "under": change.under, "found": worst.value}
+    if change.against is not None:
+        values["change_under"] = str(requested(change.against).raceway_control)
     return given._replace(state=Standing.OPEN, reason=WhyOpen("estimate", values))

@@ -25,7 +25,7 @@ SENTENCES = {
     "arguments_missing": "give [readings.{reading}] what it is computed from{missing}",
     "not_solved": "there is no solution to read it off",
     "no_number": "it has no number here",
-    "estimate": "{what} it would be {found}{unit}",
+    "estimate": "{what} it would be {found}{unit}{by}",
 }
 """Why a limit is open, by `limit.OPEN`."""
 COLOURS = {Standing.MET: "pass", Standing.NOT_MET: "fail", Standing.OPEN: "finding"}
@@ -170,6 +170,7 @@ def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
         "what": what,
         "found": numbers_of(answer._replace(value=values["found"]))[0],
         "unit": f" {unit}" if unit else "",
+        "by": f" by its change under {values['change_under']} control" if "change_under" in values else "",
     }
 
 

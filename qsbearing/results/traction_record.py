@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Block, Paragraph, Table
-from qsbearing.model.effects.traction import ACCURACY, ANGLES, FRICTION_COEFFICIENT, LARGEST_ERROR, RADII, Traction
+from qsbearing.model.effects.traction import ANGLES, FRICTION_COEFFICIENT, RADII, Traction, TractionLaw
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.friction_band import Band, friction_band
+from qsbearing.model.solution.point_errors import errors_of_points
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
@@ -45,20 +46,23 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
         "law": str(law.law),
         "friction_coefficient": number(mu[index]),
         "friction_coefficient_is_assumed": law.is_assumed,
-        "contact_points": _points(law),
+        "contact_points": _points(law, whole["gyroscopic_margin"]),
     }
     return {**whole, **how, "band": band_record(friction_band(solution), index), "balls": balls}
 
 
-def _points(law: Traction) -> dict[str, Any]:
-    """Of each contact; and the relative errors that they leave in displacements, where they are known."""
-    is_usual = (law.radial_points, law.points_around) == (RADII, ANGLES)
-    return {
-        "along_radius": law.radial_points,
-        "around": law.points_around,
-        "relative_error": ACCURACY if is_usual else None,
-        "largest_relative_error": LARGEST_ERROR if is_usual else None,
-    }
+def _points(law: Traction, margin: float | None) -> dict[str, Any]:
+    """Of each contact; and the relative errors that they leave in random thrust cases, where they are known: for
+    displacements those in 95 of 100 and the largest, then all."""
+    points: dict[str, Any] = {"along_radius": law.radial_points, "around": law.points_around}
+    if (law.radial_points, law.points_around) != (RADII, ANGLES) or law.law is TractionLaw.LINEAR:
+        return points | {"relative_error": None, "largest_relative_error": None, "random_cases": None}
+    of = errors_of_points(np.nan if margin is None else margin)
+    usual = of.errors["displacement"]
+    errors = {name.replace(" ", "_"): each._asdict() for name, each in of.errors.items()}
+    random_cases = {"balls": of.balls, "cases": of.cases, "relative_errors": errors}
+    told = {"relative_error": usual.in_95_of_100, "largest_relative_error": usual.largest}
+    return points | told | {"random_cases": random_cases}
 
 
 def band_record(band: Band | None, index: CasePlace = ()) -> dict[str, Any] | None:
@@ -111,9 +115,20 @@ def _band_table(band: dict[str, Any] | None) -> Table | None:
 def _how(balance: dict[str, Any]) -> str:
     points, law = balance["contact_points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
     said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
-    if points["relative_error"] is not None:
-        said += f"; they leave an error of about {100.0 * points['relative_error']:g} % in displacements, up to "
-        said += f"{100.0 * points['largest_relative_error']:g} % in random thrust cases"
+    if points["random_cases"] is not None:
+        said += f". {_errors_said(points['random_cases'])}"
     if balance["friction_coefficient_is_assumed"]:
         said += f". The friction coefficient of {FRICTION_COEFFICIENT:g} is assumed"
     return f"{said}."
+
+
+def _errors_said(of: dict[str, Any]) -> str:
+    """What the points err by in random cases alike."""
+    said = [
+        f"{name.replace('_', ' ')} {100.0 * each['in_95_of_100']:.2g} % ({100.0 * each['largest']:.2g} %)"
+        for name, each in of["relative_errors"].items()
+    ]
+    return (
+        f"In 95 of 100 (in all) of {of['cases']:,} random thrust cases whose balls {of['balls']}, as here, these "
+        f"points err by less than: {', '.join(said)}"
+    )

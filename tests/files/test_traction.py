@@ -16,7 +16,8 @@ from qsbearing.files.scene_file import SceneFileError, scene_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.schema import scene_schema
 from qsbearing.files.toml import read_toml
-from qsbearing.model.effects.traction import ACCURACY, ANGLES, LARGEST_ERROR, RADII
+from qsbearing.model.effects.traction import ANGLES, RADII
+from qsbearing.model.solution.point_errors import CREEP, errors_of_points
 from qsbearing.results.json_record import record
 from qsbearing.results.report import result
 from qsbearing.studies.results import known_results
@@ -81,15 +82,27 @@ def test_thrust_to_five_digits(law: dict[str, Any], case: Any, wanted: list[floa
     speed = case[1] if len(case) > 1 else 10_000.0
     fine, usual = solved(law | FINE, *case), solved(law, *case)
     np.testing.assert_allclose(numbers_of(fine, speed), wanted, rtol=1e-5)
-    np.testing.assert_allclose(numbers_of(usual, speed), wanted, rtol=LARGEST_ERROR)
+    # As in 95 of 100 random cases that creep, as six of these seven do; angles as the loads that turn them.
+    errors, found = CREEP.errors, numbers_of(usual, speed)
+    np.testing.assert_allclose(found[0], wanted[0], rtol=errors["displacement"].in_95_of_100)
+    np.testing.assert_allclose(found[1:], wanted[1:], rtol=errors["contact loads"].in_95_of_100)
 
 
 def test_the_accuracy_of_the_usual_points_is_stated() -> None:
-    fine, usual = solved(FINE), solved({})
-    np.testing.assert_allclose(numbers_of(usual, 1e4), numbers_of(fine, 1e4), rtol=ACCURACY)
-    errors = {"relative_error": ACCURACY, "largest_relative_error": LARGEST_ERROR}
-    assert usual["traction"]["contact_points"] == {"along_radius": RADII, "around": ANGLES, **errors}
+    """That of cases alike: B218 creeps at 10,000 rpm, not at 3,000."""
+    for speed, of_points in ((1e4, errors_of_points(1.0)), (3e3, errors_of_points(8.7))):
+        usual = solved({}, 17.8e3, speed)
+        said = usual["traction"]["contact_points"]
+        errors = of_points.errors["displacement"]
+        assert (said["relative_error"], said["largest_relative_error"]) == (errors.in_95_of_100, errors.largest)
+        assert said["random_cases"]["cases"] == of_points.cases
+        assert said["random_cases"]["relative_errors"]["radial_stiffness"]["largest"] > 0.1
+        assert (said["along_radius"], said["around"]) == (RADII, ANGLES)
+    fine, text = solved(FINE), str(result(qs.solve(scene_of(tables({}), "a file")), {}))
     assert fine["traction"]["contact_points"]["relative_error"] is None
+    for name, each in CREEP.errors.items():
+        assert f"{name} {100.0 * each.in_95_of_100:.2g} % ({100.0 * each.largest:.2g} %)" in " ".join(text.split())
+    assert solved({"law": "linear"})["traction"]["contact_points"]["random_cases"] is None
 
 
 def test_motion_and_heat_of_a_ball_to_five_digits() -> None:
@@ -99,7 +112,7 @@ def test_motion_and_heat_of_a_ball_to_five_digits() -> None:
     found = [outer["across_N"], inner["across_N"], outer["along_N"], outer["heat_W"], inner["heat_W"]]
     np.testing.assert_allclose(found, [-110.37176, -37.96087, 1.66773, 45.90787, 107.26439], rtol=1e-5)
     wx, wy, wz = -2.4607050, 0.0260416, 1.5192953
-    angles = [ball["attitude_deg"], ball["yaw_deg"]]
+    angles = [ball["attitude_angle_deg"], ball["yaw_angle_deg"]]
     np.testing.assert_allclose(angles, np.degrees([np.arctan2(wz, -wx), np.arctan2(wy, -wx)]), rtol=1e-5)
     assert of["balls"][0]["rotation_speed_rpm"] == pytest.approx(-rpm * np.hypot(np.hypot(wx, wz), wy), rel=1e-5)
     assert of["balls"][0]["gyroscopic_moment_Nmm"] == pytest.approx(-1643.151, rel=1e-5)
@@ -119,7 +132,7 @@ def test_balls_carried_round_to_the_digits_of_the_trial() -> None:
     np.testing.assert_allclose(
         [each["inner"]["load_N"] for each in quarters], [1974.96, 1385.49, 1026.73, 1397.21], rtol=1e-5
     )
-    axes = [of["traction"]["balls"][k]["attitude_deg"] for k in (0, 4, 8, 12)]
+    axes = [of["traction"]["balls"][k]["attitude_angle_deg"] for k in (0, 4, 8, 12)]
     np.testing.assert_allclose(axes, [31.265, 31.990, 31.464, 30.524], atol=2e-3)
     orbits = [each["orbital_speed_rpm"] / 1e4 for each in quarters]
     np.testing.assert_allclose(orbits, [0.441464, 0.444415, 0.450439, 0.448085], rtol=1e-5)
@@ -215,7 +228,7 @@ def test_each_number_is_in_text_record_and_names() -> None:
         values = names[name].of(solution)
         assert values is not None and np.isfinite(values).all()
     columns = solution.to_dataframe().columns
-    assert {"inner_traction_heat_W", "traction_attitude_deg", "traction_cage_speed_rpm"} <= set(columns)
+    assert {"inner_traction_heat_W", "traction_attitude_angle_deg", "traction_cage_speed_rpm"} <= set(columns)
     assert "inner_traction_friction_use" in solution.to_xarray()
 
 
@@ -246,4 +259,5 @@ def test_toml_is_read_as_it_stands(tmp_path: Path) -> None:
     )
     assert read_toml(file)["effects"]["raceway_control"] == "friction"
     scene = qs.load_scene(file)
-    assert scene.traction is None and qs.solve(scene).displacement[0] / qs.um == pytest.approx(19.4449, rel=ACCURACY)
+    error = CREEP.errors["displacement"].in_95_of_100
+    assert scene.traction is None and qs.solve(scene).displacement[0] / qs.um == pytest.approx(19.4449, rel=error)

@@ -10,6 +10,7 @@ import qsbearing as qs
 from qsbearing.documents.guide import topics
 from qsbearing.files.file_keys import numbers
 from qsbearing.model.effects import GyroscopicMoment
+from qsbearing.model.solution.friction_balance import FrictionMotion
 from qsbearing.model.solution.groups import CONTACT, OF_BALL
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, Result, place_of
 from qsbearing.readings.asked import READINGS, every_group
@@ -20,7 +21,7 @@ from tests.guide.pages import GUIDE
 LINES = re.findall(r"^\| (.+?) \| (`.+?`) \| .*? \| (.+?) \|$", (GUIDE / "symbols.md").read_text("utf-8"), re.MULTILINE)
 WRITTEN = {"um": "µm", "Mrev": "million revolutions", "1": "-", "": "-", "balls": "-"}
 """Units that the page writes otherwise."""
-OTHERS = (qs.Solution, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
+OTHERS = (qs.Solution, FrictionMotion, qs.RacewayContacts, qs.PointContact, qs.Scene, GyroscopicMoment)
 
 
 def described() -> list[Result]:

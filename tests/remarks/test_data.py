@@ -136,6 +136,7 @@ def of_solutions() -> Iterator[Any]:
     one = replace(B218, ball_count=1)
     held = qs.Operation(axial_displacement=2e-5, radial_displacement_y=0.0, tilt_y=0.0, tilt_z=0.0)
     moment, speeds = (qs.GyroscopicMoment(),), np.array([500.0, 1000.0, 3000.0, 6000.0])
+    thrusts = np.array([2e3, 2e4])
     rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=20 * qs.um, yield_strength=600e6)
     heavy, fast = qs.Operation(axial_load=np.array([40e3, 600e3])), qs.Operation(speed=60e3 * qs.rpm, axial_load=5e3)
     tight = qs.BallBearing.from_diametral_clearance(
@@ -153,7 +154,7 @@ def of_solutions() -> Iterator[Any]:
         turning(8000, axial_load=2e3, radial_load_y=4e3, **UPRIGHT),
         turning(9000, effects=(qs.GyroscopicMoment(friction_coefficient=0.02),), axial_load=2e3),
         turning(speeds, effects=moment, control=INNER, axial_load=200.0),
-        replace(turning(6000, axial_load=2e3), raceway_control="friction", traction=qs.Traction(cage_drag=14.0)),
+        replace(turning(6000, axial_load=thrusts), raceway_control="friction", traction=qs.Traction(cage_drag=14.0)),
         qs.Scene(B218, heavy, ring_effects=(rings,)),
         qs.Scene(B218, fast, ring_effects=(rings,)),
         qs.Scene(B218, qs.Operation(), ring_effects=(rings,), preload=qs.Preload(rigid=300.0)),
@@ -162,8 +163,7 @@ def of_solutions() -> Iterator[Any]:
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
         qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
-    for interference in (-1 * qs.um, -18 * qs.um):
-        yield in_housing(interference, radial_load_y=10e3)
+    yield from (in_housing(interference, radial_load_y=10e3) for interference in (-1 * qs.um, -18 * qs.um))
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
     across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
     yield qs.solve_set(qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), across))

@@ -35,7 +35,7 @@ def test_a_sweep_from_rest_over_the_coefficient(tmp_path: Path) -> None:
     assert float(last["traction_heat"]) == pytest.approx(float(one.friction.heat))
     assert float(last["ring_displacement_axial"]) == pytest.approx(one.displacement[0] / qs.um)
     every = qs.sweep(replace(study, quantities=()), out=tmp_path / "every.nc")
-    assert {"traction_heat", "inner_traction_friction_use", "traction_attitude"} <= set(every)
+    assert {"traction_heat", "inner_traction_friction_use", "traction_attitude_angle"} <= set(every)
     many = qs.solve(scene_of(tables({"friction_coefficient": 0.07}), "a file"))
     assert float(many.to_xarray()["traction_friction_coefficient"]) == 0.07
     still = data.isel(speed_rpm=0)

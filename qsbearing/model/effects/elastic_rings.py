@@ -395,4 +395,5 @@ ENTRY = Entry(
     needs_beside_size=given(ElasticRings, " with how the rings are held", housing=FREE),
     without_it="rings and their seats are taken as rigid; their deflection",
     assume=_usual,
+    goes_with_friction=False,
 )

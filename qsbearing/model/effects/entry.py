@@ -105,6 +105,8 @@ class Entry:
     solved again."""
     hypothesis: str = ""
     """Set for a choice among hypotheses, of which the model cannot tell which is true: why not."""
+    goes_with_friction: bool = True
+    """Whether balls that friction moves know it; of a choice its members tell."""
     saves_time: bool = True
     """Whether a scene is solved faster without it; what saves nothing is never left out."""
 

@@ -179,4 +179,5 @@ ENTRY = Entry(
     indicator=error_in("pressure", _errors, 2.0),
     errors=_errors,
     needs=given(BallDiameterDeviations, ", a number for each ball"),
+    goes_with_friction=False,
 )

@@ -3,11 +3,15 @@ scene or set with each.
 
 Where an effect's parameters are not known, usual ones are assumed (`Entry.assume`). A solve takes about as long as the
 first one did, and is right where an estimate is not: under radial loads bent rings share the load anew.
+
+Balls that friction moves do not know some effects. What these change is found under outer control, by a solve without
+and one with them. What friction gives is moved by as much, or in proportion where its sign is no direction
+(`beside_friction`): rings that bend are in series with contacts, whose stiffness is another under friction.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -16,6 +20,8 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects import Entry
 from qsbearing.model.effects.entry import Assumed, has_size
+from qsbearing.model.effects.hypotheses import FRICTION, under_control
+from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.validation import SceneError
 
@@ -39,6 +45,9 @@ class Change:
     """The diagonal of the stiffness with it; shape (*cases, 5). None where nothing was solved."""
     solution: Any = None
     """With it, of few cases; None where nothing was solved."""
+    against: Any = None
+    """The solution under outer control that `solution` is compared with, where balls that friction moves do not know it;
+    displacement and stiffness are then `beside_friction`. None else."""
 
     @property
     def largest(self) -> NDArray:
@@ -50,6 +59,8 @@ class Change:
 
 _KNOWN: WeakKeyDictionary[Any, dict[str, list[Change]]] = WeakKeyDictionary()
 """A solution is asked for its remarks more than once, and for each of its cases."""
+_UNDER_OUTER: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()
+"""Of solutions whose balls friction moves."""
 
 
 def changes(entry: Entry, solution: Any) -> list[Change]:
@@ -60,8 +71,63 @@ def changes(entry: Entry, solution: Any) -> list[Change]:
     """
     known = _KNOWN.setdefault(solution, {})
     if entry.name not in known:
-        known[entry.name] = [_change(each, solution) for each in _with_it(entry, solution)]
+        base = _judged_at(entry, solution)
+        known[entry.name] = [_beside(_change(each, base), base, solution) for each in _with_it(entry, base)]
     return known[entry.name]
+
+
+def is_unknown_to_friction(entry: Entry, solution: Any) -> bool:
+    """Whether friction moves the balls, and an effect or a member of a choice goes with hypotheses alone."""
+    of = requested(solution)
+    if of.raceway_control != FRICTION or entry.hypothesis or not entry.applies(of):
+        return False
+    members = entry.switch.members
+    if members is None:
+        return not entry.goes_with_friction
+    return len(members.others(under_control(of, RacewayControl.OUTER))) > len(members.others(of))
+
+
+def _judged_at(entry: Entry, solution: Any) -> Any:
+    """The solution, or that under outer control."""
+    if not is_unknown_to_friction(entry, solution):
+        return solution
+    if solution not in _UNDER_OUTER:
+        under = under_control(requested(solution), RacewayControl.OUTER)
+        _UNDER_OUTER[solution] = solution.solve_alike(under)
+    return _UNDER_OUTER[solution]
+
+
+def _beside(change: Change, base: Any, solution: Any) -> Change:
+    """A change of another solution, as that of this one, whose cases are those of a law of friction besides."""
+    if base is solution or change.displacement is None or change.stiffness is None:
+        return change
+    own = np.diagonal(solution.stiffness, axis1=-2, axis2=-1)
+    is_known = np.asarray(base.converged)
+    errors = {name: np.where(is_known, each, 0.0) for name, each in change.errors.items()}
+    return replace(
+        change,
+        errors={name: np.broadcast_to(each, solution.shape) for name, each in errors.items()},
+        is_solved=np.broadcast_to(change.is_solved & is_known, solution.shape),
+        displacement=beside_friction(solution.displacement, base.displacement, change.displacement, True),
+        stiffness=beside_friction(own, np.diagonal(base.stiffness, axis1=-2, axis2=-1), change.stiffness, False),
+        against=base,
+    )
+
+
+def beside_friction(own: Any, without: Any, with_it: Any, is_signed: bool) -> NDArray:
+    """What friction gives, with the change by an effect that it does not know: from one number under outer control to
+    another.
+
+    Args:
+        is_signed: the sign is a direction, so that the number may pass through zero: it changes by as much; else in
+            proportion, where there is something.
+    """
+    own, without, with_it = np.asarray(own, float), np.asarray(without, float), np.asarray(with_it, float)
+    by_difference = own + (with_it - without)
+    if is_signed:
+        return by_difference
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(without == 0.0, by_difference, own * (with_it / without))
 
 
 def alternatives(entry: Entry, solution: Any) -> list[Change]:
@@ -75,7 +141,8 @@ def alternatives(entry: Entry, solution: Any) -> list[Change]:
     """
     known = _KNOWN.setdefault(solution, {})
     if entry.name not in known:
-        known[entry.name] = _against_others(entry, solution)
+        base = _judged_at(entry, solution)
+        known[entry.name] = [_beside(each, base, solution) for each in _against_others(entry, base)]
     return known[entry.name]
 
 

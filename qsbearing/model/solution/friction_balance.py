@@ -135,7 +135,7 @@ class FrictionMotion:
 
     @property
     def yaw_angle(self) -> NDArray:
-        """tan = wy/(-wx), of the axis out of that plane."""
+        """beta', tan(beta') = wy/(-wx), of the axis out of that plane."""
         w, sense = self.angular_velocity, self.sense[..., None]
         return np.arctan2(-sense * w[..., 1], sense * w[..., 0])
 

@@ -130,6 +130,15 @@ class Answer(NamedTuple):
         part, whole = (self.value, self.bound) if self.limit.sense == "<=" else (self.bound, self.value)
         return part / whole if whole > 0.0 else np.inf
 
+    def moved_to(self, value: float) -> Answer:
+        """The answer where the number is this."""
+        moved = self._replace(value=value, state=Standing.MET)
+        return moved._replace(state=Standing.NOT_MET) if moved._is_beyond else moved
+
+    @property
+    def _is_beyond(self) -> bool:
+        return self.margin < -MET * abs(self.bound)
+
     @property
     def unless(self) -> Estimate | None:
         """Beyond the limit, but not beyond another estimate of it: the nearest of these."""
@@ -191,7 +200,7 @@ def _at(solution: Any, limit: Limit, place: Place, readings: Any) -> Answer:
     value, bound = float(values[index]), float(bounds[index])
     worst = _with_index(where, index, solution, place, values)
     answer = Answer(limit, Standing.MET, value, bound, place, worst)
-    if answer.margin < -MET * abs(bound):
+    if answer._is_beyond:
         return answer._replace(state=Standing.NOT_MET)
     return answer if lacks is None else answer._replace(state=Standing.OPEN, reason=lacks)
 

@@ -254,7 +254,8 @@ class Solution(SolutionOfCases):
     )
     attitude_angle = Lazy[NDArray | None](
         "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
-        "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect."
+        "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect. Where "
+        "friction moves balls, the axis also leaves this plane, by `friction.yaw_angle`; omega_R is the whole rotation."
     )
     axial_rotation = Lazy[NDArray | None]("omega_R cos(beta) about +x [rad/s]; None without a ball effect.")
     radial_rotation = Lazy[NDArray | None]("omega_R sin(beta), towards the axis [rad/s]; None without a ball effect.")

@@ -25,9 +25,9 @@ OF_BEARING = (
            path="least_skid_margin", aliases=_aliases("skid_margin")),
 )  # fmt: skip
 OF_BALL = (
-    Result("attitude", "deg", "attitude of the ball's axis, in its plane", r"\beta",
-           path="attitude_angle", is_signed=True, heading="attitude"),
-    Result("yaw", "deg", "yaw of the ball's axis, out of its plane", r"\beta'", path="yaw_angle", is_signed=True),
+    Result("attitude_angle", "deg", "attitude of the ball's axis, in its plane", r"\beta", is_signed=True,
+           heading="attitude"),
+    Result("yaw_angle", "deg", "yaw of the ball's axis, out of its plane", r"\beta'", is_signed=True, heading="yaw"),
     Result("drag", "N", "drag against the ball's orbit", "F_d", is_signed=True),
 )  # fmt: skip
 OF_CONTACT = (

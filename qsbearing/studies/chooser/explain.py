@@ -12,9 +12,17 @@ from qsbearing.documents.numbers import plain
 from qsbearing.files.file_keys import IN_FILE, line
 from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.solve_case import solve_cases
 from qsbearing.model.scene.scene import Scene
-from qsbearing.model.solution.changes import Change, alternatives, changes, has_size_for, requested
+from qsbearing.model.solution.changes import (
+    Change,
+    alternatives,
+    changes,
+    has_size_for,
+    is_unknown_to_friction,
+    requested,
+)
 from qsbearing.model.solution.comparison import by_quantity, moved
 from qsbearing.model.solution.judgement import (
     WORTH_A_WARNING,
@@ -30,7 +38,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import um
 from qsbearing.model.validation import Setting
-from qsbearing.remarks.kinds import needed
+from qsbearing.remarks.sentences import needed
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 from qsbearing.studies.chooser.by_friction import by_friction
@@ -78,6 +86,9 @@ class Assessment:
     """What to give to add it: of what the scene and the catalogue do not have."""
     by_friction: dict[str, Any] | None = None
     """`ByFriction`: of raceway control, what friction itself gives; null else."""
+    under_control: str = ""
+    """"outer" where friction moves the balls and does not know it: all changes are then those under outer control, and
+    displacements and stiffnesses friction's with these changes."""
 
     @property
     def solved(self) -> list[dict[str, float | None]]:
@@ -200,9 +211,14 @@ def row_of(
 ) -> Assessment:
     """The row of what was found of one effect or choice of a scene or set, without predictions and times."""
     error = largest_of(change.assumed) if change.actual is None else float(max(change.actual.values()))
-    lacks_data = entry.needs and not is_in and entry.applies(requested(solution))
+    is_unknown = is_unknown_to_friction(entry, solution)
+    lacks_data = entry.needs and not is_in and entry.applies(requested(solution)) and not is_unknown
     needs = needed(entry, has_size_for(entry, solution), words) if lacks_data else ""
     judged, why = verdict(entry, solution, needs, error, tolerance, change.assumed)
+    if is_unknown and error is not None:
+        judged = DATA_MISSING if judged == NEEDED and entry.needs else judged
+        whats = "".join(f" of {each}" for each in dict.fromkeys(each.what for each in change.assumed) if each)
+        why = f"balls that friction moves do not know it; the numbers are those{whats} under outer control"
     several = change.alternatives or change.assumed
     spans = ranges(solution, several)
     is_open = len(several) > 1 and judged in (NOT_ASSESSED, DATA_MISSING)
@@ -219,12 +235,13 @@ def row_of(
         time_with_over_without=None,
         verdict=judged,
         why="; ".join(filter(None, (why, ", ".join(said), change.beyond))),
-        add=lines_to_add(requested(solution), entry),
+        add=[] if is_unknown else lines_to_add(requested(solution), entry),
         assumed=_told(solution, change.assumed),
         alternatives=others,
         range={name: each.record for name, each in spans.items()},
         displacement_um=in_um(change.moved),
         needs=needs,
+        under_control=str(RacewayControl.OUTER) if is_unknown else "",
     )
 
 

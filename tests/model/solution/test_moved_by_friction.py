@@ -17,6 +17,7 @@ from qsbearing.model.solution.friction_motion import friction_motion
 from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import SceneError
+from qsbearing.studies.results import known_results
 from tests.qsbearing.scenes import B218, UPRIGHT
 
 BOTH = qs.CentrifugalForce(), qs.GyroscopicMoment()
@@ -49,10 +50,16 @@ def test_everything_is_that_of_the_balance(of: dict[str, Any]) -> None:
         np.testing.assert_allclose(contacts.required_friction * contacts.load, np.abs(own.traction))
         np.testing.assert_allclose(np.hypot(contacts.sine, contacts.cosine), 1.0)
     np.testing.assert_array_equal(solution.orbital_speed, motion.orbital_speed)
-    wx, _, wz = np.moveaxis(motion.angular_velocity, -1, 0)
+    wx, wy, wz = np.moveaxis(motion.angular_velocity, -1, 0)
     np.testing.assert_array_equal(solution.axial_rotation, wx)
     np.testing.assert_array_equal(solution.radial_rotation, -wz)
     np.testing.assert_allclose(np.tan(solution.attitude_angle), -wz / wx)
+    np.testing.assert_allclose(np.tan(motion.yaw_angle), -wy / wx)
+    along = np.stack([np.ones_like(wx), -np.tan(motion.yaw_angle), -np.tan(solution.attitude_angle)], axis=-1)
+    np.testing.assert_allclose(np.cross(along, motion.angular_velocity), 0.0, atol=1e-9 * np.abs(wx).max())
+    names = known_results(solution)
+    for name, values in (("attitude_angle", solution.attitude_angle), ("yaw_angle", motion.yaw_angle)):
+        np.testing.assert_allclose(names[f"traction_{name}"].of(solution), np.degrees(values))
     # As Jones has it: omega_R and Mg negative under a turning inner ring.
     assert (solution.rotation_speed < 0.0).all() and (solution.gyroscopic_moment < 0.0).all()
     hypothesis = qs.solve(replace(moved(None, of), raceway_control="outer"))

@@ -17,6 +17,7 @@ from fem_check.report import evidence, questions
 from fem_check.report.figures import sector as sector_figures
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
+from qsbearing.model.solution.point_errors import CREEP, HELD
 from tests.guide import interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
@@ -293,9 +294,20 @@ def tilts() -> str:
     return markdown(["`tilt`", "rpm", "difference, %"], rows)
 
 
+def errors_of_points() -> str:
+    """Of friction with the usual points of a contact."""
+    rows = [
+        [f"{of.balls}, {of.cases:,} cases", name, *(f"{100.0 * part:.2g} %" for part in each)]
+        for of in (HELD, CREEP)
+        for name, each in of.errors.items()
+    ]
+    return markdown(["balls", "error of", "median", "in 95 of 100 less than", "largest"], rows)
+
+
 PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},
     "accuracy.md": {"cost": lambda: cost.table(cost.load())},
+    "ball_axis.md": {"errors of points": errors_of_points},
     "timing.md": {
         "timing": timing,
         "before": lambda: before.table(before.load()),
