@@ -29,7 +29,7 @@ def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
     """
     from qsbearing.documents.guide import meant_by, topics
     from qsbearing.model.validation import alike, question
-    from qsbearing.results.guide_lists import LISTS
+    from qsbearing.reports.guide_lists import LISTS
 
     pages = topics(lists=LISTS)
     text = ""
@@ -64,7 +64,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     from qsbearing.documents.guide import HOME, documents, file_of
     from qsbearing.documents.pages import pages
     from qsbearing.model.version import __version__
-    from qsbearing.results.guide_lists import LISTS
+    from qsbearing.reports.guide_lists import LISTS
 
     into = folder(target) if target is not None else _own_folder()
     made = pages(documents(__version__, lists=LISTS), HOME)

@@ -16,6 +16,7 @@ from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.units import mm, um
+from qsbearing.remarks.kinds import NOTE, Kind
 from qsbearing.remarks.remark import Warned, remark
 from qsbearing.remarks.wording import listed
 
@@ -26,6 +27,8 @@ _OWN = _OWN.union(*COEFFICIENTS.values()) - {"groove_radius_coefficient"}
 _TOLD = {_DYNAMIC, _STATIC, "rating_practice", "outer_ball_pass", "inner_ball_pass"}
 """What stands in place of printed ratings."""
 _ANGLE = ("free_contact_angle_deg", "diametral_clearance_mm", "clearance_class")
+
+SHEET_BY_NAME = Kind("sheet_by_name", NOTE, "data_sheet", "taken from the name alone: {what}")
 
 
 def designation_of(given: Mapping[str, Any]) -> Designation | None:
@@ -103,4 +106,4 @@ def said_by_name(given: Mapping[str, Any], sheets: list[dict[str, Any]], clearan
         limits = f"{least / um:.0f} to {most / um:.0f} µm"
         taken.append(f"clearance {clearance['clearance_class']} of ISO 5753-1, {limits}")
     known = [each for each in taken if each]
-    return [remark("sheet_by_name", what=listed(known)).said()] if known else []
+    return [remark(SHEET_BY_NAME, what=listed(known)).said()] if known else []

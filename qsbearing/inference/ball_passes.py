@@ -17,6 +17,7 @@ from qsbearing.inference.ball_sets import sizes_of
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.model.units import mm
 from qsbearing.model.validation import ErrorDetail, SceneError
+from qsbearing.remarks.kinds import NOTE, Kind
 from qsbearing.remarks.remark import Warned, remark
 
 WHOLE = 0.005
@@ -27,6 +28,11 @@ SPIN_AGREEMENT = 0.005
 """Part by which a printed ball spin may differ."""
 PITCH_AGREEMENT = 0.01
 """Likewise a given pitch diameter, where the ball diameter is given too."""
+
+SHEET_SPIN_TWICE = Kind(
+    "sheet_spin_twice", NOTE, "data_sheet",
+    "ball_spin = {printed:g} is read as twice how often a ball turns about itself, {spin:.4g}",
+)  # fmt: skip
 
 
 def with_ball_set(sheet: DataSheet, remarks: list[Warned]) -> DataSheet:
@@ -84,7 +90,7 @@ def _check_spin(sheet: DataSheet, ratio: float, remarks: list[Warned]) -> None:
     for times in (1, 2):
         if abs(sheet.ball_spin / (times * spin) - 1.0) <= SPIN_AGREEMENT:
             if times == 2:
-                remarks.append(remark("sheet_spin_twice", printed=sheet.ball_spin, spin=spin).said())
+                remarks.append(remark(SHEET_SPIN_TWICE, printed=sheet.ball_spin, spin=spin).said())
             return
     problem = f"does not agree with the ball passes, which make {spin:.4g}, or twice that"
     raise SceneError([ErrorDetail("bearing.ball_spin", problem, sheet.ball_spin)])

@@ -28,8 +28,9 @@ from qsbearing.inference.proportions import likely_sets, proportions_of
 from qsbearing.inference.ratings_fit import Fitted, fitted, joined, of_known_balls
 from qsbearing.inference.rigidity import grooves_of_rigidity, kind_of, pair_rigidity
 from qsbearing.model.bearing import BallBearing, BearingKind, Outline
-from qsbearing.model.validation import LENGTH, ErrorDetail, SceneError, raise_if_any
+from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Setting, raise_if_any
 from qsbearing.readings.dynamic_rating import dynamic_load_rating
+from qsbearing.remarks.kinds import CHECK, NOTE, Kind
 from qsbearing.remarks.remark import Warned, remark
 
 TYPICAL_PRELOAD = 0.01
@@ -38,6 +39,26 @@ MOST_LISTED = 30
 """Sets; those with the largest misfit are left out."""
 GROOVES = [1, 0, 2]
 """The three cases of a set: its usual groove radius, the least and the largest."""
+
+SHEET_SETS_LEFT_OUT = Kind(
+    "sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"
+)
+SHEET_GROOVE_ASSUMED = Kind(
+    "sheet_groove_assumed", NOTE, "data_sheet",
+    "the ratings do not tell the groove radius: f = {least:.3f} to {most:.3f} is assumed",
+)  # fmt: skip
+SHEET_GUESSED = Kind(
+    "sheet_guessed", CHECK, "data_sheet",
+    "the ratings of this bearing are not known here: its balls are guessed by the proportions of its series, for "
+    "stiffness and pressure, not for life. Printed ratings replace the guess: {field} and the static one",
+    field=Field("bearing.dynamic_load_rating"),
+)  # fmt: skip
+SHEET_RATINGS_UNSTATED = Kind(
+    "sheet_ratings_unstated", CHECK, "data_sheet",
+    "nothing states what the ratings mean: they agree with the standards, perhaps by chance, and are read so and "
+    "as those of the bearing's own grooves. Add whose they are, such as {field}",
+    field=Setting("maker", "SKF"),
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -128,7 +149,7 @@ def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
     sheet, *others = completed
     fits = _of_makers([_fits(each, remarks) for each in completed], completed) if others else _fits(sheet, remarks)
     if fits.misfit.size > MOST_LISTED:
-        remarks.append(remark("sheet_sets_left_out", sets=fits.misfit.size, solved=MOST_LISTED).said())
+        remarks.append(remark(SHEET_SETS_LEFT_OUT, sets=fits.misfit.size, solved=MOST_LISTED).said())
         fits = fits.taken(np.arange(MOST_LISTED))
     known = sheet.groove_radius_coefficient
     if sheet.pair_rigidity is not None and sheet.pair_preload is not None and known is None:
@@ -141,7 +162,7 @@ def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
             problem = f"no ball set of this data sheet has it at its preload, as {_AS_KIND[kind]}, whatever the groove"
             raise SceneError([ErrorDetail("bearing.pair_rigidity", problem, sheet.pair_rigidity, cause=_OTHER_KIND)])
     elif known is None and (fits.practice != RatingPractice.OWN_GROOVE).any():
-        remarks.append(remark("sheet_groove_assumed", least=fits.groove.min(), most=fits.groove.max()).said())
+        remarks.append(remark(SHEET_GROOVE_ASSUMED, least=fits.groove.min(), most=fits.groove.max()).said())
     grooves, clearances = _cases(sheet)
     f = fits.groove[:, grooves].reshape(-1)
     repeated = [np.repeat(each, len(grooves)) for each in (*fits.sets, fits.misfit, fits.practice)]
@@ -215,7 +236,7 @@ def _guessed(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
             problem = f"tells no ball set{known}: none is usual between these rings"
         cause = "Give dynamic_load_rating and static_load_rating, or outer_ball_pass and inner_ball_pass"
         raise SceneError([ErrorDetail("bearing.rating_practice", problem, "proportions", cause=cause)])
-    remarks.append(remark("sheet_guessed").said())
+    remarks.append(remark(SHEET_GUESSED).said())
     return fits
 
 
@@ -225,7 +246,7 @@ def _unstated(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
         problem = "cannot be read: nothing states what the ratings mean, and they are not ISO's as printed"
         cause = f"{how_to_state(sheet.maker)}. Read by the wrong rule, C and C0 give a wrong ball set"
         raise SceneError([ErrorDetail("bearing.dynamic_load_rating", problem, sheet.dynamic_load_rating, cause=cause)])
-    remarks.append(remark("sheet_ratings_unstated").said())
+    remarks.append(remark(SHEET_RATINGS_UNSTATED).said())
     return joined([fitted(sheet, ISO), fitted(sheet, OWN_GROOVE)])
 
 

@@ -18,7 +18,7 @@ from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mrad, rpm, um
-from qsbearing.remarks.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
+from qsbearing.remarks.balls import LEAST_TYPICAL, MOST_TYPICAL
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -61,7 +61,7 @@ CHANNEL_LINES |= {f"moment {axis}": CHANNEL_LINES[f"tilt {axis}"] for axis in "y
 RED = "#b00020"
 """Of limits: where a preload is lost, where temperatures run away, what must not be exceeded."""
 
-SLIP = (FRICTION_IN_DOUBT, FRICTION_BEYOND)
+SLIP = (LEAST_TYPICAL, MOST_TYPICAL)
 """Coefficients of friction of lubricated contacts: between them, gyroscopic slip begins."""
 
 

@@ -42,6 +42,7 @@ from qsbearing.model.validation import LENGTH, ErrorDetail, within
 from qsbearing.readings.ball_motion import AXIS, orbital_speed
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
+from qsbearing.remarks.kinds import CHECK, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 CLEARANCES = (1e-6, 0.1)
@@ -52,6 +53,12 @@ ROUNDING = 1e-12
 """Radians: less is nothing."""
 AT_ONCE = 4096
 """Cases, so that a million of them take little memory."""
+
+BALLS_PRESS_CAGE = Kind(
+    "balls_press_cage", CHECK, "cage_and_grease#balls-and-their-pockets",
+    "from lag to lead the balls need {excursion_mm:.3g} mm of freedom in the cage, whose pockets have "
+    "{clearance_mm:.3g} mm: the cage holds balls back and pulls others along, by forces that are not computed",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -116,7 +123,7 @@ def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
             worst = np.unravel_index(np.nanargmax(np.where(beyond, use, 0.0)), np.shape(use))
             clearance = float(np.broadcast_to(given.pocket_clearance, use.shape)[worst]) / mm
             needed = float(excursion[worst]) / mm
-            said.append((beyond, remark("balls_press_cage", excursion_mm=needed, clearance_mm=clearance)))
+            said.append((beyond, remark(BALLS_PRESS_CAGE, excursion_mm=needed, clearance_mm=clearance)))
     advance = radius[..., None] * own
     gap, on_outer = _of_momentum(solution)
     return BallAdvance(mean, lead, lag, excursion, advance, use, gap, on_outer, remarks(said, solution.shape))

@@ -37,11 +37,16 @@ from qsbearing.model.validation import check_kind
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
+from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 AXIS = ("orbital_speed", "axial_rotation", "radial_rotation")
 """Arrays of the balls that their motion in the contacts follows from."""
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "max_pressure"), AXIS
+
+CONTROL_ASSUMED = Kind(
+    "control_assumed", NOTE, SEE_CHOICES, "no raceway control is named: all spin is put on the inner raceway"
+)
 
 
 @dataclass(frozen=True)
@@ -111,7 +116,7 @@ def motion_arrays(solution: Solution) -> tuple[Any, ...]:
 
 def control_remarks(solution: Solution) -> Remarks:
     """That raceway control was assumed, where it was."""
-    return remarks([(solution.scene.raceway_control is None, remark("control_assumed"))], ())
+    return remarks([(solution.scene.raceway_control is None, remark(CONTROL_ASSUMED))], ())
 
 
 def ring_speeds(solution: Solution) -> tuple[NDArray, NDArray]:

@@ -39,6 +39,7 @@ from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OIL_DENSITY, OilState
+from qsbearing.remarks.kinds import CHECK, INCOMPLETE, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "required_friction"), (*AXIS, "gyroscopic_moment")
@@ -46,6 +47,25 @@ COEFFICIENTS = (1e-3, 1.0)
 SHARES = (0.0, 1.0)
 FACTORS = (1e-6, 1e9)
 """Of makers' least loads [N]."""
+
+AXIS_NOT_HELD = Kind(
+    "axis_not_held", WRONG, SEE_HYPOTHESES,
+    "the gyroscopic moment is larger than the friction of both contacts of a ball holds with the coefficient "
+    "given: balls slip, and do not turn as raceway control has it",
+)  # fmt: skip
+BALLS_SKID = Kind(
+    "balls_skid", WRONG, SEE_HYPOTHESES,
+    "with the least share of oil given, drag is larger than the friction that drives the balls: they skid",
+)  # fmt: skip
+BALLS_MAY_SKID = Kind(
+    "balls_may_skid", INCOMPLETE, SEE_HYPOTHESES,
+    "with the most oil given, though not with the least, drag is larger than the friction that drives the balls: "
+    "they may skid",
+)  # fmt: skip
+LEAST_LOAD_MISSED = Kind(
+    "least_load_missed", CHECK, SEE_HYPOTHESES,
+    "the axial load is below the least one by the maker's factor: balls may skid",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -196,12 +216,12 @@ def _found(
     moment: NDArray | None, least: NDArray | None, most: NDArray | None, of_load: NDArray | None
 ) -> Iterator[tuple[Any, Remark]]:
     if moment is not None:
-        yield moment > 1.0, remark("axis_not_held")
+        yield moment > 1.0, remark(AXIS_NOT_HELD)
     if least is not None and most is not None:
-        yield least > 1.0, remark("balls_skid")
-        yield (least <= 1.0) & (most > 1.0), remark("balls_may_skid")
+        yield least > 1.0, remark(BALLS_SKID)
+        yield (least <= 1.0) & (most > 1.0), remark(BALLS_MAY_SKID)
     if of_load is not None:
-        yield of_load > 1.0, remark("least_load_missed")
+        yield of_load > 1.0, remark(LEAST_LOAD_MISSED)
 
 
 ENTRY = Reading(

@@ -40,6 +40,7 @@ from qsbearing.readings.ellipse_sliding import (
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, MOVED, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
+from qsbearing.remarks.kinds import INCOMPLETE, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
@@ -51,6 +52,17 @@ MOST_HEAT = 2.8
 """Heat by a balance of friction over that by raceway control: the most in a trial of both; no bound is known."""
 PARTS = (0.0, 1.0)
 """Of a load, or of what is stored."""
+
+FRICTION_GIVEN_EXCEEDED = Kind(
+    "friction_given_exceeded", WRONG, SEE_HYPOTHESES,
+    "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
+    "slips, and the heat of this slip is not included",
+)  # fmt: skip
+FRICTION_MAY_BE_LOW = Kind(
+    "friction_may_be_low", INCOMPLETE, SEE_HYPOTHESES,
+    "at {raceways:an} contact the gyroscopic moment requires more than half of the friction coefficient given: "
+    "balls creep, and the friction may be too low, up to {times:g} times",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -211,8 +223,8 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
             available = np.asarray(mu, float)[..., None]
             slips = (side.required_friction > available).any(axis=-1)
             creeps = (side.required_friction > CREEP * available).any(axis=-1)
-            holding.append((slips, remark("friction_given_exceeded", name)))
-            holding.append((creeps & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
+            holding.append((slips, remark(FRICTION_GIVEN_EXCEEDED, name)))
+            holding.append((creeps & ~slips, remark(FRICTION_MAY_BE_LOW, name, times=MOST_HEAT)))
     return holding
 
 

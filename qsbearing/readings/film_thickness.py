@@ -47,6 +47,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
+from qsbearing.remarks.kinds import CHECK, NOTE, SEE_CHOICES, WRONG, Kind
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 MIXED = 1.0
@@ -60,6 +61,24 @@ WARM_INLET = 0.9
 """Reduction by the heat of the inlet, or SKF's factor for it, below which it is said (chosen: 10 %)."""
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis"), AXIS
+
+PRESSURE_VISCOSITY_ESTIMATED = Kind(
+    "pressure_viscosity_estimated", CHECK, SEE_CHOICES,
+    "the pressure-viscosity coefficient is an estimate for mineral oil, good to some 30 % (15 % of the film "
+    "thickness)",
+)  # fmt: skip
+FILM_ISOTHERMAL = Kind(
+    "film_isothermal", WRONG, SEE_CHOICES,
+    "SKF's inlet shear heating factor is below {limit:g}: the true film is thinner than this isothermal one",
+)  # fmt: skip
+FILM_REDUCED = Kind(
+    "film_reduced", NOTE, SEE_CHOICES,
+    "inlet heating reduces the film of {raceways:an} contact by more than {limit_percent:.0f} %; published "
+    "factors of this reduction differ by {spread_percent:.0f} %",
+)  # fmt: skip
+FILM_THIN = Kind(
+    "film_thin", NOTE, SEE_CHOICES, "a film parameter is below 1: asperities touch over much of {raceways:that} contact"
+)
 
 
 @dataclass(frozen=True)
@@ -257,16 +276,16 @@ def _raceway(
 def _found(oil: OilState, inner: RacewayFilm, outer: RacewayFilm, factor: NDArray | None) -> list[tuple[Any, Remark]]:
     holding: list[tuple[Any, Remark]] = []
     if oil.is_estimated:
-        holding.append((True, remark("pressure_viscosity_estimated")))
+        holding.append((True, remark(PRESSURE_VISCOSITY_ESTIMATED)))
     if factor is not None and inner.thermal_reduction is None:
-        holding.append((factor < WARM_INLET, remark("film_isothermal", limit=WARM_INLET)))
+        holding.append((factor < WARM_INLET, remark(FILM_ISOTHERMAL, limit=WARM_INLET)))
     spread = {"limit_percent": 100.0 * (1.0 - WARM_INLET), "spread_percent": 100.0 * FACTOR_SPREAD}
     for name, raceway in (("inner", inner), ("outer", outer)):
         if raceway.thermal_reduction is not None:
             heated = (raceway.thermal_reduction < WARM_INLET).any(axis=-1)
-            holding.append((heated, remark("film_reduced", name, **spread)))
+            holding.append((heated, remark(FILM_REDUCED, name, **spread)))
         if raceway.film_parameter is not None:
-            holding.append(((raceway.film_parameter < MIXED).any(axis=-1), remark("film_thin", name)))
+            holding.append(((raceway.film_parameter < MIXED).any(axis=-1), remark(FILM_THIN, name)))
     return holding
 
 

@@ -26,6 +26,7 @@ from qsbearing.model.validation import (
     RATIO,
     SPEED,
     ErrorDetail,
+    Field,
     Quantity,
     check_kind,
     choose,
@@ -40,7 +41,19 @@ from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.static_rating import static_equivalent_load
+from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, WRONG, Kind
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+
+SPEED_RATING_UNKNOWN = Kind(
+    "speed_rating_unknown", NOTE, SEE_CHOICES,
+    "SKF's friction model is valid below the bearing's speed rating, which is not given ({field})",
+    field=Field("speed_rating"),
+)  # fmt: skip
+SPEED_RATING_EXCEEDED = Kind(
+    "speed_rating_exceeded", WRONG, SEE_CHOICES,
+    "the speed is above the bearing's speed rating, the limit of SKF's friction model: its torque and heat are "
+    "extrapolated",
+)  # fmt: skip
 
 
 class Series(StrEnum):
@@ -215,9 +228,9 @@ def skf_torque(
     rolling = inlet_shear_heating(n * rpm, dm * mm, nu * mm**2) * starved * Grr * (nu * n) ** 0.6
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * dm)
     sliding = (boundary * 0.15 + (1.0 - boundary) * sliding_coefficient) * Gsl
-    of_speed: tuple[ArrayLike, Remark] = (True, remark("speed_rating_unknown"))
+    of_speed: tuple[ArrayLike, Remark] = (True, remark(SPEED_RATING_UNKNOWN))
     if speed_rating is not None:
-        of_speed = (n * rpm > np.asarray(speed_rating), remark("speed_rating_exceeded"))
+        of_speed = (n * rpm > np.asarray(speed_rating), remark(SPEED_RATING_EXCEEDED))
     return _estimate(solution, rolling + sliding, SKF, remarks([of_speed], solution.shape))
 
 

@@ -21,7 +21,7 @@ from qsbearing.model.described import given_in
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa
-from qsbearing.model.validation import FORCE, RATIO, ErrorDetail, choose, within
+from qsbearing.model.validation import FORCE, RATIO, ErrorDetail, Setting, choose, within
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cleanliness import Cleanliness, contamination_factor
@@ -50,7 +50,8 @@ from qsbearing.readings.lubricant import OilState
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.readings.static_rating import FatigueLimit, largest_pressure
 from qsbearing.readings.static_rating import fatigue_load_limit as limit_of_geometry
-from qsbearing.remarks.remark import Found, Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, WRONG, Kind
+from qsbearing.remarks.remark import Holding, Remark, Remarked, Remarks, remark, remarks
 
 MILLION, HOUR = 1e6, 3600.0
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0
@@ -61,6 +62,44 @@ one that stands tires where it is loaded most."""
 PRACTICE, LONGEST_HOURS = 5.0, 200_000.0
 """aISO and a life in hours above which nobody should count on a life (chosen by practice; no standard states them)."""
 NEEDS = ("load", "max_pressure"), ()
+
+_ENDED = ", a limit of practice; wear or the lubricant will"
+_GROOVES = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
+LIFE_OF_CERAMIC = Kind(
+    "life_of_ceramic", NOTE, SEE_CHOICES,
+    "the dynamic rating and the life modification factor of ceramic balls are those of steel balls",
+)  # fmt: skip
+LIFE_DENTS = Kind(
+    "life_dents", WRONG, "limits",
+    "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the rating life is not valid",
+)  # fmt: skip
+LIFE_GROOVES_UNCOVERED = Kind(
+    "life_grooves_uncovered", WRONG, SEE_CHOICES,
+    f'{_GROOVES}: a wider groove carries less ({{field}} takes the grooves into account)',
+    field=Setting("rating", "lundberg_palmgren"),
+)  # fmt: skip
+LIFE_SIZE_UNCOVERED = Kind(
+    "life_size_uncovered", WRONG, SEE_CHOICES, "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"
+)
+LIFE_VISCOSITY_LOW = Kind("life_viscosity_low", WRONG, SEE_CHOICES, "aISO is not defined below kappa = {limit:g}")
+LIFE_VISCOSITY_HIGH = Kind(
+    "life_viscosity_high", NOTE, SEE_CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"
+)
+LIFE_THRUST_UNCOVERED = Kind(
+    "life_thrust_uncovered", WRONG, SEE_CHOICES,
+    "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10",
+)  # fmt: skip
+LIFE_FACTOR_LARGE = Kind(
+    "life_factor_large", NOTE, SEE_CHOICES, f"fatigue will not end this bearing: aISO is beyond {{limit:g}}{_ENDED}"
+)
+LIFE_FACTOR_CAPPED = Kind(
+    "life_factor_capped", NOTE, SEE_CHOICES,
+    "aISO is at the upper limit of ISO 281, {limit:g}: the modified life is not a prediction",
+)  # fmt: skip
+LIFE_LONG = Kind(
+    "life_long", NOTE, SEE_CHOICES,
+    f"fatigue will not end this bearing: {{life_h:,.0f}} h is beyond {{limit_h:,.0f}} h{_ENDED}",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -264,11 +303,11 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     outer_speed = 0.0 if operation.outer_speed is None else np.asarray(operation.outer_speed, float)
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
-    holding: list[Found] = [*_found(solution, rating, from_geometry, kappa)]
-    holding.append((np.isnan(P) & np.isfinite(system), remark("life_thrust_uncovered")))
+    holding: list[Holding] = [*_found(solution, rating, from_geometry, kappa)]
+    holding.append((np.isnan(P) & np.isfinite(system), remark(LIFE_THRUST_UNCOVERED)))
     if factor is not None:
-        holding.append(((factor > PRACTICE) & (factor < LARGEST), remark("life_factor_large", limit=PRACTICE)))
-        holding.append((factor >= LARGEST, remark("life_factor_capped", limit=LARGEST)))
+        holding.append(((factor > PRACTICE) & (factor < LARGEST), remark(LIFE_FACTOR_LARGE, limit=PRACTICE)))
+        holding.append((factor >= LARGEST, remark(LIFE_FACTOR_CAPPED, limit=LARGEST)))
     found_life = Life(
         C, system, inner_life, outer_life, reference, a1, factor, limit, modified, P, basic, speed,
         (),
@@ -280,7 +319,7 @@ def life(solution: Solution, given: LifeArguments) -> Life:
 
 def _long(hours: NDArray, i: int) -> Remark:
     """On the life of a case, counted along the flattened axes."""
-    return remark("life_long", life_h=float(np.ravel(hours)[i]), limit_h=LONGEST_HOURS)
+    return remark(LIFE_LONG, life_h=float(np.ravel(hours)[i]), limit_h=LONGEST_HOURS)
 
 
 def _turning(solution: Solution) -> tuple[NDArray, NDArray]:
@@ -333,18 +372,18 @@ def _found(
     )
     wide = (inner_f > inner_most + 1e-9) | (outer_f > outer_most + 1e-9)
     holding: list[tuple[NDArray, Remark]] = [
-        (numbers.is_hybrid, remark("life_of_ceramic")),
-        (largest_pressure(solution) > STATIC_PRESSURE, remark("life_dents", limit_MPa=STATIC_PRESSURE / MPa)),
+        (numbers.is_hybrid, remark(LIFE_OF_CERAMIC)),
+        (largest_pressure(solution) > STATIC_PRESSURE, remark(LIFE_DENTS, limit_MPa=STATIC_PRESSURE / MPa)),
     ]
     if from_geometry and rating is Rating.ISO_281:
-        holding.append((wide, remark("life_grooves_uncovered")))
+        holding.append((wide, remark(LIFE_GROOVES_UNCOVERED)))
         gamma = numbers.nominal_gamma
         outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
-        holding.append((outside, remark("life_size_uncovered")))
+        holding.append((outside, remark(LIFE_SIZE_UNCOVERED)))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)
-        holding.append((kappa < LEAST_RATIO, remark("life_viscosity_low", limit=LEAST_RATIO)))
-        holding.append((kappa > GREATEST_RATIO, remark("life_viscosity_high", limit=GREATEST_RATIO)))
+        holding.append((kappa < LEAST_RATIO, remark(LIFE_VISCOSITY_LOW, limit=LEAST_RATIO)))
+        holding.append((kappa > GREATEST_RATIO, remark(LIFE_VISCOSITY_HIGH, limit=GREATEST_RATIO)))
     return holding
 
 

@@ -15,6 +15,7 @@ is the wrong one.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import copysign, cos, nan, sin
 from typing import Any
@@ -36,7 +37,9 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
+from qsbearing.remarks.kinds import NOTE, WRONG, Kind, in_words
 from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.wording import Words
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
 SMALL, LARGE = 0.05, 0.1
@@ -132,6 +135,46 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
     return Overrun(raceways[0], raceways[1], remarks(said, solution.shape))
 
 
+def _cut(fields: Mapping[str, Any], words: Words) -> str:
+    """A contact cut by the edge, with as many of its numbers as there are."""
+    said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
+    if "beyond_percent" not in fields:
+        return f"{said}: pressure there exceeds Hertz's"
+    written = lambda name: in_words(fields[name], ".2g")  # noqa: E731
+    said += f", with {written('beyond_percent')} % of its major axis: "
+    is_small = "turn_deg" not in fields
+    if np.max(fields["beyond_percent"]) >= 10.0:
+        said += "it is no longer Hertz's contact; " + "most of it is beyond the edge" * is_small
+    elif is_small:
+        return f"{said}load and angle hold, and the pressure rises at the edge"
+    if not is_small:
+        said += (
+            f"at the same approach it carries {written('load_loss_percent')} % less load, which acts "
+            f"{written('turn_deg')} deg farther from the edge; "
+        )
+        if "edge_pressure_MPa" not in fields:
+            return f"{said}at a sharp edge the pressure has no limit"
+        pressure = fields["edge_pressure_MPa"]
+        above = "above " if np.max(pressure) >= fields["limit_MPa"] else ""
+        said += f"the pressure at the edge is {above}{pressure:.0f} MPa"
+    return said
+
+
+ELLIPSE_CUT = Kind(
+    "ellipse_cut", WRONG, "limits",
+    "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+    "axis: it is no longer Hertz's contact; at the same approach it carries {load_loss_percent:.2g} % less load, "
+    "which acts {turn_deg:.2g} deg farther from the edge; the pressure at the edge is {edge_pressure_MPa:.0f} MPa",
+    say=_cut,
+)  # fmt: skip
+ELLIPSE_CUT_LITTLE = Kind(
+    "ellipse_cut_little", NOTE, "limits",
+    "the ellipse of {raceways:an} contact runs over the groove's edge, with {beyond_percent:.2g} % of its major "
+    "axis: load and angle hold, and the pressure rises at the edge",
+    say=_cut,
+)  # fmt: skip
+
+
 def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]:
     """One for each of the ranges, with the numbers of its most cut contact."""
     share = np.nan_to_num(raceway.share_beyond)
@@ -142,8 +185,8 @@ def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]
         if where.any():
             at = np.unravel_index(np.argmax(np.where(where[..., None], share, 0.0)), share.shape)
             numbers = _numbers(raceway, at) if low >= SMALL else {}
-            code = "ellipse_cut" if low == LARGE else "ellipse_cut_little"
-            said.append((where, remark(code, name, beyond_percent=100.0 * float(share[at]), **numbers)))
+            kind = ELLIPSE_CUT if low == LARGE else ELLIPSE_CUT_LITTLE
+            said.append((where, remark(kind, name, beyond_percent=100.0 * float(share[at]), **numbers)))
     return said
 
 

@@ -27,6 +27,7 @@ from qsbearing.model.validation import FORCE, ErrorDetail, within
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, load_at_pressure
 from qsbearing.readings.entry import Reading, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls
+from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, WRONG, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 FATIGUE_PRESSURE = 1500e6
@@ -54,6 +55,24 @@ MOST_RADIAL = 0.67
 """Fr tan(alpha)/Fa of thrust bearings up to which P0a is still satisfactory; up to 0.44 it is on the safe side."""
 
 _X0_ANGULAR, _X0_DEEP_GROOVE, _Y0_DEEP_GROOVE = 0.5, 0.6, 0.5
+
+STATIC_DENTS = Kind(
+    "static_dents", WRONG, "limits",
+    "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the contact is no longer "
+    "elastic",
+)  # fmt: skip
+STATIC_MOMENT = Kind(
+    "static_moment", WRONG, SEE_CHOICES,
+    "the ring carries a moment, which P0 of ISO 76 does not include; contact_safety does",
+)  # fmt: skip
+STATIC_THRUST_UNCOVERED = Kind(
+    "static_thrust_uncovered", WRONG, SEE_CHOICES,
+    "P0 of a thrust bearing holds for radial loads up to 0.67 cot(alpha) of the axial one",
+)  # fmt: skip
+STATIC_OF_CERAMIC = Kind(
+    "static_of_ceramic", NOTE, "readings#not-included",
+    "ceramic balls are judged by {limit_MPa:.0f} MPa like steel ones; ISO 20056-2 allows more",
+)  # fmt: skip
 
 
 class FatigueLimit(StrEnum):
@@ -195,10 +214,10 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
     arm = 0.5 * np.asarray(bearing.pitch_diameter, float)
     limit = STATIC_PRESSURE / MPa
     holding = [
-        (contact < 1.0, remark("static_dents", limit_MPa=limit)),
-        (moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny), remark("static_moment")),
-        (np.isnan(equivalent) & np.isfinite(radial), remark("static_thrust_uncovered")),
-        (BearingNumbers(bearing).is_hybrid, remark("static_of_ceramic", limit_MPa=limit)),
+        (contact < 1.0, remark(STATIC_DENTS, limit_MPa=limit)),
+        (moment > 0.05 * arm * np.maximum(equivalent, np.finfo(float).tiny), remark(STATIC_MOMENT)),
+        (np.isnan(equivalent) & np.isfinite(radial), remark(STATIC_THRUST_UNCOVERED)),
+        (BearingNumbers(bearing).is_hybrid, remark(STATIC_OF_CERAMIC, limit_MPa=limit)),
     ]
     return StaticSafety(rating, equivalent, safety, contact, remarks(holding, solution.shape))
 

@@ -34,6 +34,7 @@ from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.entry import Reading, simply
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
+from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
 
 TABLE = 33
@@ -46,6 +47,15 @@ NOTICEABLE = 1e-4
 """A dent of this part of the ball's diameter is where ISO 76 sets the static limit."""
 
 NEEDS = ("load", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
+
+DENT_NOTICEABLE = Kind(
+    "dent_noticeable", NOTE, "limits",
+    "the dent of {raceways:an} contact is deeper than {limit:g} of the ball's diameter",
+)  # fmt: skip
+DENT_OF_CERAMIC = Kind(
+    "dent_of_ceramic", NOTE, SEE_CHOICES,
+    "dents were measured on steel; ceramic balls keep their shape, the raceway alone yields",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -82,8 +92,8 @@ def stress(solution: Solution) -> Stress:
     holding = []
     for name, raceway in (("inner", inner), ("outer", outer)):
         deep = raceway.dent > NOTICEABLE * numbers.ball_diameter[..., None]
-        holding.append((deep.any(axis=-1), remark("dent_noticeable", name, limit=NOTICEABLE)))
-    holding.append((numbers.is_hybrid, remark("dent_of_ceramic")))
+        holding.append((deep.any(axis=-1), remark(DENT_NOTICEABLE, name, limit=NOTICEABLE)))
+    holding.append((numbers.is_hybrid, remark(DENT_OF_CERAMIC)))
     return Stress(inner, outer, remarks(holding, solution.shape))
 
 

@@ -10,23 +10,20 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
 from qsbearing.model.solution.ring_forces import radial_forces
-from qsbearing.model.solution.solution import Solution
-from qsbearing.remarks.remark import Found, Remark, remark
+from qsbearing.remarks.kinds import CHECK, INCOMPLETE, NOTE, SEE_AXIS, SEE_HYPOTHESES, WRONG, Kind
+from qsbearing.remarks.remark import Holding, Remark, remark
+from qsbearing.remarks.stretch import Stretch, Subject
 
-FRICTION_IN_DOUBT = 0.06
-FRICTION_BEYOND = 0.1
+BALLS = Subject()
+
+LEAST_TYPICAL = 0.06
+MOST_TYPICAL = 0.1
 """Coefficients that lubricated steel contacts typically offer lie between these."""
 FRICTION_OF_LOAD = 1.0
 """Above it friction is larger than the load that presses the contact."""
-FRICTIONS = {
-    "friction_doubtful": (FRICTION_IN_DOUBT, FRICTION_BEYOND),
-    "friction_beyond": (FRICTION_BEYOND, FRICTION_OF_LOAD),
-    "friction_above_load": (FRICTION_OF_LOAD, inf),
-}
-"""What is said of coefficients above the first and up to the second."""
 NO_FORCE = 1e-12
 """Of a case's largest contact load: less is what rounding leaves, and no load."""
-MOMENTUM_GAP = 0.03
+LARGE_GAP = 0.03
 """Of the radial load (chosen: in a trial with inertia along the orbit, radial stiffness was 4 % off in the median where
 the gap is below 0.01, and 8 to 15 % above)."""
 HALF = 0.5
@@ -35,84 +32,154 @@ transition to skidding takes a factor of 2 in load."""
 NOTICEABLE = 1e-3
 """Of the axial load: a gap below it changes no digit that matters, however small the radial load."""
 
+CONTROL_INCONSISTENT = Kind(
+    "control_inconsistent", WRONG, SEE_HYPOTHESES,
+    "No consistent raceway control: for some ball, whichever raceway is assumed to control it, the loads point "
+    "to the other one. The last choice tried is reported.",
+)  # fmt: skip
 
-def rows(array: NDArray, part: slice) -> NDArray:
-    """A stretch of cases of an array (*cases, ball or channel), with zero for NaN."""
-    return np.nan_to_num(array.reshape(-1, array.shape[-1])[part], nan=0.0)
+
+@BALLS.tells
+def _inconsistent(of: Stretch) -> Iterator[Holding]:
+    yield ~of.cases(of.solution.control_is_consistent, bool), remark(CONTROL_INCONSISTENT)
 
 
-def ball_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    """Raceway control that contradicts itself, balls without load."""
-    yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("control_inconsistent")
-    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
-    inner, outer = rows(solution.inner.load, part), rows(solution.outer.load, part)
+BALLS_UNLOADED = Kind("balls_unloaded", NOTE, "limits", "{balls:carries/carry} no load.")
+BALLS_OFF_INNER = Kind(
+    "balls_off_inner", NOTE, "limits",
+    "{balls:has/have} left the inner raceway: only the outer raceway carries load there.",
+)  # fmt: skip
+
+
+@BALLS.tells
+def _without_load(of: Stretch) -> Iterator[Holding]:
+    solution = of.solution
+    exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[of.part])
+    inner, outer = of.rows(solution.inner.load), of.rows(solution.outer.load)
     least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
     off_inner, off_outer = exists & (inner <= least), outer <= least
     unloaded, off = off_inner & off_outer, off_inner & ~off_outer
-    yield unloaded.any(axis=-1), lambda i: remark("balls_unloaded", balls=unloaded[i])
-    yield off.any(axis=-1), lambda i: remark("balls_off_inner", balls=off[i])
+    yield unloaded.any(axis=-1), lambda i: remark(BALLS_UNLOADED, balls=unloaded[i])
+    yield off.any(axis=-1), lambda i: remark(BALLS_OFF_INNER, balls=off[i])
 
 
-def _slip(solution: Solution, part: slice) -> Iterator[Found]:
-    moment = solution.scene.gyroscopic_moment
-    if solution.slips is None or moment is None:
+BALLS_SLIP = Kind(
+    "balls_slip", WRONG, SEE_HYPOTHESES,
+    "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the "
+    "contacts have {given:.3g}. The ball speeds reported are those without slip.",
+)  # fmt: skip
+
+
+@BALLS.tells
+def _slip(of: Stretch) -> Iterator[Holding]:
+    solution, moment = of.solution, of.solution.scene.gyroscopic_moment
+    if solution.slips is None or moment is None or _is_moved(of):
         return
-    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[part]
-    given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
+    slips = solution.slips.reshape(-1, solution.slips.shape[-1])[of.part]
+    given = of.cases(moment.friction_coefficient)
     sides = (solution.inner.required_friction, solution.outer.required_friction)
-    requested = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    requested = np.maximum(*(of.rows(side) for side in sides if side is not None))
     yield (
         slips.any(axis=-1),
-        lambda i: remark("balls_slip", balls=slips[i], required=requested[i].max(), given=given[i]),
+        lambda i: remark(BALLS_SLIP, balls=slips[i], required=requested[i].max(), given=given[i]),
     )
 
 
-def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    """Friction that the gyroscopic moment asks for, and balls that slip."""
-    if solution.scene.raceway_control == "friction":
-        yield from _moved(solution, part)
-        return
-    yield from _slip(solution, part)
-    if solution.slips is not None:  # a coefficient is given: no need to guess what contacts offer
+def _is_moved(of: Stretch) -> bool:
+    """Whether friction moves the balls, so that the moment is no question of a hypothesis."""
+    return bool(of.solution.scene.raceway_control == "friction")
+
+
+_REQUIRES = (
+    "The gyroscopic moment requires a friction coefficient of {required:.2f} at {raceways:the} raceway of {balls}: "
+)
+_TYPICAL = " (typical: {typical_least:g} to {typical_most:g})."
+FRICTION_DOUBTFUL = Kind("friction_doubtful", NOTE, SEE_HYPOTHESES, f"{_REQUIRES}slip may begin{_TYPICAL}")
+FRICTION_BEYOND = Kind("friction_beyond", WRONG, SEE_HYPOTHESES, f"{_REQUIRES}expect slip{_TYPICAL}")
+FRICTION_ABOVE_LOAD = Kind(
+    "friction_above_load", WRONG, SEE_HYPOTHESES,
+    f"{_REQUIRES}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}",
+)  # fmt: skip
+FRICTIONS = (
+    (FRICTION_DOUBTFUL, LEAST_TYPICAL, MOST_TYPICAL),
+    (FRICTION_BEYOND, MOST_TYPICAL, FRICTION_OF_LOAD),
+    (FRICTION_ABOVE_LOAD, FRICTION_OF_LOAD, inf),
+)
+"""What is said of coefficients above the first number and up to the second."""
+
+
+@BALLS.tells
+def _friction(of: Stretch) -> Iterator[Holding]:
+    """Where no coefficient is given, which says what contacts offer."""
+    solution = of.solution
+    if solution.slips is not None or _is_moved(of):
         return
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
         if side.required_friction is None:
             continue
-        friction = rows(side.required_friction, part)
+        friction = of.rows(side.required_friction)
+        largest = friction.max(axis=-1)
+        for kind, least, most in FRICTIONS:
 
-        for code, (least, most) in FRICTIONS.items():
+            def requested(i: int, kind: Kind = kind, name: str = name, friction: NDArray = friction) -> Remark:
+                typical = {"typical_least": LEAST_TYPICAL, "typical_most": MOST_TYPICAL}
+                return remark(kind, name, friction[i] > LEAST_TYPICAL, required=friction[i].max(), **typical)
 
-            def requested(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
-                typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
-                return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **typical)
-
-            largest = friction.max(axis=-1)
             yield (largest > least) & (largest <= most), requested
 
 
-def _moved(solution: Solution, part: slice) -> Iterator[Found]:
+FRICTION_ASSUMED = Kind(
+    "friction_assumed", NOTE, SEE_AXIS, "The friction coefficient of {assumed:g} that moves the balls is assumed."
+)
+
+
+@BALLS.tells
+def _assumed(of: Stretch) -> Iterator[Holding]:
+    motion, law = of.solution.friction, of.solution.scene.traction
+    if motion is not None and (law is None or law.is_assumed):
+        assumed = remark(FRICTION_ASSUMED, assumed=FRICTION_COEFFICIENT)
+        yield np.isfinite(of.cases(motion.displacement[..., 0])), assumed
+
+
+AXIS_CREEPS = Kind(
+    "axis_creeps", NOTE, SEE_AXIS,
+    "Outer control would ask for {asked_percent:.0f} % of the contacts' friction: above 50 % balls creep, above "
+    "100 % they slip, and hypotheses of raceway control err.",
+)  # fmt: skip
+BALLS_NEAR_SKIDDING = Kind(
+    "balls_near_skidding", CHECK, SEE_AXIS,
+    "Drag is {used_percent:.0f} % of what drives the balls: at half the load they may skid.",
+)  # fmt: skip
+
+
+@BALLS.tells
+def _moved(of: Stretch) -> Iterator[Holding]:
     """Of balls that friction moves: how far from a hypothesis, and from skidding."""
-    motion, law = solution.friction, solution.scene.traction
+    motion = of.solution.friction
     if motion is None:
         return
-    if law is None or law.is_assumed:
-        assumed = remark("friction_assumed", assumed=FRICTION_COEFFICIENT)
-        yield np.isfinite(motion.displacement[..., 0]).reshape(-1)[part], assumed
     gyroscopic, skid = (
-        np.nan_to_num(1.0 / margin.reshape(-1)[part])
-        for margin in (motion.least_gyroscopic_margin, motion.least_skid_margin)
+        np.nan_to_num(1.0 / of.cases(margin)) for margin in (motion.least_gyroscopic_margin, motion.least_skid_margin)
     )
-    yield gyroscopic > HALF, lambda i: remark("axis_creeps", asked_percent=100.0 * gyroscopic[i])
-    yield skid > HALF, lambda i: remark("balls_near_skidding", used_percent=100.0 * skid[i])
+    yield gyroscopic > HALF, lambda i: remark(AXIS_CREEPS, asked_percent=100.0 * gyroscopic[i])
+    yield skid > HALF, lambda i: remark(BALLS_NEAR_SKIDDING, used_percent=100.0 * skid[i])
 
 
-def momentum_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+MOMENTUM_GAP = Kind(
+    "momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
+    "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
+    "follow the azimuth. Radial stiffness is that against a load that turns with the cage.",
+)  # fmt: skip
+
+
+@BALLS.tells
+def _momentum(of: Stretch) -> Iterator[Holding]:
     """Rings that do not carry the same, since each azimuth is balanced for itself."""
-    forces = radial_forces(solution, part)
+    forces = radial_forces(of.solution, of.part)
     if forces is None:
         return
-    axial = np.abs(solution.load.reshape(-1, 5)[part, 0])
+    axial = np.abs(of.cases(of.solution.load[..., 0]))
     yield (
-        (forces.momentum_gap > MOMENTUM_GAP) & (forces.gap > NOTICEABLE * axial),
-        lambda i: remark("momentum_gap", outer_N=forces.on_outer[i], inner_N=forces.on_inner[i]),
+        (forces.momentum_gap > LARGE_GAP) & (forces.gap > NOTICEABLE * axial),
+        lambda i: remark(MOMENTUM_GAP, outer_N=forces.on_outer[i], inner_N=forces.on_inner[i]),
     )

@@ -10,36 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.numbers import plain
-from qsbearing.model.bearing import BearingKind
 from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, settings_to_add
-from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
-from qsbearing.model.units import MPa, mrad, um
-from qsbearing.remarks.balls import ball_remarks, friction_remarks, momentum_remarks, rows
-from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
+from qsbearing.model.units import MPa
+from qsbearing.remarks.balls import BALLS
+from qsbearing.remarks.expansion import EXPANSION
 from qsbearing.remarks.hypotheses import hypotheses
-from qsbearing.remarks.missing_effects import missing_effects
-from qsbearing.remarks.preload import preload_remarks
-from qsbearing.remarks.remark import Found, Remark, in_case, remark
-from qsbearing.remarks.sentences import to_add
+from qsbearing.remarks.kinds import CHECK, NOTE, WRONG, Kind
+from qsbearing.remarks.missing_effects import missing_effects, to_add
+from qsbearing.remarks.preload import preloads
+from qsbearing.remarks.remark import Holding, Remark, remark
+from qsbearing.remarks.ring import RING
+from qsbearing.remarks.stretch import Stretch, Subject
 from qsbearing.remarks.wording import Words
-
-SMALL_TILT = 0.02
-"""Tilts are taken as small rotations; at this size [rad] the neglected square is 2 % of the tilt itself."""
-
-SPARSE = 0.25
-"""Z D/(pi dm) below which some number is likely mistaken (chosen: less than half of what the catalogue's bearings have,
-0.59 to 0.90; the 145 of the validation book's table of spindle bearings have 0.62 to 0.89)."""
-
-SEPARATED = 0.01
-"""Loaded contact angles of less than this part of the free one carry no axial load worth the name (chosen: a bearing
-made for axial load works at its free angle; 1 % of it is 1 % of the axial load that its balls could carry)."""
 
 
 def message(solution: Solution, index: Index = None) -> str:
@@ -164,84 +153,59 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
     return said
 
 
-def remarks(solution: Solution, index: Index = None) -> list[Remark]:
-    """What to beware of in the numbers of a case; of several without an index, once of each kind."""
-    return in_case(solution, found, index)
+SUBJECTS = Subject(preloads, RING, BALLS, missing_effects, hypotheses, EXPANSION)
+"""All that there is to say of a bearing."""
+
+_YIELDING = (
+    " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
+    "{first_yield_MPa:g} MPa."
+)
+PRESSURE_DENTS = Kind(
+    "pressure_dents", WRONG, "limits",
+    "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
+    "expect permanent dents.",
+    _YIELDING,
+)  # fmt: skip
+PRESSURE_YIELDS = Kind(
+    "pressure_yields", NOTE, "limits",
+    "The contact pressure reaches {pressure_MPa:.0f} MPa, below ISO 76's static limit of {limit_MPa:.0f} MPa.",
+    _YIELDING,
+)  # fmt: skip
 
 
-def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[Found]:
-    """Which cases of a stretch have a remark, and that of the i-th of them.
-
-    Args:
-        may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
-    """
-    yield from preload_remarks(solution, part, may_solve)
-    yield from _ring_remarks(solution, part)
-    yield from ball_remarks(solution, part)
-    yield from friction_remarks(solution, part)
-    yield from momentum_remarks(solution, part)
-    yield from missing_effects(solution, part, may_solve)
-    yield from hypotheses(solution, part, may_solve)
-    if solution.scene.is_reshaped:
-        yield from expansion_remarks(solution, part)
-    yield from bending_remarks(solution, part)
-    pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
-    yield from _pressure_remarks(solution, pressure, part)
-    bearing = solution.scene.bearing
-    share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
-    filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
-    yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
-
-
-def _pressure_remarks(solution: Solution, pressure: NDArray, part: slice) -> Iterator[Found]:
+@SUBJECTS.tells
+def _pressure(of: Stretch) -> Iterator[Holding]:
     """Dents, and first yield where the scene gives a yield strength."""
+    solution = of.solution
+    pressure = np.maximum(*(of.rows(side.max_pressure) for side in (solution.inner, solution.outer))).max(axis=-1)
     rings = solution.scene.ring_expansion
-    given = inf if rings is None else np.asarray(rings.yield_strength, float)
-    strength = np.broadcast_to(given, solution.shape).reshape(-1)[part]
+    strength = of.cases(inf if rings is None else rings.yield_strength)
     first_yield = strength * first_yield_pressure(1.0)
 
-    def reached(code: str, i: int) -> Remark:
+    def reached(kind: Kind, i: int) -> Remark:
         yielding: dict[str, Any] = {}
         if rings is not None:
             near = float(f"{first_yield[i] / MPa:.2g}")
             yielding = {"yield_strength_MPa": strength[i] / MPa, "first_yield_MPa": near}
-        return remark(code, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
+        return remark(kind, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
 
-    yield pressure > STATIC_PRESSURE, lambda i: reached("pressure_dents", i)
-    yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached("pressure_yields", i)
-
-
-def _soft_directions(solution: Solution, part: slice, unloaded: NDArray) -> Iterator[Found]:
-    free = solution.free_channels
-    stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))
-    stiffness = np.nan_to_num(stiffness, nan=0.0)
-    values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
-    soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)
-
-    def undetermined(i: int) -> Remark:
-        share = np.abs(vectors[i][:, soft[i]]).max(axis=1)
-        return remark("ring_free", channels=", ".join(CHANNELS[channel].label for channel in free[share > 0.1]))
-
-    yield ~unloaded & soft.any(axis=-1), undetermined
+    yield pressure > STATIC_PRESSURE, lambda i: reached(PRESSURE_DENTS, i)
+    yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached(PRESSURE_YIELDS, i)
 
 
-def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    free = solution.free_channels
-    unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
-    yield unloaded, remark("ring_unloaded")
-    if solution.friction is None:
-        yield from _soft_directions(solution, part, unloaded)
-    bearing = solution.scene.bearing
-    moved = rows(solution.displacement, part)
-    loaded = rows(solution.inner.load, part) > 0.0
-    steepest = np.abs(np.where(loaded, rows(solution.inner.angle, part), 0.0)).max(axis=-1)
-    free_angle = np.broadcast_to(
-        np.asarray(solution.scene.operating_bearing.free_contact_angle, float), solution.shape
-    ).reshape(-1)[part]
-    can_separate = bearing.kind is BearingKind.ANGULAR_CONTACT and 0 in free
-    yield (
-        can_separate & loaded.any(axis=-1) & (steepest < SEPARATED * free_angle),
-        lambda i: remark("raceways_separated", axial_displacement_um=moved[i, 0] / um),
-    )
-    tilt = np.abs(moved[:, 3:]).max(axis=-1)
-    yield tilt > SMALL_TILT, lambda i: remark("tilt_large", tilt_mrad=tilt[i] / mrad)
+SPARSE = 0.25
+"""Z D/(pi dm) below which some number is likely mistaken (chosen: less than half of what the catalogue's bearings have,
+0.59 to 0.90; the 145 of the validation book's table of spindle bearings have 0.62 to 0.89)."""
+BALLS_SPARSE = Kind(
+    "balls_sparse", CHECK, "ten_minutes#2-write-your-own",
+    "The balls fill {filled_percent:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
+    "diameter and pitch diameter right?",
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _sparse(of: Stretch) -> Iterator[Holding]:
+    bearing = of.solution.scene.bearing
+    share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
+    filled = of.cases(share)
+    yield filled < SPARSE, lambda i: remark(BALLS_SPARSE, filled_percent=100.0 * filled[i])

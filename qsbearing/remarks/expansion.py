@@ -1,4 +1,4 @@
-"""Remarks about expanded and elastic rings: fits lost, rings that yield or bend far, wedged balls, seats that part."""
+"""Remarks about expanded and elastic rings: wedged balls, fits lost, rings that yield or bend far, seats with gaps."""
 
 from __future__ import annotations
 
@@ -6,39 +6,68 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from qsbearing.model.effects.elastic_rings import grooves_of
 from qsbearing.model.material import EXPANSION_HOLDS, Material, is_own_expansion
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um, zero_celsius
-from qsbearing.remarks.remark import Found, Remark, remark
+from qsbearing.remarks.kinds import CHECK, SEE_HEAT, SEE_RINGS, WRONG, Kind
+from qsbearing.remarks.remark import Holding, Remark, remark
+from qsbearing.remarks.stretch import Stretch, Subject
 from qsbearing.remarks.wording import listed
 
+EXPANSION = Subject()
 
-def far_from_room_temperature(
-    bodies: Iterable[tuple[str, Any, Material]], shape: tuple[int, ...], part: slice
-) -> Iterator[Found]:
+BALLS_WEDGED = Kind(
+    "balls_wedged", CHECK, SEE_HEAT,
+    "The expansion is larger than the diametral clearance by {interference_um:.4g} µm: the balls are wedged "
+    "between the rings.",
+)  # fmt: skip
+CLEARANCE_NEGATIVE = Kind(
+    "clearance_negative", CHECK, SEE_HEAT,
+    "The clearance is negative by {interference_um:.4g} µm: the balls are wedged between the rings.",
+)  # fmt: skip
+
+
+@EXPANSION.tells
+def _wedged(of: Stretch) -> Iterator[Holding]:
+    scene = of.solution.scene
+    if not scene.is_reshaped:
+        return
+    wedged = of.cases(scene.operating_bearing.diametral_clearance) / um
+    before = of.cases(scene.bearing.diametral_clearance)
+    yield (wedged < 0.0) & (before >= 0.0), lambda i: remark(BALLS_WEDGED, interference_um=-wedged[i])
+    yield (wedged < 0.0) & (before < 0.0), lambda i: remark(CLEARANCE_NEGATIVE, interference_um=-wedged[i])
+
+
+EXPANSION_FAR = Kind(
+    "expansion_far", CHECK, SEE_HEAT,
+    "Far from room temperature ({parts}: {temperature_C:.4g} °C), this program's coefficients of expansion do not "
+    "hold. From {least_C:.4g} to {most_C:.4g} °C they are within 10 % of the mean between 20 °C and there; below "
+    "they are too large (of steel 1.4 times at -196 °C, 1.7 times at -253 °C), above too small. Give the material "
+    "as a table, with thermal_expansion_per_K = its mean from the reference temperature to there.",
+)  # fmt: skip
+
+
+def far_from_room_temperature(of: Stretch, bodies: Iterable[tuple[str, Any, Material]]) -> Iterator[Holding]:
     """Where this program's coefficients of expansion do not hold.
 
     Args:
         bodies: names, temperatures [K] and materials of what grows by heat.
     """
     least, most = EXPANSION_HOLDS
-    known = [(name, np.asarray(warm, float), is_own_expansion(of)) for name, warm, of in bodies]
-    beyond = {
-        name: np.broadcast_to(np.where(own, np.maximum(least - warm, warm - most), -1.0), shape).reshape(-1)[part]
-        for name, warm, own in known
-    }
+    known = [(name, np.asarray(warm, float), is_own_expansion(each)) for name, warm, each in bodies]
+    beyond = {name: of.cases(np.where(own, np.maximum(least - warm, warm - most), -1.0)) for name, warm, own in known}
     if not beyond:
         return
-    warmth = {name: np.broadcast_to(warm, shape).reshape(-1)[part] for name, warm, _ in known}
+    warmth = {name: of.cases(warm) for name, warm, _ in known}
 
     def far(i: int) -> Remark:
         parts = [name for name, by in beyond.items() if by[i] > 0.0]
         farthest = max(parts, key=lambda name: beyond[name][i])
         limits: dict[str, Any] = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
-        return remark("expansion_far", parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
+        return remark(EXPANSION_FAR, parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
 
     yield np.max([*beyond.values()], axis=0) > 0.0, far
 
@@ -54,59 +83,81 @@ def _bodies(solution: Solution) -> Iterator[tuple[str, Any, Material]]:
             yield body.replace("_", " "), each.value, own or scene.bearing.ring_material
 
 
-def expansion_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    """Balls that are wedged, rings that yield, fits that are lost."""
+@EXPANSION.tells
+def _far(of: Stretch) -> Iterator[Holding]:
+    if of.solution.scene.is_reshaped:
+        yield from far_from_room_temperature(of, _bodies(of.solution))
 
-    def cases(values: ArrayLike) -> NDArray:
-        return np.broadcast_to(np.asarray(values, float), solution.shape).reshape(-1)[part]
 
-    wedged = cases(solution.scene.operating_bearing.diametral_clearance) / um
-    before = cases(solution.scene.bearing.diametral_clearance)
-    yield (wedged < 0.0) & (before >= 0.0), lambda i: remark("balls_wedged", interference_um=-wedged[i])
-    yield (wedged < 0.0) & (before < 0.0), lambda i: remark("clearance_negative", interference_um=-wedged[i])
-    yield from far_from_room_temperature(_bodies(solution), solution.shape, part)
-    effect = solution.scene.ring_expansion
-    if effect is None:
+RING_YIELDS = Kind(
+    "ring_yields", WRONG, SEE_HEAT,
+    "The stress of {raceways:the} ring is {stress_MPa:.4g} MPa at its bore, above its yield strength of "
+    "{yield_strength_MPa:.5g} MPa.",
+)  # fmt: skip
+FIT_LOST = Kind(
+    "fit_lost", CHECK, SEE_HEAT,
+    "The fit of {raceways:the} ring is lost in operation: mounted with an interference of {interference_um:.4g} "
+    "µm, it has a diametral clearance of {clearance_um:.4g} µm to the {seat}.",
+)  # fmt: skip
+
+
+@EXPANSION.tells
+def _fits(of: Stretch) -> Iterator[Holding]:
+    """Rings that yield, fits that are lost."""
+    solution, effect = of.solution, of.solution.scene.ring_expansion
+    if not solution.scene.is_reshaped or effect is None:
         return
-    strength = cases(effect.yield_strength)
+    strength = of.cases(effect.yield_strength)
     for ring, seat, state in (
         ("inner", "shaft", solution.inner_ring),
         ("outer", "housing", solution.outer_ring),
     ):
         if state is None:
             continue
-        stress = cases(state.equivalent_stress)
+        stress = of.cases(state.equivalent_stress)
 
         def yields(i: int, ring: str = ring, stress: NDArray = stress) -> Remark:
             limit = strength[i] / MPa
-            return remark("ring_yields", ring, stress_MPa=stress[i] / MPa, yield_strength_MPa=limit)
+            return remark(RING_YIELDS, ring, stress_MPa=stress[i] / MPa, yield_strength_MPa=limit)
 
         yield stress > strength, yields
         if state.seat_gap is None or state.seat_pressure is None:
             continue
-        gap, interference = cases(state.seat_gap), cases(getattr(effect, f"{seat}_interference"))
+        gap, interference = of.cases(state.seat_gap), of.cases(getattr(effect, f"{seat}_interference"))
 
         def lost(
             i: int, ring: str = ring, seat: str = seat, gap: NDArray = gap, interference: NDArray = interference
         ) -> Remark:
             lengths = {"interference_um": interference[i] / um, "clearance_um": gap[i] / um}
-            return remark("fit_lost", ring, seat=seat, **lengths)
+            return remark(FIT_LOST, ring, seat=seat, **lengths)
 
-        closed = cases(state.seat_pressure) < 0.0  # by the balls of elastic rings
+        closed = of.cases(state.seat_pressure) < 0.0  # by the balls of elastic rings
         yield (interference > 0.0) & (gap > 0.0) & ~closed, lost
-
-
-def _cases(values: NDArray, part: slice) -> NDArray:
-    return np.asarray(values).reshape(-1)[part]
 
 
 THIN = 0.5
 """Of a ring's thickness: a deflection beyond it is no small one any more (the usual limit of linear bending)."""
+SEAT_PARTS = Kind(
+    "seat_parts", CHECK, SEE_RINGS,
+    "{raceways:The} ring would lift off the {seat} in places, unless the seat pressure of its fit were "
+    "{pressure_MPa:.3g} MPa larger: there it deflects more than computed.",
+)  # fmt: skip
+SEAT_TOUCHES = Kind(
+    "seat_touches", CHECK, SEE_RINGS,
+    "{raceways:The} ring has clearance to the {seat} on average, but bends so far that it touches the {seat} in "
+    "places: there it deflects less than computed.",
+)  # fmt: skip
+RING_BENDS_FAR = Kind(
+    "ring_bends_far", WRONG, SEE_RINGS,
+    "The bending of {raceways:the} ring is {deflection_over_thickness:.2g} times its thickness, too much for "
+    "small-deflection theory.",
+)  # fmt: skip
 
 
-def bending_remarks(solution: Solution, part: slice) -> Iterator[Found]:
-    """Of elastic rings: a seat that parts from its ring somewhere, deflections that are not small."""
-    rings = solution.scene.elastic_rings
+@EXPANSION.tells
+def _bending(of: Stretch) -> Iterator[Holding]:
+    """Of elastic rings: a seat that opens somewhere under its ring, deflections that are not small."""
+    solution, rings = of.solution, of.solution.scene.elastic_rings
     if rings is None:
         return
     grooves = grooves_of(solution.scene.operating_bearing)
@@ -119,24 +170,24 @@ def bending_remarks(solution: Solution, part: slice) -> Iterator[Found]:
             continue
         if shape.least_seat_pressure is not None:
             flag = getattr(rings, f"{seat}_touches")
-            is_open = np.broadcast_to(False if flag is None else np.asarray(flag) == 0.0, solution.shape)
+            is_open = np.asarray(False if flag is None else np.asarray(flag) == 0.0)
             fitted = 0.0 if state is None or state.seat_pressure is None else state.seat_pressure
-            short = -(shape.least_seat_pressure + fitted).reshape(-1)[part]
+            short = -of.cases(shape.least_seat_pressure + fitted)
 
             def parts(i: int, side: str = side, seat: str = seat, short: NDArray = short) -> Remark:
-                return remark("seat_parts", side, seat=seat, pressure_MPa=short[i] / MPa)
+                return remark(SEAT_PARTS, side, seat=seat, pressure_MPa=short[i] / MPa)
 
-            yield np.asarray(short > 0.0) & ~_cases(is_open, part), parts
+            yield (short > 0.0) & ~of.cases(is_open, bool), parts
             reach = np.maximum(shape.growth + shape.bending, 0.0)
             touching = is_open & (2.0 * reach > (0.0 if state is None or state.seat_gap is None else state.seat_gap))
 
-            yield _cases(touching, part), remark("seat_touches", side, seat=seat)
+            yield of.cases(touching, bool), remark(SEAT_TOUCHES, side, seat=seat)
         if diameter is None:
             continue
         thickness = np.abs(0.5 * np.asarray(diameter, float) - np.asarray(bottom))
-        large = np.asarray(shape.bending / thickness).reshape(-1)[part]
+        large = of.cases(shape.bending / thickness)
 
         def bends(i: int, side: str = side, large: NDArray = large) -> Remark:
-            return remark("ring_bends_far", side, deflection_over_thickness=large[i])
+            return remark(RING_BENDS_FAR, side, deflection_over_thickness=large[i])
 
-        yield np.asarray(large > THIN), bends
+        yield large > THIN, bends

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,10 @@ from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
 from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
 from qsbearing.model.solution.ranges import ranges
-from qsbearing.remarks.remark import Found, Remark
+from qsbearing.remarks.kinds import INCOMPLETE, SEE_HYPOTHESES, Kind
+from qsbearing.remarks.remark import Holding, Remark
+from qsbearing.remarks.stretch import Stretch
+from qsbearing.remarks.wording import Audience, Words
 
 WORTH_A_SOLVE = 5e-4
 """Of 2 |Mg|/(D Q), whether the scene has the moment or not. Below it no other hypothesis changed a displacement or
@@ -22,9 +25,38 @@ MOST_CASES = 16
 """More cases than these (chosen: more points than most load spectra have) are not solved again, six times each."""
 
 
-def hypotheses(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
+_DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
+_LIST = {
+    Audience.PYTHON: "To see each: qsbearing explain FILE",
+    Audience.FILE: "To see each: qsbearing explain FILE",
+    Audience.PAGE: "The table of effects has the range",
+}
+
+
+def _differing(fields: Mapping[str, Any], words: Words) -> str:
+    """What displacement and stiffness are by all hypotheses, and how to see each."""
+    said = [
+        f"{fields[name]} is {fields[f'{name}_least']:.4g} to {fields[f'{name}_most']:.4g} {fields[f'{name}_unit']} "
+        f"(here {fields[f'{name}_here']:.4g})"
+        for name in ("displacement", "stiffness")
+        if name in fields and np.max(fields[f"{name}_most"]) > np.max(fields[f"{name}_least"])
+    ]
+    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
+
+
+HYPOTHESES_DIFFER = Kind(
+    "hypotheses_differ", INCOMPLETE, SEE_HYPOTHESES,
+    f"{_DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
+    "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
+    "{stiffness_most:.4g} {stiffness_unit} (here {stiffness_here:.4g}). To see each: qsbearing explain FILE",
+    say=_differing,
+)  # fmt: skip
+
+
+def hypotheses(of: Stretch) -> Iterator[Holding]:
     """Of a scene or set, where few cases may be solved again; a row of a set has nothing to say of itself."""
-    if not may_solve or solution.solve_alike is None or requested(solution).raceway_control in (None, "friction"):
+    solution, part = of.solution, of.part
+    if not of.may_solve or solution.solve_alike is None or requested(solution).raceway_control in (None, "friction"):
         return
     if np.prod(solution.shape) > MOST_CASES or not np.any(_inertia(solution) > WORTH_A_SOLVE):
         return
@@ -36,7 +68,7 @@ def hypotheses(solution: Any, part: slice, may_solve: bool = True) -> Iterator[F
         for name, span in ranges(solution, changes, part.start + i).items():
             values |= {name: span.what, f"{name}_unit": span.unit}
             values |= {f"{name}_{end}": getattr(span, end) for end in ("here", "least", "most")}
-        return Remark("hypotheses_differ", values=values)
+        return Remark(HYPOTHESES_DIFFER, values=values)
 
     yield matters, differing
 

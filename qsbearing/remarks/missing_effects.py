@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -19,9 +19,23 @@ from qsbearing.model.solution.changes import (
     rows_of,
 )
 from qsbearing.model.solution.comparison import moved
-from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge, settings_to_add
+from qsbearing.model.solution.judgement import (
+    ANOTHER_RESULT,
+    WORDS,
+    WORTH_A_WARNING,
+    changed,
+    estimated,
+    judge,
+    settings_to_add,
+    shifted,
+    unit_of,
+)
 from qsbearing.model.units import um
-from qsbearing.remarks.remark import Found, Of, Remark
+from qsbearing.model.validation import Setting
+from qsbearing.remarks.kinds import INCOMPLETE, SEE_AXIS, Kind
+from qsbearing.remarks.remark import Holding, Of, Remark
+from qsbearing.remarks.stretch import Stretch
+from qsbearing.remarks.wording import Audience, Words, listed, spanned
 
 DISPLACEMENT = "displacement"
 MOST_CASES = 64
@@ -32,21 +46,108 @@ WORTH_A_SOLVE = 0.4 * WORTH_A_WARNING
 of two)."""
 
 
-def missing_effects(solution: Any, part: slice, may_solve: bool = True) -> Iterator[Found]:
-    """Of a scene or set; a row of a set has nothing to say of itself.
+_ADD = {
+    Audience.PYTHON: "Set {}",
+    Audience.FILE: "Add under [effects]: {}",
+    Audience.PAGE: "Tick what is missing in the table of effects",
+}
+_ADVICE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
+EFFECT = {entry.name: entry for entry in EFFECTS}
+MORE, BY = "more than 100", " by "
+"""`ANOTHER_RESULT` in a sentence, and what then stands between a quantity and its change."""
 
-    Args:
-        may_solve: whether few cases may be solved again.
-    """
+
+def to_add(settings: Sequence[Setting], words: Words) -> str:
+    """What to do for effects that could be named as it is."""
+    return _ADD[words.reader].format(", ".join(words.spell(each, "") for each in settings))
+
+
+def _missing(fields: Mapping[str, Any], words: Words) -> str:
+    """Effects that could be named as it is, and what each would change."""
+    moved = iter(fields.get("displacements_um", ()))
+    said = [
+        f"{EFFECT[name].what} ({_of_quantity(quantity, _changes(fields, quantity, change, moved))})"
+        for name, quantity, change in zip(fields["effects"], fields["quantities"], fields["changes"], strict=True)
+    ]
+    are = "is" if len(said) == 1 else "are"
+    return f"{listed(said)} {are} not included. {to_add(fields['add'], words)}"
+
+
+def needed(entry: Entry, has_size: bool, words: Words) -> str:
+    """What to give for an effect that needs numbers of the scene: in a file not what its bearing has."""
+    beside = entry.needs_beside_size if has_size and words.reader is not Audience.PYTHON else ""
+    return words.of(beside or entry.needs)
+
+
+def _lacking(fields: Mapping[str, Any], words: Words) -> str:
+    """An effect that needs numbers of the scene: what it would change, and what to give."""
+    needs = needed(EFFECT[fields["effect"]], bool(fields.get("has_size")), words)
+    return f"{_would_change(fields)}. To include it, {_ADVICE[words.reader]} {needs}"
+
+
+def _unknown_to_friction(fields: Mapping[str, Any], words: Words) -> str:
+    """An effect that cannot be asked for where friction moves the balls, and what it would change elsewhere."""
+    return f"{_would_change(fields)} under outer control. Balls that friction moves do not know it yet"
+
+
+def _would_change(fields: Mapping[str, Any]) -> str:
+    entry, quantity = EFFECT[fields["effect"]], fields["quantity"]
+    changes = _changes(fields, quantity, fields["changes"], iter(fields.get("displacements_um", ())), MORE)
+    by = [f"{change}{f' ({under})' * bool(under)}" for change, under in zip(changes, fields["under"], strict=True)]
+    begun = entry.without_it or f"{entry.what} is not included; it"
+    return f"{begun} would change the {_of_quantity(quantity, by if len(set(changes)) > 1 else changes[:1], BY)}"
+
+
+def _changes(
+    fields: Mapping[str, Any], quantity: str, changes: Sequence[Any], moved: Iterator[Any], more: str = ANOTHER_RESULT
+) -> list[str]:
+    """Changes of a quantity, each of which may be a `Span`: in its own unit where solved, else relative ones."""
+    if quantity == "displacement" and not fields["is_estimated"]:
+        return [f"{spanned(shifted, next(moved))} {unit_of(quantity)}" for _ in changes]
+    number = estimated if fields["is_estimated"] else changed
+    return [f"{spanned(lambda each: more if each > 1.0 else number(each, ''), change)} %" for change in changes]
+
+
+def _of_quantity(quantity: str, by: Sequence[str], link: str = " ") -> str:
+    """What changes most, and by how much."""
+    if not quantity:
+        return "result: no solution is found with it"
+    said = " to ".join(by)
+    is_about = link == BY and not said.startswith(("≈", MORE, "0 "))
+    return f"{WORDS[quantity]}{link}{'about ' * is_about}{said}"
+
+
+EFFECTS_MISSING = Kind(
+    "effects_missing", INCOMPLETE, "accuracy",
+    "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}",
+    say=_missing,
+)  # fmt: skip
+EFFECT_DATA_MISSING = Kind(
+    "effect_data_missing", INCOMPLETE, "accuracy",
+    "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
+    "its numbers",
+    say=_lacking,
+)  # fmt: skip
+EFFECT_UNKNOWN_TO_FRICTION = Kind(
+    "effect_unknown_to_friction", INCOMPLETE, SEE_AXIS,
+    "{effect} is not included, which balls that friction moves do not know; under outer control it would change the "
+    "{quantity} by about {changes} ({under})",
+    say=_unknown_to_friction,
+)  # fmt: skip
+
+
+def missing_effects(of: Stretch) -> Iterator[Holding]:
+    """Of a scene or set; a row of a set has nothing to say of itself."""
+    solution, part = of.solution, of.part
     if solution.solve_alike is None:
         return
-    are_few = may_solve and int(np.prod(solution.shape)) <= MOST_CASES
+    are_few = of.may_solve and int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)
     yield from _of_assumed(solution, part, are_few)
     yield from _of_unknown_to_friction(solution, part, are_few)
 
 
-def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Holding]:
     """Effects and choices that could be named as it is."""
     if getattr(solution, "choice", None) is not None:  # what was left out there is said with its error
         return
@@ -71,7 +172,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
         most = [_most([change], k) for _, change in here]
         about = list(zip(here, most, strict=True))
         return Remark(
-            "effects_missing",
+            EFFECTS_MISSING,
             values={
                 "effects": tuple(entry.name for entry, _ in here),
                 "quantities": tuple(quantity for quantity, _ in most),
@@ -85,7 +186,7 @@ def _of_known(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
     yield np.where(matters.any(axis=0), by, 0.0), missing
 
 
-def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Holding]:
     """Effects that need numbers of the scene, which no choice of effects can add either."""
     rows = rows_of(solution)
     for entry in EFFECTS:
@@ -101,7 +202,7 @@ def _of_assumed(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
             yield np.where(matters, by, 0.0), partial(_lacks, solution, entry, of, assumed, part.start)
 
 
-def _of_unknown_to_friction(solution: Any, part: slice, are_few: bool) -> Iterator[Found]:
+def _of_unknown_to_friction(solution: Any, part: slice, are_few: bool) -> Iterator[Holding]:
     """What cannot be asked for beside friction, by what it changes under outer control."""
     for entry in EFFECTS:
         if not is_unknown_to_friction(entry, solution) or entry.is_in(requested(solution)):
@@ -122,7 +223,7 @@ def _unknown(solution: Any, entry: Entry, found: list[Change], start: int, i: in
     under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
     values |= {"is_estimated": not is_solved, **_moved(solution, there if quantity == DISPLACEMENT else [], k)}
-    return Remark("effect_unknown_to_friction", values=values)
+    return Remark(EFFECT_UNKNOWN_TO_FRICTION, values=values)
 
 
 def _lacks(solution: Any, entry: Entry, of: Of, assumed: list[Change], start: int, i: int) -> Remark:
@@ -133,7 +234,7 @@ def _lacks(solution: Any, entry: Entry, of: Of, assumed: list[Change], start: in
     under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in assumed)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
     values |= {"is_estimated": not is_solved, "has_size": has_size_for(entry, solution)}
-    return Remark("effect_data_missing", of, values | _moved(solution, there if quantity == DISPLACEMENT else [], k))
+    return Remark(EFFECT_DATA_MISSING, of, values | _moved(solution, there if quantity == DISPLACEMENT else [], k))
 
 
 def _moved(solution: Any, compared: list[Change], k: int) -> dict[str, tuple[float, ...]]:

@@ -19,7 +19,8 @@ from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind
 from qsbearing.remarks import bearing
-from qsbearing.remarks.remark import Found, Remark, Warned, in_order, told
+from qsbearing.remarks.remark import Holding, Remark, Warned, in_order, told
+from qsbearing.remarks.stretch import Stretch, in_case
 
 Readings = Mapping[str, Any]
 """Results by the name of their reading."""
@@ -45,7 +46,7 @@ def every_remark(solution: Any, readings: Any, index: Index = None) -> list[Rema
 
 
 @singledispatch
-def holding(solution: Any, readings: Any, part: slice, may_solve: bool) -> Iterator[Found]:
+def holding(solution: Any, readings: Any, part: slice, may_solve: bool) -> Iterator[Holding]:
     """What there is to say of a stretch of cases: where each holds, and the remark of the i-th of them.
 
     Args:
@@ -104,12 +105,12 @@ ended.register(Solution, bearing.message)
 def _(solution: Solution, readings: Mapping, index: Index = None) -> list[Remark]:
     place = None if index is None else case_place(index, solution.shape)
     is_solved = np.any(np.asarray(solution.converged)[() if place is None else place])
-    return in_order(bearing.remarks(solution, index) + (of_readings(readings, place) if is_solved else []))
+    return in_order(in_case(solution, bearing.SUBJECTS, index) + (of_readings(readings, place) if is_solved else []))
 
 
 @holding.register
-def _(solution: Solution, readings: Mapping, part: slice, may_solve: bool) -> Iterator[Found]:
-    yield from bearing.found(solution, part, may_solve)
+def _(solution: Solution, readings: Mapping, part: slice, may_solve: bool) -> Iterator[Holding]:
+    yield from bearing.SUBJECTS(Stretch(solution, part, may_solve))
     for name, reading in readings.items():
         for where, each in getattr(reading, "remarks", ()):
             yield where, partial(_of_reading, name, each)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.validation import Field
-from qsbearing.remarks.kinds import KINDS, Kind, Severity
+from qsbearing.remarks.kinds import Kind, Severity
 from qsbearing.remarks.wording import PYTHON, Balls, Raceways, Words, capital, listed, numbered
 
 
@@ -90,15 +90,15 @@ def row_name(row: Any, number: int) -> str:
 class Remark:
     """What there is to beware of in a result, or to know of it."""
 
-    code: str
+    kind: Kind
     of: Of = Of()
     values: Mapping[str, Any] = field(default_factory=dict)
     """Numbers in the units of their names, names, and choices."""
 
     @property
-    def kind(self) -> Kind:
-        """All that is the same of each remark of this code."""
-        return KINDS[self.code]
+    def code(self) -> str:
+        """By which programs know what is said."""
+        return self.kind.code
 
     @property
     def text(self) -> str:
@@ -108,7 +108,7 @@ class Remark:
     def written(self, words: Words) -> str:
         """The sentence, and whom it is about, in somebody's words."""
         of = self.of
-        names_row = len(of.rows) == 1 and of.carries and self.code in NAMES_ROW
+        names_row = len(of.rows) == 1 and of.carries and self.kind.names_row
         who = of.row if names_row else "each" if of.rows else "the bearing"
         beside = {"who": who, "raceways": Raceways(of.raceways), "balls": of.balls}
         path = f"readings.{of.readings[0]}." if of.readings else ""
@@ -130,10 +130,6 @@ class Remark:
         values = {name: _plain(value, words) for name, value in self.values.items()}
         head = {"code": self.code, "severity": self.kind.severity.name.lower(), "of": self.of.record()}
         return {**head, "values": values, "text": self.written(words)}
-
-
-NAMES_ROW = ("preload_lost", "preload_reduced", "preload_excessive")
-"""Codes whose sentences name the row that they are about."""
 
 
 class Warned(str):
@@ -167,17 +163,16 @@ class Warned(str):
         return f"{self.rank.words}: {begun.removesuffix('.')} (see qsbearing guide {self.see})."
 
 
-def remark(code: str, /, raceway: str = "", balls: ArrayLike | None = None, **values: Any) -> Remark:
+def remark(kind: Kind, /, raceway: str = "", balls: ArrayLike | None = None, **values: Any) -> Remark:
     """A remark on a single bearing.
 
     Args:
-        code: one of `KINDS`.
         raceway: inner or outer, where it is about one.
         balls: which of them it is about, where it is about some.
         values: its numbers, in the units of their names.
     """
     of = Of(raceways=(raceway,) if raceway else (), balls=None if balls is None else some_balls(balls))
-    return Remark(code, of, values)
+    return Remark(kind, of, values)
 
 
 def some_balls(which: ArrayLike) -> Balls:
@@ -185,14 +180,14 @@ def some_balls(which: ArrayLike) -> Balls:
     return Balls(tuple(map(int, np.flatnonzero(which))), np.size(which))
 
 
-Found = tuple[ArrayLike, Remark | Callable[[int], Remark]]
+Holding = tuple[ArrayLike, Remark | Callable[[int], Remark]]
 """Where a remark holds, or by how much (0: not at all), and the remark; or what makes that of a case by its number
 along the flattened axes."""
 Remarks = tuple[tuple[NDArray, Remark | Callable[[int], Remark]], ...]
 """Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
 
 
-def remarks(holding: Iterable[Found], shape: tuple[int, ...]) -> Remarks:
+def remarks(holding: Iterable[Holding], shape: tuple[int, ...]) -> Remarks:
     """What holds in some case.
 
     Args:
@@ -203,7 +198,7 @@ def remarks(holding: Iterable[Found], shape: tuple[int, ...]) -> Remarks:
     return tuple((where, each) for where, each in marked if where.any())
 
 
-def told(holding: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark]:
+def told(holding: Iterable[Holding], place: tuple[int, ...] | None) -> list[Remark]:
     """What holds of a case, what matters most first; without a place of several, in how many cases each holds."""
     said = []
     for where, each in holding:
@@ -219,21 +214,6 @@ def told(holding: Iterable[Found], place: tuple[int, ...] | None) -> list[Remark
             one = replace(one, of=replace(one.of, cases=Cases(numbers.size, where.size, first)))
         said.append(one)
     return in_order(said)
-
-
-def in_case(solution: Any, holding: Callable[[Any, slice], Iterable[Found]], index: Any) -> list[Remark]:
-    """What holds of a solved case of a bearing or set; without an index of several, in how many each holds.
-
-    Args:
-        holding: for a stretch of cases, where each remark holds, and that of the i-th of them.
-    """
-    solved = np.ravel(solution.converged)
-    if index is None and solution.shape:
-        every = holding(solution, slice(0, solved.size))
-        return told(((np.reshape(np.where(solved, where, 0), solution.shape), each) for where, each in every), None)
-    k = solution.flat_index(index)
-    one = holding(solution, slice(k, k + 1)) if solved[k] else ()
-    return told(((np.asarray(where)[0], each) for where, each in one), None)
 
 
 def in_order(said: Iterable[Remark]) -> list[Remark]:

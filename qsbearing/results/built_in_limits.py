@@ -21,7 +21,7 @@ from qsbearing.model.solution.preload_state import EXCESSIVE
 from qsbearing.model.solution.result_keys import MAX, SIZE, Group, Place, Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, mm, rpm
-from qsbearing.remarks.balls import FRICTION_BEYOND, FRICTION_IN_DOUBT
+from qsbearing.remarks.balls import LEAST_TYPICAL, MOST_TYPICAL
 
 if TYPE_CHECKING:
     from qsbearing.model.effects import RingExpansion
@@ -91,10 +91,8 @@ def _friction(part: Part) -> Iterator[Limit]:
         origin = "input" if law is None or not law.is_assumed else "assumed"
         yield Limit(places, "<=", np.asarray(given, float)[..., None], f"{origin}; beyond it balls slip")
         return
-    others = (Estimate(FRICTION_BEYOND, "the contacts offer that much friction"),)
-    yield Limit(
-        places, "<=", FRICTION_IN_DOUBT, "the least of lubricated steel; beyond it balls may slip", others=others
-    )
+    others = (Estimate(MOST_TYPICAL, "the contacts offer that much friction"),)
+    yield Limit(places, "<=", LEAST_TYPICAL, "the least of lubricated steel; beyond it balls may slip", others=others)
 
 
 def _drag(part: Part) -> Iterator[Limit]:

@@ -17,6 +17,7 @@ from qsbearing.inference.ratings_fit import BALLS_GIVEN
 from qsbearing.model.solution.result_keys import Place, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
+from qsbearing.remarks.kinds import CHECK, Kind
 from qsbearing.remarks.remark import Remark, in_order, remark
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.tables import digits_of
@@ -35,6 +36,11 @@ OTHER_WORDS = {
 OPERATING_CLEARANCE = "operating_diametral_clearance"
 SAME = 1e-9
 """Part of a value below which a range is rounding."""
+
+SHEET_NOT_SOLVED = Kind(
+    "sheet_not_solved", CHECK, "data_sheet",
+    "{unsolved} of the {bearings} bearings that the data sheet allows are not solved, and in no range",
+)  # fmt: skip
 
 
 class Ranged(NamedTuple):
@@ -89,7 +95,7 @@ def _of_clearance(solution: Solution | SetSolution, inferred: InferredBearing) -
 def said(solution: Solution) -> list[Remark]:
     """What to beware of, in the list itself and in the results of its bearings."""
     bearings, unsolved = solution.converged.size, int((~solution.converged).sum())
-    lost = [remark("sheet_not_solved", unsolved=unsolved, bearings=bearings)] if unsolved else []
+    lost = [remark(SHEET_NOT_SOLVED, unsolved=unsolved, bearings=bearings)] if unsolved else []
     of_list = [each.remark for each in solution.scene.bearing.inferred.remarks]
     return in_order([*of_list, *lost, *map(_of_bearings, every_remark(solution))])
 

@@ -22,6 +22,7 @@ from qsbearing.remarks.missing_effects import MOST_CASES
 from qsbearing.remarks.of_solution import holding
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import COLOURS
+from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - kinds of remarks in studies that were kept
 from qsbearing.systems.sets.set_solution import SetSolution
 
 LOOKED_AT = 1024
@@ -130,7 +131,7 @@ def records(seen: Look, points: int) -> list[dict[str, Any]]:
         of = one["record"]["of"] | {"cases": cases}
         text = f"{_where(one, seen, points)}: {one['record']['text']}"
         remarks.append(one["record"] | {"of": of, "text": text})
-    return sorted(remarks, key=lambda each: KINDS[each["code"]].severity)
+    return sorted(remarks, key=lambda each: Severity[each["severity"].upper()])
 
 
 def _where(one: Mapping[str, Any], seen: Look, points: int) -> str:

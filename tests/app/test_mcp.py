@@ -32,7 +32,7 @@ from qsbearing.cli import cli
 from qsbearing.documents.model import Document
 from qsbearing.files import output_file
 from qsbearing.files.file_errors import SceneFileError
-from qsbearing.remarks.kinds import KINDS
+from qsbearing.reports.guide_lists import every_kind
 from tests.guide.pages import GUIDE, blocks, commands
 
 Calls = list[tuple[str, dict[str, Any]]]
@@ -102,7 +102,7 @@ def test_the_question_of_the_guide_over_standard_input(tmp_path: Path) -> None:
     assert abs(again["effective_stiffness"]["radial_y_N_per_um"] - 200.0) < 0.01  # the search: goals within 1e-6
     for answer in (found, again):
         assert {each["code"] for each in answer["remarks"]} >= {"effect_data_missing"}
-        assert all(KINDS[each["code"]].severity.name.lower() == each["severity"] for each in answer["remarks"])
+        assert all(every_kind()[each["code"]].severity.name.lower() == each["severity"] for each in answer["remarks"])
 
 
 def test_the_numbers_are_those_of_run(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from qsbearing.documents.guide import HOME, documents
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Section, Table
 from qsbearing.documents.pages import pages
-from qsbearing.results.guide_lists import LISTS
+from qsbearing.reports.guide_lists import LISTS
 from tests.documents.browser import OVERFLOWS, WIDE, Browser, installed, layout_faults
 from tests.documents.example import document
 

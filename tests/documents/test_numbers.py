@@ -14,9 +14,12 @@ from hypothesis import strategies as st
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.model.effects import QUANTITIES
 from qsbearing.model.solution.judgement import ATOM, NOTHING, changed, estimated, percent, unit_of
-from qsbearing.remarks.kinds import KINDS
+from qsbearing.readings.rating_life import LIFE_OF_CERAMIC
+from qsbearing.readings.shoulder_overrun import ELLIPSE_CUT
+from qsbearing.remarks.missing_effects import EFFECT_DATA_MISSING
 from qsbearing.remarks.remark import Cases, Of, Remark, some_balls
 from qsbearing.remarks.wording import Span
+from qsbearing.reports.guide_lists import every_kind
 from qsbearing.studies.chooser.explain import Assessment
 from tests.qsbearing.source_text import PACKAGES, trees
 
@@ -94,7 +97,7 @@ def test_a_sentence_on_what_is_missing_has_no_range_of_equal_ends(
     values = {"quantity": quantity, "under": ("steel housing", "free"), "is_estimated": is_estimated}
     values |= {"effect": "elastic_rings", "changes": parts} | (by if quantity == "displacement" else {})
     found = re.search(
-        r"would change the [a-z ]+? by (.*?)\. To include", Remark("effect_data_missing", Of(), values).text
+        r"would change the [a-z ]+? by (.*?)\. To include", Remark(EFFECT_DATA_MISSING, Of(), values).text
     )
     assert found
     said = found[1]
@@ -116,17 +119,17 @@ def test_a_sentence_on_what_is_missing_has_no_range_of_equal_ends(
 def test_no_remark_has_a_power_of_ten(number: float) -> None:
     """Every kind whose sentence is a format string, its numbers all alike."""
     count = 0
-    for kind in KINDS.values():
+    for kind in every_kind().values():
         if kind.say is None:
             fields = {name: spec for _, name, spec, _ in Formatter().parse(kind.sentence + kind.more) if name}
             values = {name: number if spec else "a word" for name, spec in fields.items()}
-            text = Remark(kind.code, Of(raceways=("inner",), balls=some_balls([True, False])), values).text
+            text = Remark(kind, Of(raceways=("inner",), balls=some_balls([True, False])), values).text
             assert not POWER.search(text), text
             count += bool(kind.values)
     assert count > 20
     for name in ("beyond_percent", "load_loss_percent", "turn_deg"):
         cut = {"beyond_percent": 5.0, "load_loss_percent": 5.0, "turn_deg": 5.0} | {name: number}
-        assert not POWER.search(Remark("ellipse_cut", Of(raceways=("inner",)), cut).text), name
+        assert not POWER.search(Remark(ELLIPSE_CUT, Of(raceways=("inner",)), cut).text), name
 
 
 @pytest.mark.parametrize(
@@ -140,7 +143,7 @@ def test_no_remark_has_a_power_of_ten(number: float) -> None:
     ],
 )
 def test_cases_of_a_remark(cases: Cases, said: str) -> None:
-    assert Remark("life_of_ceramic", Of(cases=cases)).text.startswith(said)
+    assert Remark(LIFE_OF_CERAMIC, Of(cases=cases)).text.startswith(said)
 
 
 # The programs ---------------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from qsbearing.model.solution.friction_balance import FrictionMotion
 from qsbearing.model.solution.groups import CONTACT, OF_BALL
 from qsbearing.model.solution.result_keys import DISPLACEMENT, LOAD, Result, place_of
 from qsbearing.readings.asked import READINGS, every_group
-from qsbearing.results.guide_lists import LISTS
+from qsbearing.reports.guide_lists import LISTS
 from qsbearing.studies import keys
 from tests.guide.pages import GUIDE
 

@@ -14,7 +14,7 @@ from qsbearing import pictures
 from qsbearing.files.scene_file import scene_of
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.readings.ball_advance import advance_over_a_turn
-from qsbearing.remarks.balls import MOMENTUM_GAP
+from qsbearing.remarks.balls import LARGE_GAP
 from tests.guide.pages import GUIDE, blocks
 from tests.model.solution.test_friction_motion import bearing
 from tests.qsbearing.scenes import B218, BOTH_HARRIS, CENTRIFUGAL, INNER, UPRIGHT, solved, turning
@@ -150,7 +150,7 @@ def test_what_the_outer_ring_takes(
     assert found.outer_radial_load == pytest.approx(expected, abs=1.0)
     assert found.momentum_gap == pytest.approx(1.0 - found.outer_radial_load / radial, rel=1e-9)
     said = [each.remark for each in qs.warnings(solution) if each.remark.code == "momentum_gap"]
-    assert len(said) == (found.momentum_gap > MOMENTUM_GAP)
+    assert len(said) == (found.momentum_gap > LARGE_GAP)
     for each in said:
         assert each.values == {"outer_N": found.outer_radial_load, "inner_N": pytest.approx(radial)}
 

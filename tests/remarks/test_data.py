@@ -30,12 +30,13 @@ from qsbearing.files.scene_or_set import load_scene_or_set
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.inference import infer
 from qsbearing.model.effects import EFFECTS
-from qsbearing.remarks.kinds import KINDS, Severity
+from qsbearing.remarks.kinds import Severity
+from qsbearing.remarks.missing_effects import EFFECT_DATA_MISSING
 from qsbearing.remarks.remark import Of, Remark
 from qsbearing.remarks.wording import PYTHON, Audience
 from qsbearing.reports import document, effects, set_document
 from qsbearing.reports.effects import is_right
-from qsbearing.results.guide_lists import LISTS
+from qsbearing.reports.guide_lists import LISTS, every_kind
 from qsbearing.results.remarks import every_remark, together
 from qsbearing.studies import inferred
 from qsbearing.studies.chooser.choose_set import solve_any
@@ -126,9 +127,20 @@ def test_a_cut_is_seen(code: str) -> None:
 
 def test_the_guide_lists_every_code_with_its_values() -> None:
     page = topics(lists=LISTS)["remarks"].text
-    for kind in KINDS.values():
+    for kind in every_kind().values():
         (line,) = (each for each in page.splitlines() if each.startswith(f"| `{kind.code}` |"))
         assert kind.severity.words in line and all(f"`{name}`" in line for name in kind.values)
+
+
+def described() -> list[str]:
+    """The codes of all kinds in the source, as often as they are described there."""
+    calls = (each for _, tree in trees(r"\bKind\(", PRODUCT) for each in ast.walk(tree) if isinstance(each, ast.Call))
+    kinds = (each for each in calls if isinstance(each.func, ast.Name) and each.func.id == "Kind")
+    return [ast.literal_eval(each.args[0]) for each in kinds]
+
+
+def test_every_kind_that_is_described_is_listed_once() -> None:
+    assert sorted(described()) == list(every_kind()) and len(every_kind()) > 70
 
 
 def of_solutions() -> Iterator[Any]:
@@ -241,7 +253,7 @@ def reached() -> dict[str, Remark]:
 
 
 def test_every_code_is_reached(reached: dict[str, Remark]) -> None:
-    assert sorted(set(KINDS) - set(reached)) == []
+    assert sorted(set(every_kind()) - set(reached)) == []
 
 
 def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached: dict[str, Remark]) -> None:
@@ -253,7 +265,7 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
             "edge_pressure_MPa",
             "limit_MPa",
         }  # of a cut ellipse, where computed
-        assert set(said.values) - optional == set(KINDS[code].values) - optional, code
+        assert set(said.values) - optional == set(every_kind()[code].values) - optional, code
         found = json.loads(json.dumps(said.record(PYTHON), allow_nan=False))
         assert set(found) == {"code", "severity", "of", "values", "text"}
         assert found["text"] == said.text == str(said.said())
@@ -300,7 +312,7 @@ def of_reading(said: Remark, name: str) -> Remark:
 def test_only_files_hear_of_keys(reached: dict[str, Remark]) -> None:
     """Keys end in a unit; tables stand in brackets."""
     for entry in (each for each in EFFECTS if each.needs):
-        of = Remark("effect_data_missing", values={
+        of = Remark(EFFECT_DATA_MISSING, values={
             "effect": entry.name, "quantity": "load", "changes": (0.1,), "under": ("",), "is_estimated": False
         })  # fmt: skip
         assert "[effects" not in of.text and "_um" not in of.text

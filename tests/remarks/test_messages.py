@@ -20,8 +20,13 @@ from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
-from qsbearing.remarks.kinds import KINDS, Severity
+from qsbearing.readings.ball_motion import CONTROL_ASSUMED
+from qsbearing.readings.rating_life import LIFE_FACTOR_CAPPED
+from qsbearing.readings.shoulder_overrun import ELLIPSE_CUT
+from qsbearing.remarks.kinds import Severity
+from qsbearing.remarks.preload import PRELOAD_LOST
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
+from qsbearing.reports.guide_lists import every_kind
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
 
 SEPARATED = "No axial load keeps the raceways together"
@@ -232,7 +237,7 @@ def test_warnings_are_strings_with_a_rank_what_matters_most_first(many: qs.Solut
 
 def test_a_line_has_severity_sentence_and_page_what_matters_most_first() -> None:
     said = in_order(
-        [remark("control_assumed"), remark("life_factor_capped", limit=50.0), lost(), remark("ellipse_cut", "outer")]
+        [remark(CONTROL_ASSUMED), remark(LIFE_FACTOR_CAPPED, limit=50.0), lost(), remark(ELLIPSE_CUT, "outer")]
     )
     assert [each.said().line for each in said] == [
         "Wrong model: The ellipse of an outer contact runs over the groove's edge: pressure there exceeds Hertz's (see "
@@ -247,7 +252,7 @@ def test_a_line_has_severity_sentence_and_page_what_matters_most_first() -> None
 
 
 def lost() -> Remark:
-    return remark("preload_lost", carried_N=0.5, given_N=50.0, state="mounted")
+    return remark(PRELOAD_LOST, carried_N=0.5, given_N=50.0, state="mounted")
 
 
 def test_sentences_are_short(many: qs.Solution) -> None:
@@ -259,7 +264,7 @@ def test_sentences_are_short(many: qs.Solution) -> None:
 
 def test_every_remark_says_where_the_guide_has_more() -> None:
     pages = topics()
-    for kind in KINDS.values():
+    for kind in every_kind().values():
         page, _, section = kind.see.partition("#")
         assert page in pages, kind
         headings = re.findall(r"^#+ (.*)$", pages[page].text, flags=re.MULTILINE)

@@ -1,4 +1,5 @@
-"""A new remark is an entry with its sentence, and a line where its numbers are known; all else follows.
+"""A new remark is one edited place: of a bearing or set a kind with the function that tells where it holds, of a
+reading a kind and a line in the file of the reading; all else follows.
 
 Done on a copy of the package.
 """
@@ -18,20 +19,48 @@ import pytest
 import qsbearing as qs
 
 PACKAGE = Path(qs.__file__).parent
-ENTRY = """    Kind("balls_heavy", CHECK, "ten_minutes#2-write-your-own",
-         "{balls:weighs/weigh} more than {most_g:.3g} g: {mass_g:.3g} g each."),
+OF_BEARING = """BALLS_HEAVY = Kind(
+    "balls_heavy", CHECK, "ten_minutes#2-write-your-own",
+    "{balls:weighs/weigh} more than {most_g:.3g} g: {mass_g:.3g} g each.",
+)
+
+
+@SUBJECTS.tells
+def _heavy(of: Stretch) -> Iterator[Holding]:
+    mass = of.cases(of.solution.scene.bearing.ball_mass)
+    is_there = of.rows(np.isfinite(of.solution.azimuth).astype(float)) > 0.0
+    yield mass > 0.04, lambda i: remark(BALLS_HEAVY, balls=is_there[i], most_g=40.0, mass_g=1e3 * mass[i])
+
+
 """
-BEFORE_ENTRY = '    Kind("balls_sparse", '
-LINE = """    mass = np.broadcast_to(bearing.ball_mass, solution.shape).reshape(-1)[part]
-    is_there = rows(np.isfinite(solution.azimuth).astype(float), part) > 0.0
-    yield mass > 0.04, lambda i: remark("balls_heavy", balls=is_there[i], most_g=40.0, mass_g=1e3 * mass[i])
+OF_SET = """SHAFT_FAST = Kind("shaft_fast", CHECK, "sets", "The shaft turns at {speed_rpm:.4g} rpm.")
+
+
+@SUBJECTS.tells
+def _fast(of: Stretch) -> Iterator[Holding]:
+    speed = of.cases(of.solution.set.operation.speed) * 30.0 / np.pi
+    yield speed > 900.0, lambda i: remark(SHAFT_FAST, speed_rpm=speed[i])
+
+
 """
-BEFORE_LINE = "    share = np.asarray(bearing.ball_count)"
+OF_READING = 'STRESS_READ = Kind("stress_read", NOTE, "readings", "the stress of {balls_read:g} balls is read")\n'
+LINE = """    holding.append((True, remark(STRESS_READ, balls_read=16.0)))
+"""
+EDITS = [
+    ("remarks/bearing.py", [("SPARSE = 0.25", OF_BEARING)]),
+    ("systems/sets/remarks.py", [("SUBJECTS.tells(missing_effects)", OF_SET)]),
+    (
+        "readings/subsurface_stress.py",
+        [("DENT_OF_CERAMIC = ", OF_READING), ("    holding.append((numbers.is_hybrid", LINE)],
+    ),
+]
+"""For each remark the one file, before what in it, and the text."""
 SCENE = """[bearing]
 name = "B218"
 [operation]
 speed_rpm = 1000
 axial_load_N = 5000
+[readings.stress]
 """
 ROWS = """[preload]
 rigid_N = 300
@@ -63,8 +92,9 @@ def put_before(file: Path, mark: str, text: str) -> None:
 def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("remark")
     shutil.copytree(PACKAGE, folder / "qsbearing", ignore=shutil.ignore_patterns("__pycache__", "records"))
-    put_before(folder / "qsbearing" / "remarks" / "kinds.py", BEFORE_ENTRY, ENTRY)
-    put_before(folder / "qsbearing" / "remarks" / "bearing.py", BEFORE_LINE, LINE)
+    for file, insertions in EDITS:
+        for mark, text in insertions:
+            put_before(folder / "qsbearing" / file, mark, text)
     (folder / "my.toml").write_text(SCENE, encoding="utf-8")
     (folder / "pair.toml").write_text(SCENE.replace("axial_load_N = 5000\n", "") + ROWS, encoding="utf-8")
     commands = {
@@ -99,5 +129,21 @@ def test_it_is_said_of_rows_and_of_the_points_of_a_study(answers: dict[str, Any]
     assert "weigh" in answers["sweep"] and "1 of 2" in " ".join(answers["sweep"].split())
 
 
-def test_the_guide_lists_it_with_its_values(answers: dict[str, Any]) -> None:
-    assert "balls_heavy" in answers["guide"] and "mass_g" in answers["guide"]
+def test_one_of_a_set_is_said_once_of_the_set_alone(answers: dict[str, Any]) -> None:
+    (said,) = (each for each in json.loads(answers["pair"])["remarks"] if each["code"] == "shaft_fast")
+    assert said["of"] == {} and said["values"] == {"speed_rpm": pytest.approx(1000.0)}
+    assert "shaft_fast" not in answers["record"]
+
+
+def test_one_of_a_reading_is_said_with_its_name(answers: dict[str, Any]) -> None:
+    record = json.loads(answers["record"])
+    (said,) = (each for each in record["remarks"] if each["code"] == "stress_read")
+    assert said["of"] == {"readings": ["stress"]}
+    assert "the stress of 16 balls is read" in record["readings"]["stress"]["warnings"]
+    assert "stress_read" in answers["pair"] and "the stress of 16 balls" in " ".join(answers["sweep"].split())
+
+
+def test_the_guide_lists_each_with_its_values(answers: dict[str, Any]) -> None:
+    for code, value in (("balls_heavy", "mass_g"), ("shaft_fast", "speed_rpm"), ("stress_read", "balls_read")):
+        (line,) = (each for each in answers["guide"].splitlines() if f" {code} " in each)
+        assert value in answers["guide"], line

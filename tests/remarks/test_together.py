@@ -13,7 +13,13 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.operation import STRAIGHT
+from qsbearing.readings.ball_motion import CONTROL_ASSUMED
+from qsbearing.remarks.balls import BALLS_UNLOADED, FRICTION_BEYOND, FRICTION_DOUBTFUL
+from qsbearing.remarks.expansion import BALLS_WEDGED
+from qsbearing.remarks.missing_effects import EFFECT_DATA_MISSING
+from qsbearing.remarks.preload import PRELOAD_LOST
 from qsbearing.remarks.remark import Of, Remark, remark
+from qsbearing.remarks.ring import TILT_LARGE
 from qsbearing.remarks.wording import numbered
 from qsbearing.results.remarks import blocks, every_remark, together
 from tests.systems.sets.arrangements import PAIR_FILE
@@ -30,7 +36,7 @@ def texts(*said: Remark) -> list[str]:
 
 
 def lost(carried: float, given: float = 100.0, state: str = "mounted") -> Remark:
-    return remark("preload_lost", carried_N=carried, given_N=given, state=state)
+    return remark(PRELOAD_LOST, carried_N=carried, given_N=given, state=state)
 
 
 @pytest.mark.parametrize(
@@ -50,7 +56,7 @@ def test_rows_share_a_remark_with_the_range_of_its_numbers() -> None:
 
 
 def test_a_single_row_is_named_once() -> None:
-    alone = texts(of_row(2, lost(0.5)), of_row(3, remark("tilt_large", tilt_mrad=30.0)))
+    alone = texts(of_row(2, lost(0.5)), of_row(3, remark(TILT_LARGE, tilt_mrad=30.0)))
     assert alone == [
         "Row 3 (7210C, carries +x): The ring tilts by 30 mrad: beyond the small rotations that the model assumes.",
         "Preload lost: row 2 (7210C, carries +x) carries 0.5 N in operation; its preload is 100 N mounted.",
@@ -62,33 +68,33 @@ def test_a_single_row_is_named_once() -> None:
 
 def test_names_and_words_have_no_range() -> None:
     """Balls, seats, states: what tells one thing from another."""
-    of_balls = [of_row(n, remark("balls_unloaded", balls=[n == 1, n == 2, True])) for n in (1, 2)]
+    of_balls = [of_row(n, remark(BALLS_UNLOADED, balls=[n == 1, n == 2, True])) for n in (1, 2)]
     assert together(of_balls) == of_balls
     states = [of_row(n, lost(0.5, state=state)) for n, state in ((1, "mounted"), (2, "before fitting"))]
     assert together(states) == states
-    other_bearing = [of_row(n, remark("balls_unloaded", balls=[True] * count)) for n, count in ((1, 3), (2, 4))]
+    other_bearing = [of_row(n, remark(BALLS_UNLOADED, balls=[True] * count)) for n, count in ((1, 3), (2, 4))]
     assert together(other_bearing) == other_bearing
 
 
 def test_both_raceways_share_a_remark() -> None:
     typical = {"typical_least": 0.06, "typical_most": 0.1}
     both = [
-        remark("friction_doubtful", side, [True] * 9, required=mu, **typical)
+        remark(FRICTION_DOUBTFUL, side, [True] * 9, required=mu, **typical)
         for side, mu in (("inner", 0.07), ("outer", 0.09))
     ]
-    assert texts(both[0], remark("balls_wedged", interference_um=3.0), both[1]) == [
+    assert texts(both[0], remark(BALLS_WEDGED, interference_um=3.0), both[1]) == [
         "The expansion is larger than the diametral clearance by 3 µm: the balls are wedged between the rings.",
         "The gyroscopic moment requires a friction coefficient of 0.07 to 0.09 at the inner and the outer raceway of "
         "all 9 balls: slip may begin (typical: 0.06 to 0.1).",
     ]  # fmt: skip
-    assert len(together([both[0], replace(both[1], code="friction_beyond")])) == 2
+    assert len(together([both[0], replace(both[1], kind=FRICTION_BEYOND)])) == 2
     rows = [of_row(n, each) for n in (1, 2) for each in both]
     (all_four,) = texts(*rows)
     assert all_four.startswith("Rows 1 and 2: The gyroscopic moment requires a friction coefficient of 0.07 to 0.09 at")
 
 
 def test_readings_points_and_bearings_share_a_remark() -> None:
-    said = [Remark("control_assumed", Of(readings=(name,))) for name in ("kinematics", "friction")]
+    said = [Remark(CONTROL_ASSUMED, Of(readings=(name,))) for name in ("kinematics", "friction")]
     assert len(together(said)) == 1
     at = [replace(each, of=replace(each.of, points=(n,))) for n in (1, 2) for each in said]
     (found,) = texts(*at)
@@ -105,7 +111,7 @@ def test_numbers_of_lists_have_ranges_too() -> None:
         "is_estimated": False,
         "effect": "elastic_rings",
     }
-    said = [Remark("effect_data_missing", Of(points=(n,)), change | {"changes": (0.064 * n, 0.26)}) for n in (1, 2)]
+    said = [Remark(EFFECT_DATA_MISSING, Of(points=(n,)), change | {"changes": (0.064 * n, 0.26)}) for n in (1, 2)]
     (found,) = texts(*said)
     assert "the locked stiffness by about 6.4 to 13 % (steel housing) to 26 % (free)." in found
 

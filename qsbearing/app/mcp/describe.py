@@ -13,8 +13,7 @@ from qsbearing.model.solution.result_keys import Place, printed_unit
 from qsbearing.model.validation import alike, question
 from qsbearing.model.version import __version__
 from qsbearing.readings.asked import every_group
-from qsbearing.remarks.kinds import KINDS
-from qsbearing.results.guide_lists import LISTS
+from qsbearing.reports.guide_lists import LISTS, every_kind
 from qsbearing.studies.schema import file_schema
 
 RESULTS, SKILL = "results", "skill"
@@ -26,7 +25,7 @@ def described(topic: str) -> dict[str, Any]:
     Raises:
         SceneFileError: there is no such topic.
     """
-    schema = file_schema()
+    schema, kinds = file_schema(), every_kind()
     tables, pages = schema["definitions"] | schema["properties"], topics(lists=LISTS)
     page, _, section = topic.partition("#")
     if not topic:
@@ -35,7 +34,7 @@ def described(topic: str) -> dict[str, Any]:
             "bearings": [entry.name for entry in catalogue.entries()],
             "tables_of_a_scene": list(schema["properties"]),
             "results": f"names and units: describe('{RESULTS}')",
-            "remarks": list(KINDS),
+            "remarks": list(kinds),
             "how_to_work_with_it": f"describe('{SKILL}')",
             "guide": {each.topic: each.title for each in pages.values()},
         }
@@ -46,8 +45,8 @@ def described(topic: str) -> dict[str, Any]:
         return {each.name: f"{each.attributes['long_name']} [{printed_unit(each.unit)}]" for each in every}
     if topic in tables:
         return {"table": topic, "schema": tables[topic], "definitions": _named_in(tables[topic], schema["definitions"])}
-    if topic in KINDS:
-        kind = KINDS[topic]
+    if topic in kinds:
+        kind = kinds[topic]
         record = {"code": topic, "severity": kind.severity.name.lower(), "values": list(kind.values)}
         return record | {"sentence": kind.outline(IN_FILE), "guide": kind.see}
     if page in pages and (text := pages[page].plain(section)):
@@ -55,7 +54,7 @@ def described(topic: str) -> dict[str, Any]:
     entry = catalogue.find(topic)
     if entry is not None:
         return {**vars(entry), "scene": {"bearing": {"name": entry.name}, **entry.example}}
-    meant = question(alike(topic, [*tables, *KINDS, *pages]))
+    meant = question(alike(topic, [*tables, *kinds, *pages]))
     cause = meant or meant_by(page, pages) or catalogue.nearest(topic)
     raise refused(topic, "is no table, result list, remark, page of the guide or bearing", cause)
 

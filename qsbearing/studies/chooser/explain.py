@@ -38,7 +38,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import um
 from qsbearing.model.validation import Setting
-from qsbearing.remarks.sentences import needed
+from qsbearing.remarks.missing_effects import needed
 from qsbearing.remarks.wording import Words
 from qsbearing.studies.chooser import choose
 from qsbearing.studies.chooser.by_friction import by_friction

@@ -27,6 +27,7 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.limit import Answer
 from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.solution import Solution
+from qsbearing.remarks.kinds import NOTE, Kind
 from qsbearing.remarks.remark import Remark, remark
 from qsbearing.remarks.wording import listed
 from qsbearing.results.readings_record import all_taken
@@ -51,6 +52,11 @@ SHOWN = (
     "inner_film_film_parameter_min", "outer_film_film_parameter_min",
 )  # fmt: skip
 """Of one bearing; with them every number of its readings that is not of single balls."""
+
+JOB_OF_ANOTHER = Kind(
+    "job_of_another", NOTE, "how_to#five-bearings-or-two-machines-compared",
+    "{tables} of its file {verb} not used: all are solved with operating point, effects and readings of {job}",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -200,7 +206,7 @@ def _unused(document: dict[str, Any], job: dict[str, Any], file: str) -> tuple[s
 
 def _of_another(tables: tuple[str, ...], job: str) -> list[Remark]:
     verb = "is" if len(tables) == 1 else "are"
-    return [remark("job_of_another", tables=listed(tables), verb=verb, job=job)] if tables else []
+    return [remark(JOB_OF_ANOTHER, tables=listed(tables), verb=verb, job=job)] if tables else []
 
 
 def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:

@@ -5,7 +5,7 @@ They are registered with those of bearings when a set is first solved (`qsbearin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -23,11 +23,13 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
+from qsbearing.remarks.kinds import CHECK, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.of_solution import ended, every_remark, holding
 from qsbearing.remarks.preload import not_grown, of_loads
-from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, remark, row_name
-from qsbearing.remarks.wording import capital
+from qsbearing.remarks.remark import Holding, Remark, in_order, of_row, remark, row_name
+from qsbearing.remarks.stretch import Stretch, Subject, in_case
+from qsbearing.remarks.wording import Audience, Words, capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -110,8 +112,8 @@ def _(solution: SetSolution, readings: Sequence, index: Index = None) -> list[Re
 
 
 @holding.register
-def _(solution: SetSolution, readings: Sequence, part: slice, may_solve: bool) -> Iterator[Found]:
-    yield from of_set(solution, part, may_solve)
+def _(solution: SetSolution, readings: Sequence, part: slice, may_solve: bool) -> Iterator[Holding]:
+    yield from SUBJECTS(Stretch(solution, part, may_solve))
     for number, (row, own) in enumerate(zip(solution.rows, readings, strict=True)):
         for where, make in holding(row, own, part, may_solve):
             yield where, partial(_of_row, solution, number, make)
@@ -119,7 +121,7 @@ def _(solution: SetSolution, readings: Sequence, part: slice, may_solve: bool) -
 
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
     """What there is to say of a set and of each row; nothing of a case that is not solved."""
-    said = in_case(solution, of_set, index)
+    said = in_case(solution, SUBJECTS, index)
     if not np.any(solution.converged if index is None else np.ravel(solution.converged)[solution.flat_index(index)]):
         return []
     return in_order(said + [of_the_row(solution, n, each) for n, of_row in enumerate(of_rows) for each in of_row])
@@ -131,25 +133,21 @@ def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
     return replace(said, of=replace(said.of, rows=row.rows, bearing=row.bearing, carries=row.carries))
 
 
-def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterator[Found]:
-    """What is not its rows' own, of a stretch of cases: preloads, no stiffness, effects that the set lacks and
-    hypotheses, solved with all rows together: what one changes of a row moves the shaft.
+SUBJECTS = Subject()
+"""What is not its rows' own: preloads, no stiffness, effects that the set lacks and hypotheses, solved with all rows
+together: what one changes of a row moves the shaft."""
 
-    Args:
-        may_solve: whether cases may be solved again, differently, to tell; else what takes that is left out.
-    """
-    loads = None
-    if solution.set.is_opposed:
-        at_rest = not_grown(solution.preload_given, solution.axial_loads, solution.rounding[..., None])
-        loads = solution.preload_loads if may_solve else at_rest
+
+@SUBJECTS.tells
+def _preloads(of: Stretch) -> Iterator[Holding]:
+    solution = of.solution
+    if not solution.set.is_opposed:
+        return
+    at_rest = not_grown(solution.preload_given, solution.axial_loads, solution.rounding[..., None])
+    loads = solution.preload_loads if of.may_solve else at_rest
     for number in range(len(solution.rows) if loads is not None else 0):
-        for where, make in _preload(solution, loads, number, part):
+        for where, make in _preload(of, loads, number):
             yield where, partial(_of_row, solution, number, make)
-    yield from _pressing_rows(solution, part)
-    yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
-    yield from missing_effects(solution, part, may_solve)
-    yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
-    yield from hypotheses(solution, part, may_solve)
 
 
 def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
@@ -165,9 +163,29 @@ def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
                 yield f"{side} sleeve of spacer {number}", warm, getattr(spacer, f"{side}_material")
 
 
-def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
+def _pressing(fields: Mapping[str, Any], words: Words) -> str:
+    """Rows that press each other, and what to write so that one of them slides."""
+    said = ROWS_PRESS.sentence.format_map(fields)
+    row = f"{fields['slides']:.0f}"
+    written = {
+        Audience.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
+        Audience.FILE: f": floating = [{{rows = [{row}]}}]",
+    }
+    return f"{said}{written.get(words.reader, '')}."
+
+
+ROWS_PRESS = Kind(
+    "rows_press", CHECK, "sets#deep-groove-rows",
+    "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
+    "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
+    say=_pressing,
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _pressing_rows(stretch: Stretch) -> Iterator[Holding]:
     """Deep-groove rows that others of their housing or sleeve press without having been told to."""
-    of = solution.set
+    solution, part, of = stretch.solution, stretch.part, stretch.solution.set
     signs = np.array([row.sign for row in of.rows])
     along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
     least = np.maximum(NOTICEABLE * solution.outcome.largest, np.reshape(solution.rounding, -1))[part]
@@ -186,29 +204,51 @@ def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
 
             def make(i: int, both: NDArray = pushed + against, pressed: NDArray = pressed) -> Remark:
                 rows = np.flatnonzero(both[:, i] > least[i])
-                said = remark("rows_press", pressed_N=pressed[i], slides=int(rows[-1]) + 1)
+                said = remark(ROWS_PRESS, pressed_N=pressed[i], slides=int(rows[-1]) + 1)
                 return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
 
             yield once & (pressed > least), make
+
+
+STIFFNESS_UNDETERMINED = Kind(
+    "stiffness_undetermined", WRONG, SEE_HYPOTHESES,
+    "No stiffness: in a row, no raceway control is consistent, and several solutions exist.",
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _undetermined(of: Stretch) -> Iterator[Holding]:
+    yield ~of.cases(of.solution.control_is_consistent, bool), remark(STIFFNESS_UNDETERMINED)
+
+
+SUBJECTS.tells(missing_effects)
+
+
+@SUBJECTS.tells
+def _far(of: Stretch) -> Iterator[Holding]:
+    yield from far_from_room_temperature(of, _bodies(of.solution.set))
+
+
+SUBJECTS.tells(hypotheses)
 
 
 def _of_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int) -> Remark:
     return of_the_row(solution, number, make if isinstance(make, Remark) else make(i))
 
 
-def _preload(solution: SetSolution, of: Any, number: int, part: slice) -> Iterator[Found]:
+def _preload(of: Stretch, loads: Any, number: int) -> Iterator[Holding]:
     """What to beware of in the preload of a row."""
+    solution = of.solution
 
-    def cases(values: Any) -> NDArray:
-        return np.asarray(values)[..., number].reshape(-1)[part]
+    def of_row(values: Any) -> NDArray:
+        return of.cases(np.asarray(values)[..., number])
 
     def axial(row: Solution) -> NDArray:
-        return np.broadcast_to(row.stiffness[..., 0, 0], solution.shape).reshape(-1)[part]
+        return of.cases(row.stiffness[..., 0, 0])
 
-    state = "before fitting" if solution.set.preload is None else solution.set.preload.state
     yield from of_loads(
-        PreloadLoads(*map(cases, of)),
-        state,
-        lambda: (axial(solution.mounted.rows[number]), axial(solution.rows[number])),  # type: ignore[union-attr]
-        lambda: (cases(solution.preload_unmounted), cases(solution.preload_mounted)),
+        PreloadLoads(*map(of_row, loads)),
+        "before fitting" if solution.set.preload is None else solution.set.preload.state,
+        lambda: (axial(solution.mounted.rows[number]), axial(solution.rows[number])),
+        lambda: (of_row(solution.preload_unmounted), of_row(solution.preload_mounted)),
     )

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+from qsbearing.files import sheet_by_name
 from qsbearing.files.file_keys import IN_FILE
+from qsbearing.inference import infer
 from qsbearing.model.solution.groups import GROUPS
 from qsbearing.model.solution.result_keys import Result, printed_unit
 from qsbearing.readings.asked import READINGS
+from qsbearing.remarks import of_solution
 from qsbearing.remarks.kinds import KINDS, Kind
+from qsbearing.studies import inferred
+from qsbearing.studies.design import compare
+from qsbearing.systems.sets import remarks
+
+DESCRIBING = (of_solution, remarks, infer, sheet_by_name, inferred, compare)
+"""What, with the readings, describes kinds of remarks: once it is imported, every kind has entered itself."""
+
+
+def every_kind() -> dict[str, Kind]:
+    """All kinds of remarks, in the order of their codes."""
+    return dict(sorted(KINDS.items()))
 
 
 def _readings() -> str:
@@ -36,7 +50,7 @@ def _remarks() -> str:
         values = ", ".join(f"`{name}`" for name in kind.values)
         return f"| `{kind.code}` | {kind.severity.words} | {values} | {kind.outline(IN_FILE)} |\n"
 
-    return "".join(map(row, KINDS.values()))
+    return "".join(map(row, every_kind().values()))
 
 
 LISTS = {"readings": _readings, "results": _results, "remarks": _remarks}
