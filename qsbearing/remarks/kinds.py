@@ -207,8 +207,8 @@ _ALL = (
          "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
          "its numbers", say=sentences.lacking),
     Kind("effect_unknown_to_friction", INCOMPLETE, AXIS,
-         "{effect} is not included, which balls that friction moves do not know; under outer control it would change the "
-         "{quantity} by about {changes} ({under})", say=sentences.unknown_to_friction),
+         "{effect} is not included, which balls that friction moves do not know; under outer control it would change "
+         "the {quantity} by about {changes} ({under})", say=sentences.unknown_to_friction),
     Kind("hypotheses_differ", INCOMPLETE, HYPOTHESES,
          f"{sentences.DIFFERING} {{displacement}} is {{displacement_least:.4g}} to {{displacement_most:.4g}} "
          "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
