@@ -209,18 +209,18 @@ def _of_unknown_to_friction(solution: Any, part: slice, are_few: bool) -> Iterat
             continue
         predicted = [_predicted(entry, solution)] if entry.tells_without or not entry.needs else []
         is_worth_it = entry.needs or np.any(predicted[0].largest > WORTH_A_SOLVE)
-        found = changes(entry, solution) if are_few and is_worth_it else [] if are_few else predicted
-        if found:
-            matters = np.any([_matters(each, part) for each in found], axis=0)
-            by = np.max([each.largest.reshape(-1)[part] for each in found], axis=0)
-            yield np.where(matters, by, 0.0), partial(_unknown, solution, entry, found, part.start)
+        compared = changes(entry, solution) if are_few and is_worth_it else [] if are_few else predicted
+        if compared:
+            matters = np.any([_matters(each, part) for each in compared], axis=0)
+            by = np.max([each.largest.reshape(-1)[part] for each in compared], axis=0)
+            yield np.where(matters, by, 0.0), partial(_unknown, solution, entry, compared, part.start)
 
 
-def _unknown(solution: Any, entry: Entry, found: list[Change], start: int, i: int) -> Remark:
+def _unknown(solution: Any, entry: Entry, compared: list[Change], start: int, i: int) -> Remark:
     k = start + i
-    there = [each for each in found if np.ravel(each.is_solved)[k]]
-    quantity, by = _most(found, k)
-    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in found)
+    there = [each for each in compared if np.ravel(each.is_solved)[k]]
+    quantity, by = _most(compared, k)
+    under, is_solved = tuple(each.under for each in there), all(each.displacement is not None for each in compared)
     values: dict[str, Any] = {"effect": entry.name, "quantity": quantity, "changes": by, "under": under}
     values |= {"is_estimated": not is_solved, **_moved(solution, there if quantity == DISPLACEMENT else [], k)}
     return Remark(EFFECT_UNKNOWN_TO_FRICTION, values=values)

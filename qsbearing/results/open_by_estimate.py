@@ -2,8 +2,8 @@
 hypothesis: open.
 
 What such an effect changes has been solved for remarks, with usual numbers where its own are not known
-(`qsbearing.model.solution.changes`); here the required result is read off these solutions too. Where balls that friction
-moves do not know an effect, friction's result is moved by its change under outer control.
+(`qsbearing.model.solution.changes`); here the required result is read off these solutions too. Where balls that
+friction moves do not know an effect, friction's result is moved by its change under outer control.
 """
 
 from __future__ import annotations

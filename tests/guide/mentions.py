@@ -43,7 +43,8 @@ def keys_of(remark: Remark) -> Collection[str]:
     """By which `WORDS` has it."""
     if remark.code == "effects_missing":
         return tuple(map(str, remark.values["effects"]))
-    return (str(remark.values["effect"]) if remark.code == "effect_data_missing" else remark.code,)
+    is_of_effect = remark.code in ("effect_data_missing", "effect_unknown_to_friction")
+    return (str(remark.values["effect"]) if is_of_effect else remark.code,)
 
 
 def unmentioned(text: str, printed: Collection[str]) -> set[str]:

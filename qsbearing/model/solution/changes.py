@@ -46,8 +46,8 @@ class Change:
     solution: Any = None
     """With it, of few cases; None where nothing was solved."""
     against: Any = None
-    """The solution under outer control that `solution` is compared with, where balls that friction moves do not know it;
-    displacement and stiffness are then `beside_friction`. None else."""
+    """The solution under outer control that `solution` is compared with, where balls that friction moves do not know
+    it; displacement and stiffness are then `beside_friction`. None else."""
 
     @property
     def largest(self) -> NDArray:
