@@ -27,7 +27,7 @@ PATIENCE = 2.0
 """Seconds of silence on a terminal."""
 
 
-class Loaded(NamedTuple):
+class LoadedFile(NamedTuple):
     """What a command is asked to solve."""
 
     of: Scene | BearingSet
@@ -37,7 +37,7 @@ class Loaded(NamedTuple):
     """What --set has put into them."""
 
 
-def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool = False) -> Loaded:
+def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool = False) -> LoadedFile:
     """The scene or set of a file or of a catalogue entry; of several operating points, if it says so. Ends with exit
     code 2 and every error if there is none.
 
@@ -48,10 +48,10 @@ def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool
     from qsbearing.files.scene_file import document_of
     from qsbearing.files.scene_or_set import scene_or_set_of
 
-    def made(given: str) -> Loaded:
+    def made(given: str) -> LoadedFile:
         document, file, label = document_of(given)
         if not settings:
-            return Loaded(scene_or_set_of(deepcopy(document), file, label, may_infer), document, ())
+            return LoadedFile(scene_or_set_of(deepcopy(document), file, label, may_infer), document, ())
         from qsbearing.studies.changed_keys import changed
         from qsbearing.studies.study import Read
 
@@ -59,7 +59,7 @@ def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool
             return scene_or_set_of(deepcopy(of.document), of.file, of.label, may_infer)
 
         of, read, changes = changed(Read(document, file, label), pairs, make)
-        return Loaded(of, read.document, changes)
+        return LoadedFile(of, read.document, changes)
 
     pairs = settings_of(settings)
     loaded = _loaded(made, source)
@@ -71,7 +71,7 @@ def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool
     return loaded
 
 
-def load_one(source: str, settings: Sequence[str] = ()) -> Loaded:
+def load_one(source: str, settings: Sequence[str] = ()) -> LoadedFile:
     """Likewise, of one operating point."""
     loaded = load_scene_or_set(source, settings)
     if "spectrum" in loaded.of.readings:

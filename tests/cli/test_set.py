@@ -179,7 +179,9 @@ def test_the_report_says_it_and_has_the_numbers_as_set(tmp_path: Path) -> None:
     (tmp_path / "my.toml").write_text(text)
     call("report", tmp_path / "my.toml", "--set", "bearing.diametral_clearance_mm=0.5", "--out", tmp_path)
     page = Page.of((tmp_path / "my_report.html").read_text(encoding="utf-8")).text
-    set_here = "bearing.diametral_clearance_mm = 0.5 (before: not given; in place of bearing.free_contact_angle_deg = 35)"
+    set_here = (
+        "bearing.diametral_clearance_mm = 0.5 (before: not given; in place of bearing.free_contact_angle_deg = 35)"
+    )
     assert f"Set: {set_here}" in page
     assert "computed from the clearance" in page and "computed from the free contact angle" not in page
     assert "--set bearing.diametral_clearance_mm=0.5 --out DIR" in page
