@@ -117,7 +117,7 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
         )
 
 
-def _show(record: dict[str, Any], changes: Sequence[Block], remarks: Sequence[Block]) -> None:
+def _show(record: dict[str, Any], changes: Sequence[Block] = (), remarks: Sequence[Block] = ()) -> None:
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 

@@ -128,23 +128,19 @@ def solve(requested: Scene | BearingSet, tolerance: float | None = None) -> Any:
 
 
 def answers_to_required(solution: Any, readings: Any = None) -> list[Answer]:
-    """The answers to what its scene or set requires; ends with what is wrong with a name that only the solution tells.
+    """The answers to what its scene or set requires.
 
     Args:
         readings: where they are taken already.
     """
     from qsbearing.model.solution.changes import requested
-    from qsbearing.model.validation import SceneError
 
     if not requested(solution).require:
         return []
     from qsbearing.results.readings_record import all_taken
     from qsbearing.results.requirements import required_answers
 
-    try:
-        return required_answers(solution, all_taken(solution) if readings is None else readings)
-    except SceneError as error:
-        refuse(str(error))
+    return required_answers(solution, all_taken(solution) if readings is None else readings)
 
 
 def is_missed(required: list[Answer]) -> bool:
