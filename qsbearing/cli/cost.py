@@ -13,6 +13,7 @@ import click
 from qsbearing.cli.files import check_installed, fill, folder
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text
 from qsbearing.cli.scene import load_one, solve
+from qsbearing.cli.settings import set_option, told, with_changes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -23,11 +24,12 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Show what accuracy costs in time.")
 @click.argument("scene")
+@set_option
 @click.option("--json", "as_json", is_flag=True, help="Print the record as one JSON object, and nothing else.")
 @click.option("--out", metavar="DIR", help="Also write the record (JSON) and its pictures (PNG) to this folder.")
 @click.option("--thorough", is_flag=True, help="Measure over the speeds too, with spread and memory: minutes.")
 @click.option("--quick", is_flag=True, help="Likewise, repeated only a few times; the spread then means little.")
-def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool) -> None:
+def cost(scene: str, settings: tuple[str, ...], as_json: bool, out: str | None, thorough: bool, quick: bool) -> None:
     """Show what accuracy costs in time, for the bearing or set of SCENE and its loads, within ten seconds.
 
     Each level of the model, from a static bearing to the full model, stands with its error against the full model and
@@ -40,7 +42,8 @@ def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool
     """
     if out is not None:
         check_installed("--out needs", ("matplotlib",), "plot")
-    solution = solve(load_one(scene))
+    loaded = load_one(scene, settings)
+    solution = solve(loaded.of)
     if not solution.converged:
         from qsbearing.remarks.of_solution import message
 
@@ -56,11 +59,14 @@ def cost(scene: str, as_json: bool, out: str | None, thorough: bool, quick: bool
 
         record = _measured(of, thorough) if is_long else _look(of)
         options = [f"--{name}" for name, given in (("thorough", thorough), ("quick", quick)) if given]
+        options += [f"--set={each}" for each in settings]
+        record = with_changes(record, loaded.changes)
         record["provenance"] = provenance.of_run(shlex.join(["qsbearing", "cost", scene, *options]))
         if as_json:
             print_text(_json(record))
         else:
-            print_table(tables.report(record) if is_long else accuracy_table.blocks(record))
+            shown = tables.report(record) if is_long else accuracy_table.blocks(record)
+            print_table([*told(loaded.changes), *shown])
         return record
 
     if out is None:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.ball_sets import blocks_of_lists, document_at
+from qsbearing.cli.ball_sets import blocks_of_lists
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
+from qsbearing.cli.settings import set_option, told, with_changes
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
 
 @click.command(short_help="Show which effects a scene needs, and how much each matters.")
 @click.argument("scene")
+@set_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table, and nothing else.")
 @click.option("--verify", is_flag=True, hidden=True, help="Solve with and without each; this is always done.")
 @click.option(
@@ -36,7 +38,7 @@ HEADINGS = ("angles\n%", "loads\n%", "press.\n%", "displ.\nµm", "stiffn.\n%")
     show_default=True,
     help="Relative change below which an effect is not needed.",
 )
-def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
+def explain(scene: str, settings: tuple[str, ...], as_json: bool, verify: bool, tolerance: float) -> None:
     """Show for every effect and choice, named by SCENE or not, how much it matters at this operating point.
 
     The scene is solved with and without each of them. The table shows the change of contact angles, loads, pressures,
@@ -54,16 +56,15 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
 
     if not 0.0 < tolerance <= 1.0:
         refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
-    loaded = load_one(scene)
+    loaded, document, changes = load_one(scene, settings)
     # Its readings need it, and one of before 2024 loads scipy.linalg, which `solving` puts out of reach.
     importlib.import_module("scipy.special")
     with solving():
         explanation = explained(loaded, tolerance)
-    document = document_at(scene)
     if as_json:
-        print_text(json.dumps(explanation.record, indent=1, allow_nan=False) + "\n")
+        print_text(json.dumps(with_changes(explanation.record, changes), indent=1, allow_nan=False) + "\n")
     else:
-        print_table([*_shown(explanation, tolerance), *blocks_of_lists(document, loaded)])
+        print_table([*told(changes), *_shown(explanation, tolerance), *blocks_of_lists(document, loaded)])
     if not explanation.solution.converged:
         note(message(explanation.solution))
         sys.exit(UNSOLVED)

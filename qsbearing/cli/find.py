@@ -12,6 +12,7 @@ import click
 from qsbearing.cli.ball_sets import blocks_of_lists, note_of_lists
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_table, print_text, progress_bar, refuse, warnings_as_notes
+from qsbearing.cli.settings import changed_read, set_option, told, with_changes
 from qsbearing.cli.vary import pairs_of
 
 MOST_POINTS = 100_000_000
@@ -23,6 +24,7 @@ MOST_POINTS = 100_000_000
     "--vary", multiple=True, metavar="KEY=RANGE", help="A numeric key of the scene file and its range: "
     "LOW:HIGH, LOW:HIGH:log or A,B,C. Repeat it for each further key, up to six; ball_count takes whole numbers.",
 )  # fmt: skip
+@set_option
 @click.option("--goal", "goals", multiple=True, metavar="NAME=VALUE", help="A result that must have this value.")
 @click.option(
     "--limit",
@@ -53,7 +55,9 @@ MOST_POINTS = 100_000_000
     metavar="FILE",
     help="Also draw the feasible region over the first two ranges; .png, .svg or .pdf.",
 )
-def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, **requested: Any) -> None:
+def find(
+    scene: str, vary: tuple[str, ...], settings: tuple[str, ...], as_json: bool, target: str | None, **requested: Any
+) -> None:
     """Find values of keys of SCENE that meet goals and limits, and that make a result as small or as large as possible.
 
     Results are those of `qsbearing sweep`, such as effective_stiffness_radial_y, inner.max_pressure_MPa or
@@ -71,7 +75,7 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
     with ExitStack() as stack:
         try:
             with warnings_as_notes():
-                search = prepared(scene, varied, **requested)
+                search, _, changes = changed_read(scene, settings, lambda read: prepared(read, varied, **requested))
         except SceneError as error:
             problems.append(str(error))
         writers = claimed(stack, {"--plot": target}, problems)
@@ -83,9 +87,9 @@ def find(scene: str, vary: tuple[str, ...], as_json: bool, target: str | None, *
         document = search.study.document
         if as_json:
             note_of_lists(document)
-            print_text(json.dumps(shown.record(outcome), indent=1, allow_nan=False) + "\n")
+            print_text(json.dumps(with_changes(shown.record(outcome), changes), indent=1, allow_nan=False) + "\n")
         else:
-            print_table([*shown.tables(outcome), *blocks_of_lists(document, outcome.scene)])
+            print_table([*told(changes), *shown.tables(outcome), *blocks_of_lists(document, outcome.scene)])
         write_files(writers, {"--plot": lambda: picture_bytes(shown.picture(outcome), target or "")})
     if not outcome.is_feasible:
         sys.exit(UNSOLVED)

@@ -12,6 +12,7 @@ import click
 from qsbearing.cli.files import claimed, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_result, print_table, progress_bar, refuse
 from qsbearing.cli.scene import in_keys, load_one, solve, solving
+from qsbearing.cli.settings import set_option, told, with_changes
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Find temperatures over speed and time, and thermal runaway.")
 @click.argument("scene")
+@set_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of tables, and nothing else.")
 @click.option(
     "--transient",
@@ -37,7 +39,14 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Also draw them over the speed, or with --transient over the time; .png, .svg or .pdf.",
 )
-def heat(scene: str, as_json: bool, transient: float | None, start: float | None, plot: str | None) -> None:
+def heat(
+    scene: str,
+    settings: tuple[str, ...],
+    as_json: bool,
+    transient: float | None,
+    start: float | None,
+    plot: str | None,
+) -> None:
     """Find the steady temperatures of SCENE, a bearing or a set of rows with a table [thermal].
 
     Steady states are followed from standstill with rising speed, up to the speed at which their curve turns back
@@ -53,7 +62,7 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
     _check(transient, start)
     with ExitStack() as stack:
         writers = claimed(stack, {"--plot": plot}, picture_problems(plot), scene)
-        loaded = load_one(scene)
+        loaded, _, changes = load_one(scene, settings)
         if loaded.thermal is None:
             refuse(f"{scene}: has no table [thermal]; `qsbearing guide heat` shows one")
         solution = solve(loaded)
@@ -75,9 +84,9 @@ def heat(scene: str, as_json: bool, transient: float | None, start: float | None
             except SceneError as error:
                 refuse(in_keys(error))
         if as_json:
-            print_result(loaded, record)
+            print_result(loaded, with_changes(record, changes))
         else:
-            _show(record, blocks(said, is_apart=True))
+            _show(record, told(changes), blocks(said, is_apart=True))
         if plot is not None:
             from qsbearing.pictures.style import name_of
 
@@ -108,7 +117,7 @@ def _course(state: ThermalState, duration: float, start: float | None) -> Any:
         )
 
 
-def _show(record: dict[str, Any], remarks: Sequence[Block] = ()) -> None:
+def _show(record: dict[str, Any], changes: Sequence[Block] = (), remarks: Sequence[Block] = ()) -> None:
     from qsbearing.documents.model import Paragraph
     from qsbearing.results.thermal_report import course_table, speeds_table, thermal_tables, whole_bearing_table
 
@@ -118,7 +127,7 @@ def _show(record: dict[str, Any], remarks: Sequence[Block] = ()) -> None:
     for name, table in (("speeds", speeds_table), ("whole_bearing", whole_bearing_table), ("transient", course_table)):
         if record[name] is not None:
             parts += [table(record[name]), Paragraph(record[name]["message"], is_apart=True)]
-    print_table([*parts, *remarks])
+    print_table([*changes, *parts, *remarks])
 
 
 def _picture(record: dict[str, Any], state: ThermalState, title: str, target: str) -> bytes:

@@ -11,17 +11,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from qsbearing.cli.ball_sets import blocks_of_lists, document_at
+from qsbearing.cli.ball_sets import blocks_of_lists
 from qsbearing.cli.files import BOXES, check_installed, fill, folder
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_wrote, refuse
 from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
+from qsbearing.cli.settings import set_option
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from pathlib import Path
 
     from qsbearing.documents.model import Document
     from qsbearing.model.scene.scene import Scene
+    from qsbearing.studies.changed_keys import ChangedKey
     from qsbearing.systems.sets.bearing_set import BearingSet
 
 NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
@@ -30,8 +32,9 @@ MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 @click.command(short_help="Write the design report of a scene or set, HTML and PDF.")
 @click.argument("scene")
+@set_option
 @click.option("--out", metavar="DIR", required=True, help="Folder for the two files; it is made if it does not exist.")
-def report(scene: str, out: str) -> None:
+def report(scene: str, settings: tuple[str, ...], out: str) -> None:
     """Solve SCENE, a bearing or a set of rows, and write its design report to DIR, as one HTML page and one PDF.
 
     Of a file with [[spectrum]] it opens with the life under all operating points, and shows the one that does most
@@ -46,7 +49,7 @@ def report(scene: str, out: str) -> None:
     from pathlib import Path
 
     check_installed("report needs", NEEDED, "report")
-    requested = load_scene_or_set(scene)
+    requested, document, changes = load_scene_or_set(scene, settings)
     from qsbearing.files.scene_file import is_file, text_of
 
     path = Path(scene)
@@ -55,8 +58,14 @@ def report(scene: str, out: str) -> None:
     _refuse_another(page, path)
     solution = _solved(requested)
     required = answers_to_required(solution)
-    command = shlex.join(["qsbearing", "report", scene, "--out", "DIR"])
-    make = _maker(solution, requested, document_at(scene), text_of(scene), command)
+    given = [word for each in settings for word in ("--set", each)]
+    command = shlex.join(["qsbearing", "report", scene, *given, "--out", "DIR"])
+    source = text_of(scene)
+    if changes:
+        from qsbearing.studies.changed_keys import text_with
+
+        source = text_with(document, changes)
+    make = _maker(solution, requested, document, source, command, changes)
     from qsbearing.documents.html import html
     from qsbearing.documents.pdf import pdf
 
@@ -112,12 +121,17 @@ def _solved(requested: Scene | BearingSet) -> Any:
 
 
 def _maker(
-    solution: Any, requested: Scene | BearingSet, tables: dict[str, Any], source: str, command: str
+    solution: Any,
+    requested: Scene | BearingSet,
+    tables: dict[str, Any],
+    source: str,
+    command: str,
+    changes: Sequence[ChangedKey],
 ) -> Callable[[], Document]:
     """What makes the document of a scene or set."""
     from qsbearing.reports.of_any import document_of_any
 
-    return lambda: _with_other_sets(document_of_any(solution, requested, source, command), requested, tables)
+    return lambda: _with_other_sets(document_of_any(solution, requested, source, command, changes), requested, tables)
 
 
 def _with_other_sets(made: Document, requested: Scene | BearingSet, tables: dict[str, Any]) -> Document:

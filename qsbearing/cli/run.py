@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from qsbearing.cli.ball_sets import blocks_of_lists, document_at
+from qsbearing.cli.ball_sets import blocks_of_lists
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
 from qsbearing.cli.run_points import run_points
 from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
+from qsbearing.cli.settings import set_option, told, with_changes
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Solve a scene; show loads, angles, stiffness.")
 @click.argument("scene")
+@set_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of tables, and nothing else.")
 @click.option(
     "--csv",
@@ -75,6 +77,7 @@ if TYPE_CHECKING:
 )
 def run(
     scene: str,
+    settings: tuple[str, ...],
     as_json: bool,
     csv_target: str | None,
     plot_target: str | None,
@@ -97,15 +100,15 @@ def run(
     if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
         clashing = {name: given for name, given in others.items() if given not in (None, False)}
-        run_points(scene, points, out, decimal, clashing)
+        run_points(scene, settings, points, out, decimal, clashing)
         return
     targets = {"--csv": csv_target, "--plot": plot_target, "--into": into}
     with ExitStack() as stack:
         writers = claimed(stack, targets, csv_problems(csv_target) + picture_problems(plot_target), scene)
-        loaded = load_scene_or_set(scene, may_infer=True)
+        loaded, document, changes = load_scene_or_set(scene, settings, may_infer=True)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
-        model: Any = None if into is None else _model_of(scene, into)
+        model: Any = None if into is None else _model_of(scene, document, into)
         from qsbearing.model.scene.scene import Scene
 
         if isinstance(loaded, Scene) and loaded.bearing.inferred is not None:
@@ -113,11 +116,11 @@ def run(
             outcome = _of_data_sheet(loaded)
         else:
             outcome = _of_scene(loaded, accuracy) if isinstance(loaded, Scene) else _of_set(loaded, accuracy)
-            outcome = _with_other_sets(outcome, loaded, document_at(scene))
+            outcome = _with_other_sets(outcome, loaded, document)
         if as_json:
-            print_result(outcome.input, outcome.record())
+            print_result(outcome.input, with_changes(outcome.record(), changes))
         else:
-            print_table(outcome.blocks())
+            print_table([*told(changes), *outcome.blocks()])
         if outcome.lacks:
             for option in writers:
                 note(f"{targets[option]} is not written: {outcome.lacks}")
@@ -142,18 +145,18 @@ def run(
 NO_PICTURE = "--plot: a picture shows a single operating point, not a spectrum; --csv writes every ball of every point"
 
 
-def _model_of(scene: str, into: str) -> Any:
+def _model_of(scene: str, document: dict[str, Any], into: str) -> Any:
     """The model that takes the results; ends with what is wrong with it, before anything is solved."""
     from pathlib import Path
 
     from qsbearing.files.rexs.write_back import WriteBack
-    from qsbearing.files.scene_file import STANDARD_INPUT, document_of
+    from qsbearing.files.scene_file import STANDARD_INPUT
     from qsbearing.model.validation import SceneError
 
     if scene in STANDARD_INPUT:
         refuse("--into: takes a scene file, of one point or of a load spectrum")
     try:
-        return WriteBack(Path(into), document_of(scene)[0])
+        return WriteBack(Path(into), document)
     except SceneError as error:
         refuse(str(error))
 

@@ -7,7 +7,7 @@ import sys
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
-from qsbearing.cli.ball_sets import document_at, note_of_lists
+from qsbearing.cli.ball_sets import note_of_lists
 from qsbearing.cli.files import ending, ending_problems, how_to_install, missing
 from qsbearing.cli.output import (
     UNSOLVED,
@@ -20,15 +20,26 @@ from qsbearing.cli.output import (
     refuse_all,
     warnings_as_notes,
 )
+from qsbearing.cli.settings import changed_read
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from qsbearing.studies.remarked import Look
+    from qsbearing.studies.study import Read
 
 _NEEDS: dict[str, tuple[str, ...]] = {".csv": (), ".xlsx": ("openpyxl",), ".parquet": ("pyarrow",)}
 SHOWN = 5
 
 
-def run_points(scene: str, points: str | None, out: str | None, decimal: str | None, others: dict[str, Any]) -> None:
+def run_points(
+    scene: str,
+    settings: Sequence[str],
+    points: str | None,
+    out: str | None,
+    decimal: str | None,
+    others: dict[str, Any],
+) -> None:
     """Solve the scene at each row and write the rows with their results; ends the command."""
     problems = [f"{name}: cannot be used with --points, whose results go to --out" for name in others]
     for option, target in (("--points", points), ("--out", out)):
@@ -41,8 +52,17 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
     refuse_all(problems)
     assert points is not None and out is not None  # said to be missing
     looks: list[Look] = []
-    table = _solved(scene, points, out, decimal, looks)
-    note_of_lists(document_at(scene))
+    from qsbearing.model.validation import SceneError
+
+    try:
+        with warnings_as_notes():
+            _, read, changes = changed_read(scene, settings, lambda _: None)
+    except SceneError as error:
+        refuse(str(error))
+    table = _solved(read, points, out, decimal, looks)
+    note_of_lists(read.document)
+    for each in changes:
+        print_text(f"Set: {each}\n")
     counts = Counter(table["status"])
     print_text(f"{counts['converged']:,} of {len(table['status']):,} rows solved\n")
     bad = [i for i, status in enumerate(table["status"]) if status != "converged"]
@@ -58,7 +78,7 @@ def run_points(scene: str, points: str | None, out: str | None, decimal: str | N
         sys.exit(UNSOLVED)
 
 
-def _solved(scene: str, points: str, out: str, decimal: str | None, looks: list[Look]) -> dict[str, list[Any]]:
+def _solved(scene: Read, points: str, out: str, decimal: str | None, looks: list[Look]) -> dict[str, list[Any]]:
     """The rows with their results, written; what is solved before anything fails is kept beside them as CSV."""
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.files.output_file import kept_rows, output_file

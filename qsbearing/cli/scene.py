@@ -4,72 +4,82 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Callable, Iterator
+import warnings
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TypeVar
+from copy import deepcopy
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from qsbearing.cli.ball_sets import document_at, note_of_lists, remember
+from qsbearing.cli.ball_sets import note_of_lists
 from qsbearing.cli.output import note, refuse, warnings_as_notes
+from qsbearing.cli.settings import settings_of
 
 if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
     from qsbearing.model.solution.limit import Answer
     from qsbearing.model.validation import SceneError
+    from qsbearing.studies.changed_keys import ChangedKey
     from qsbearing.systems.sets.bearing_set import BearingSet
 
 T = TypeVar("T")
-Requested = TypeVar("Requested", bound="Scene | BearingSet")
 
 PATIENCE = 2.0
 """Seconds of silence on a terminal."""
 
 
-def load(source: str) -> Scene:
-    """The scene of a file or of a catalogue entry; ends with exit code 2 and every error if there is none."""
-    from qsbearing.files.scene_file import document_of, scene_of
+class LoadedFile(NamedTuple):
+    """What a command is asked to solve."""
 
-    def made(given: str) -> Scene:
-        document, file, label = document_of(given)
-        remember(given, document)
-        return scene_of(document, file, label)
-
-    loaded = _loaded(made, source)
-    note_of_lists(document_at(source))
-    return _of_one_point(loaded, source)
+    of: Scene | BearingSet
+    document: dict[str, Any]
+    """The tables that it was made of; of a sweep's result those of its study."""
+    changes: tuple[ChangedKey, ...]
+    """What --set has put into them."""
 
 
-def load_scene_or_set(source: str, may_infer: bool = False) -> Scene | BearingSet:
-    """Likewise, but a file with rows is a set; of several operating points, if it says so.
+def load_scene_or_set(source: str, settings: Sequence[str] = (), may_infer: bool = False) -> LoadedFile:
+    """The scene or set of a file or of a catalogue entry; of several operating points, if it says so. Ends with exit
+    code 2 and every error if there is none.
 
     Args:
+        settings: keys and the values that they take instead, as --set has them.
         may_infer: whether a bearing may be a list, those that its data sheet allows; else the best is taken, and said.
     """
     from qsbearing.files.scene_file import document_of
     from qsbearing.files.scene_or_set import scene_or_set_of
 
-    def made(given: str) -> Scene | BearingSet:
+    def made(given: str) -> LoadedFile:
         document, file, label = document_of(given)
-        remember(given, document)
-        return scene_or_set_of(document, file, label, may_infer)
+        if not settings:
+            return LoadedFile(scene_or_set_of(deepcopy(document), file, label, may_infer), document, ())
+        from qsbearing.studies.changed_keys import changed
+        from qsbearing.studies.study import Read
 
+        def make(of: Read) -> Scene | BearingSet:
+            return scene_or_set_of(deepcopy(of.document), of.file, of.label, may_infer)
+
+        of, read, changes = changed(Read(document, file, label), pairs, make)
+        return LoadedFile(of, read.document, changes)
+
+    pairs = settings_of(settings)
     loaded = _loaded(made, source)
+    if source.lower().endswith(".nc"):
+        with warnings.catch_warnings(action="ignore"):  # which it gave when it was read
+            loaded = loaded._replace(document=document_of(source, True)[0])
     if not may_infer:
-        note_of_lists(document_at(source))
+        note_of_lists(loaded.document)
     return loaded
 
 
-def load_one(source: str) -> Scene | BearingSet:
+def load_one(source: str, settings: Sequence[str] = ()) -> LoadedFile:
     """Likewise, of one operating point."""
-    return _of_one_point(load_scene_or_set(source), source)
-
-
-def _of_one_point(requested: Requested, source: str) -> Requested:
-    if "spectrum" in requested.readings:
+    loaded = load_scene_or_set(source, settings)
+    if "spectrum" in loaded.of.readings:
         refuse(
             f"{source}: [[spectrum]] has several operating points, which only `qsbearing run` and `report` solve: "
             "leave it out here"
         )
-    return requested
+    return loaded
 
 
 def _loaded(read: Callable[[str], T], source: str) -> T:
@@ -118,23 +128,19 @@ def solve(requested: Scene | BearingSet, tolerance: float | None = None) -> Any:
 
 
 def answers_to_required(solution: Any, readings: Any = None) -> list[Answer]:
-    """The answers to what its scene or set requires; ends with what is wrong with a name that only the solution tells.
+    """The answers to what its scene or set requires.
 
     Args:
         readings: where they are taken already.
     """
     from qsbearing.model.solution.changes import requested
-    from qsbearing.model.validation import SceneError
 
     if not requested(solution).require:
         return []
     from qsbearing.results.readings_record import all_taken
     from qsbearing.results.requirements import required_answers
 
-    try:
-        return required_answers(solution, all_taken(solution) if readings is None else readings)
-    except SceneError as error:
-        refuse(str(error))
+    return required_answers(solution, all_taken(solution) if readings is None else readings)
 
 
 def is_missed(required: list[Answer]) -> bool:

@@ -10,9 +10,12 @@ import click
 
 from qsbearing.cli.files import claimed, write_files
 from qsbearing.cli.output import UNSOLVED, note, print_text, refuse
+from qsbearing.cli.settings import set_option, told
 from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from qsbearing.studies.remarked import Look
 
 
@@ -30,6 +33,7 @@ NO_TANGENT = "the raceway control of some ball contradicts itself there: there i
 @click.command(short_help="Tabulate stiffness over speed and load, for rotor dynamics.")
 @click.argument("scene")
 @vary_option
+@set_option
 @click.option("--mirrored", is_flag=True, help="The bearing is mounted the other way round on the shaft.")
 @click.option(
     "--format",
@@ -45,7 +49,15 @@ NO_TANGENT = "the raceway control of some ball contradicts itself there: there i
     help="Of the other formats; N-mm-t unless given, of ross N-m-kg.",
 )
 @click.option("--out", metavar="FILE", help="Write to this file instead of printing.")
-def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str | None, out: str | None) -> None:
+def stiffness(
+    scene: str,
+    vary: tuple[str, ...],
+    settings: tuple[str, ...],
+    mirrored: bool,
+    form: str,
+    units: str | None,
+    out: str | None,
+) -> None:
     """Tabulate the stiffness of SCENE for rotor dynamics: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
 
     The shaft turns about z: x, y, z of the table are y, z, x of the scene. For instance: qsbearing stiffness 7210c
@@ -59,7 +71,8 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
     if form != "csv":
         if form == "ross" and units == "N-mm-t":
             refuse("--units: elements of ROSS are in N, m and kg")
-        _for_finite_elements(scene, vary, mirrored, form, units or ("N-m-kg" if form == "ross" else "N-mm-t"), out)
+        units = units or ("N-m-kg" if form == "ross" else "N-mm-t")
+        _for_finite_elements(scene, settings, vary, mirrored, form, units, out)
         return
     if units is not None:
         refuse("--units: a table as CSV is in N, m and rad; other formats have other units")
@@ -72,21 +85,25 @@ def stiffness(scene: str, vary: tuple[str, ...], mirrored: bool, form: str, unit
         writers = claimed(stack, {"--out": out}, [])
         try:
             looks: list[Look] = []
-            columns = stiffness_of(study_of(scene, vary, {}), mirrored=mirrored, looks=looks)
+            study, changes = study_of(scene, vary, {}, settings)
+            columns = stiffness_of(study, mirrored=mirrored, looks=looks)
         except SceneError as error:
             refuse(str(error))
         text = csv_bytes(columns)
         write_files(writers, {"--out": lambda: text})
         if not writers:
             print_text(text.decode())
-    for each in of_look(together(looks), len(columns["status"])):
-        note(each.text)
+    said = [each.text for each in told(changes)] + [
+        each.text for each in of_look(together(looks), len(columns["status"]))
+    ]
+    for each in said:
+        note(each)
     if not (columns["status"] == "converged").any():
         sys.exit(UNSOLVED)
 
 
 def _for_finite_elements(
-    scene: str, vary: tuple[str, ...], mirrored: bool, form: str, units: str, out: str | None
+    scene: str, settings: Sequence[str], vary: Sequence[str], mirrored: bool, form: str, units: str, out: str | None
 ) -> None:
     import numpy as np
 
@@ -94,7 +111,7 @@ def _for_finite_elements(
     from qsbearing.files import stiffness_files as files
     from qsbearing.results.remarks import blocks, every_remark
 
-    of = load_one(scene)
+    of, _, changes = load_one(scene, settings)
     problems = [f"--vary: --format {form} is of one operating point"] if vary else []
     if form == "mat" and out is None:
         problems.append("--format mat: is no text; give --out FILE.mat")
@@ -116,7 +133,9 @@ def _for_finite_elements(
         write_files(writers, {"--out": lambda: made.encode() if isinstance(made, str) else made})
         if isinstance(made, str) and not writers:
             print_text(made)
-    for each in blocks(every_remark(solution)):
+    for each in told(changes):
         note(each.text)
+    for remark in blocks(every_remark(solution)):
+        note(remark.text)
     if form in INSTEAD:
         note(f"--format {form} goes with version {LAST}; {INSTEAD[form]}")

@@ -23,6 +23,7 @@ from qsbearing.cli.files import (
     write_files,
 )
 from qsbearing.cli.output import UNSOLVED, note, print_table, progress_bar, refuse
+from qsbearing.cli.settings import set_option, told
 from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ IN_MEMORY = 1 << 18
 @click.command(short_help="Solve a scene over ranges of its keys.")
 @click.argument("scene")
 @vary_option
+@set_option
 @click.option(
     "--samples", type=int, metavar="N", help="Number of points of the keys that vary at random; 1024 if not given."
 )
@@ -65,6 +67,7 @@ IN_MEMORY = 1 << 18
 def sweep(
     scene: str,
     vary: tuple[str, ...],
+    settings: tuple[str, ...],
     out: str | None,
     picture: str | None,
     sobol: int | None,
@@ -92,14 +95,14 @@ def sweep(
     problems += [] if sobol is None else _sobol_problems(sobol, given | {"scheduler": scheduler, "resume": resume})
     with ExitStack() as stack:
         try:
-            study = study_of(scene, vary, given)
+            study, changes = study_of(scene, vary, given, settings)
         except SceneError as error:
             problems.append(str(error))
         draws = claimed(stack, {"--plot": picture}, problems)
         try:
             if sobol is not None:
                 results = _indices(study, sobol, out)
-                print_table(summary.table_of_indices(results))
+                print_table([*told(changes), *summary.table_of_indices(results)])
                 note_of_lists(study.document)
                 solved = True
             else:
@@ -108,7 +111,8 @@ def sweep(
                 results = _solved(study, executor, out if write is None else None, resume, stack)
                 if write:
                     write(results)
-                print_table([*summary.table(results), *blocks_of_lists(study.document, base_scene(study))])
+                said = [*summary.table(results), *blocks_of_lists(study.document, base_scene(study))]
+                print_table([*told(changes), *said])
                 solved = summary.any_is_solved(results)
         except SceneError as error:
             refuse(str(error))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from qsbearing.cli.output import refuse_all, warnings_as_notes
+from qsbearing.cli.settings import changed_read
 
 if TYPE_CHECKING:
+    from qsbearing.studies.changed_keys import ChangedKey
     from qsbearing.studies.study import Study
 
 vary_option = click.option(
@@ -32,8 +35,10 @@ def pairs_of(vary: tuple[str, ...], form: str, problems: list[str]) -> dict[str,
     return varied
 
 
-def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
-    """The study of a scene or study file with the keys that are varied beside it.
+def study_of(
+    scene: str, vary: tuple[str, ...], given: dict[str, Any], settings: Sequence[str] = ()
+) -> tuple[Study, tuple[ChangedKey, ...]]:
+    """The study of a scene or study file with the keys that are varied beside it, and what --set has changed in it.
 
     Raises:
         SceneError: what is wrong with it.
@@ -45,4 +50,5 @@ def study_of(scene: str, vary: tuple[str, ...], given: dict[str, Any]) -> Study:
     refuse_all(problems)
     options = {name: value for name, value in given.items() if value is not None and value != ()}
     with warnings_as_notes():
-        return Study.of(scene, varied, **options)
+        study, _, changes = changed_read(scene, settings, lambda read: Study.of(read, varied, **options))
+    return study, changes

@@ -8,6 +8,7 @@ inner.max_pressure_MPa = {most = 1700, source = "house rule 12"}
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,7 +27,8 @@ from qsbearing.model.solution.groups import STEADY
 from qsbearing.model.solution.limit import Limit, ending, spare
 from qsbearing.model.solution.result_keys import Group, Path, Place, Result, printed_unit, value_at
 from qsbearing.readings.asked import LUBRICANT, every_group, take_asked
-from qsbearing.systems.heat.heat_groups import groups_of_heat
+from qsbearing.systems.heat.heat_groups import groups_of_heat, names_of
+from qsbearing.systems.heat.state import ThermalState
 from qsbearing.systems.sets.set_groups import (
     OF_SHAFT,
     SLIDE,
@@ -34,7 +36,6 @@ from qsbearing.systems.sets.set_groups import (
     OfAllRows,
     groups_of_row,
     groups_of_set,
-    groups_of_shaft,
 )
 
 
@@ -45,7 +46,7 @@ class PossibleResults(NamedTuple):
     of_rows: list[Group]
     rows: int
     is_all: bool
-    """Whether there is nothing else, which only its solution tells."""
+    """Whether there is nothing else, which only the whole scene or set tells."""
 
     def places(self, name: str) -> tuple[Place, ...]:
         """What a name means."""
@@ -72,15 +73,16 @@ def known_in(document: Mapping[str, Any]) -> PossibleResults:
     return _known([*OF_SHAFT, SLIDE] if isinstance(rows, list) else None, (), len(rows or ()), is_all)
 
 
-def known_of(of: Any, solution: Any = None) -> PossibleResults:
-    """Of a scene or set; with its solution all that there is."""
-    heat = groups_of_heat(solution.thermal) if solution is not None else []
-    is_all = solution is not None or of.thermal is None
-    if isinstance(of, Scene):
-        return _known(None, heat, 0, is_all)
-    if solution is not None:
-        return _known(groups_of_set(solution), heat, len(of.rows), True)
-    return _known(groups_of_shaft(of), heat, len(of.rows), is_all and not (of.shaft is not None and of.shaft.points))
+def known_of(of: Any, heat: ThermalState | None = None) -> PossibleResults:
+    """Of a scene or set: all that there is.
+
+    Args:
+        heat: what was found of it, where the scene or set is that of its solution, which asks for none.
+    """
+    rows = () if isinstance(of, Scene) else of.rows
+    readings = [of.readings if row.readings is None else row.readings for row in rows] or [of.readings]
+    of_heat = groups_of_heat(heat or names_of(of.thermal, readings))
+    return _known(groups_of_set(of) if rows else None, of_heat, len(rows), True)
 
 
 def limits_named(
@@ -120,7 +122,7 @@ def required_limits(solution: Any) -> list[Limit]:
         SceneFileError: names that no result has.
     """
     of = requested(solution)
-    limits, errors = limits_named(of.require, known_of(of, solution)) if of.require else ([], [])
+    limits, errors = limits_named(of.require, known_of(of, solution.thermal)) if of.require else ([], [])
     if errors:
         raise SceneFileError(REQUIRE, errors)
     if "spectrum" not in of.readings:
@@ -139,13 +141,9 @@ def _least_spare(solution: Any) -> NDArray:
     return spare(solution, limits, readings)
 
 
-def _requires(of: Any) -> bool:
-    return bool(of.require)
-
-
 SPARE = Group(
     (Result("requirements_margin", words="least part of a required limit that is to spare", path=_least_spare),),
-    is_requested=_requires, by_words=True,
+    is_requested=attrgetter("require"), by_words=True,
 )  # fmt: skip
 """Of a scene or set that requires something, as a result of its own: negative where a requirement is not met, NaN where
 one is open."""
@@ -157,23 +155,25 @@ class UnderSpectrum(NamedTuple):
     of_points: Path
     shares: NDArray
     """Of the time."""
+    is_in_turns: bool
 
     def __call__(self, life: Any) -> NDArray:
         """In the unit of those."""
         lives = np.asarray(value_at(self.of_points, life), float)
+        shares = self.shares * np.abs(life.speed) if self.is_in_turns else self.shares
         with np.errstate(divide="ignore"):
-            return np.asarray(1.0 / np.sum(self.shares / lives))
+            return np.asarray(np.sum(shares) / np.sum(shares / lives))
 
 
 def _under(shares: NDArray, place: Place) -> Place:
-    """Of a life in hours the life under the whole spectrum; other results hold at every point."""
-    if place.group.reading != "life" or place.unit != "h":
+    """Of a life that under the whole spectrum; other results hold at every point."""
+    if place.group.reading != "life" or place.unit not in ("h", "Mrev"):
         return place
     of_points = place.result.name if place.result.path is None else place.result.path
     if isinstance(of_points, OfAllRows):
-        path: Path = OfAllRows(UnderSpectrum(of_points.duration, shares))
+        path: Path = OfAllRows(UnderSpectrum(of_points.duration, shares, False))
     else:
-        path = UnderSpectrum(of_points, shares)
+        path = UnderSpectrum(of_points, shares, place.unit == "Mrev")
     return place._replace(result=place.result._replace(path=path))
 
 
@@ -185,7 +185,7 @@ def required_in(document: Mapping[str, Any], errors: Errors) -> tuple[Requiremen
 
 
 def name_errors(of: Any) -> Errors:
-    """What is wrong with the names that a scene or set requires, as far as that is known before it is solved."""
+    """What is wrong with the names that a scene or set requires."""
     return limits_named(of.require, known_of(of))[1]
 
 

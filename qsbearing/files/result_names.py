@@ -98,7 +98,7 @@ def why_unknown(name: str, known: Known, is_listed: bool = True) -> tuple[str, s
         cause = f"Give in [readings.{reading}] what it is computed from; see `qsbearing guide readings`"
         return "is not called for by this scene", cause
     every = _usual_names(known)
-    near = alike(plain, every)
+    near = alike(plain, every if is_listed else [*every, *known])
     meant = [each for each in near if not any(each.startswith(f"{other}_") for other in near)]
     if not is_listed:
         return "is not a result", question(meant) or "`qsbearing guide readings` and `qsbearing run --json` show names"

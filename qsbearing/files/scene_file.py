@@ -162,6 +162,10 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
     wrong = errors_in_scene(scene, balance_keys)
+    if required and thermal is not None:  # of others the tables tell
+        from qsbearing.files.require_table import name_errors
+
+        wrong += name_errors(scene)
     if wrong:
         raise SceneFileError(file, wrong)
     return scene

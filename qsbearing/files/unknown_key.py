@@ -65,7 +65,7 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
     if by_word:
         table = next(table for table, keys in _tables().items() if by_word.key in keys)
         return Suggestion(f"Did you mean {by_word}? It belongs under {_title(table)}")
-    everywhere = {key: table for table, keys in _tables().items() for key in keys}
+    everywhere = {key: table for table, keys in reversed(_tables().items()) for key in keys}  # of several the first
     elsewhere = alike(name, everywhere)
     if elsewhere:
         return Suggestion(question([f"{each} under {_title(everywhere[each])}" for each in elsewhere]))

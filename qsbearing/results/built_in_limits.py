@@ -63,8 +63,6 @@ class BuiltIn(NamedTuple):
     """What must be there for it to be checked."""
     of: Callable[[Part], Iterator[Limit]]
     """Of a bearing or row; nothing where it is not checked."""
-    takes_solves: bool = False
-    """Whether it takes many further ones: seconds."""
 
 
 def _pressure(part: Part) -> Iterator[Limit]:
@@ -258,9 +256,8 @@ BUILT_IN = (
     BuiltIn(
         "thermal speed limit",
         "with more friction the preload runs away, or the limit of temperature is reached, at less",
-        "[thermal], of one operating point, and a speed at which steady states end: `qsbearing heat` or `report`",
+        "[thermal], of one operating point, and a speed at which steady states end",
         _runaway,
-        takes_solves=True,
     ),
 )
 """All that there are, in the order of reports."""
@@ -269,14 +266,13 @@ WITHOUT_LIMIT = ("life", "static safety", "speed factor n dm", "film", "stiffnes
 """What designs are judged by, of which this program knows no limit: [require] has them."""
 
 
-def built_in_answers(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> list[Answer]:
+def built_in_answers(solution: Solution | SetSolution, readings: Any) -> list[Answer]:
     """How a solution answers each limit; of a set that of the row that is closest to it.
 
     Args:
         readings: what was read off, by name; of a set those of each row.
-        is_thorough: whether also those that take many further solves.
     """
-    every = (_answer(each, solution, readings) for each in BUILT_IN if is_thorough or not each.takes_solves)
+    every = (_answer(each, solution, readings) for each in BUILT_IN)
     return [each for each in every if each is not None]
 
 

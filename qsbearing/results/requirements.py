@@ -74,14 +74,13 @@ def requirements(solution: Solution | SetSolution) -> list[Answer]:
     return required_answers(solution, all_taken(solution))
 
 
-def answered(solution: Solution | SetSolution, readings: Any, is_thorough: bool = True) -> Answered:
+def answered(solution: Solution | SetSolution, readings: Any) -> Answered:
     """All of them.
 
     Args:
         readings: as `readings_record.all_taken` gives them.
-        is_thorough: whether also limits that take many further solves.
     """
-    return Answered(required_answers(solution, readings), built_in_answers(solution, readings, is_thorough))
+    return Answered(required_answers(solution, readings), built_in_answers(solution, readings))
 
 
 # In words

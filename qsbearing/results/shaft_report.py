@@ -27,7 +27,9 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     shaft = solution.set.shaft
     if shaft is None:
         return None
-    tables = tables_of((each for each in groups_of_set(solution) if each.table and each.table[0] == SHAFT), solution)
+    tables = tables_of(
+        (each for each in groups_of_set(solution.set) if each.table and each.table[0] == SHAFT), solution
+    )
     own = tables[SHAFT]
     line = [
         {"at": name, "position_mm": float(position / mm), **own["line"][name]}

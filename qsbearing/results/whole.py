@@ -25,7 +25,7 @@ def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, A
     from qsbearing.results import requirements  # loaded only where all of a solution is told
 
     record = _record_of(solution)(solution, readings)
-    record |= requirements.record(requirements.answered(solution, readings, is_thorough=False), solution)
+    record |= requirements.record(requirements.answered(solution, readings), solution)
     return record | (of_fits("fits_record", solution) or {})
 
 

@@ -61,7 +61,7 @@ def _of_set(solution: SetSolution) -> list[Place]:
             one = each._replace(row=number)
             (of_readings if each.group.reading else of_rows).extend(one.overs if one.is_per_ball else [one])
     heat = [STEADY._replace(results=unasked(STEADY.results)), *groups_of_heat(solution.thermal)]
-    of_whole = _there([*groups_of_set(solution), *heat], solution, taken)
+    of_whole = _there([*groups_of_set(solution.set), *heat], solution, taken)
     return sorted([*of_rows, *of_whole, *of_readings, *_there([SYSTEM], solution, taken)], key=_rank)
 
 

@@ -399,7 +399,7 @@ def test_a_report_names_its_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 
     sources = []
 
-    def made(solution: Any, of: Any, source: str, command: str) -> Document:
+    def made(solution: Any, of: Any, source: str, command: str, changes: Any) -> Document:
         sources.append(source)
         return Document("B218", "Design report", [])
 

@@ -31,6 +31,9 @@ from qsbearing.results.readings_record import all_taken
 from qsbearing.results.requirements import answered, headline, required_answers, verdict, whose
 from qsbearing.results.whole import whole_record
 from qsbearing.studies.chooser.choose_set import solve_any
+from qsbearing.systems.heat.heat_groups import groups_of_heat, names_of
+from qsbearing.systems.sets.deflection import parts_of
+from tests.systems.heat import spindle as heated
 
 LOADED = {"axial_load_N": 500, "radial_load_y_N": 300, "tilt_y_mrad": 0, "tilt_z_mrad": 0, "speed_rpm": 6000}
 SCENE: dict[str, Any] = {
@@ -163,19 +166,22 @@ def test_a_name_of_a_reading_asks_for_it() -> None:
     assert "film" in made(SCENE, {"inner.film.minimum_thickness": ">= 1"}, readings=oil).readings
 
 
-SPECTRUM = [{"share": 0.25, "axial_load_N": 3000}, {"share": 0.75, "axial_load_N": 1000}]
+SPECTRUM = [
+    {"share": 0.25, "axial_load_N": 3000, "speed_rpm": 6000}, {"share": 0.75, "axial_load_N": 1000, "speed_rpm": 2000},
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("tables", [SCENE, PAIR], ids=["bearing", "pair"])
 def test_of_a_spectrum_the_life_is_that_of_all_points_and_else_the_worst_point_counts(tables: dict[str, Any]) -> None:
+    turning = {key: value for key, value in LOADED.items() if key not in ("axial_load_N", "speed_rpm")}
+    required = {"life.duration_h": ">= 20000", "max_pressure": "<= 1e4", "life.basic_reference_rating_life": ">= 1"}
     points = {"readings": {"life": {}}, "spectrum": SPECTRUM}
-    turning = {key: value for key, value in LOADED.items() if key != "axial_load_N"}
-    solution, (life, pressure) = asked(
-        tables, {"life.duration_h": ">= 20000", "max_pressure": "<= 1e4"}, operation=turning, **points
-    )
+    solution, (life, pressure, turns) = asked(tables, required, operation=turning, **points)
     record = whole_record(solution, all_taken(solution))
     whole = record["system_life_h"] if "system_life_h" in record else record["duration_h"]
     assert life.value == pytest.approx(whole, rel=1e-12) and life.worst.point == 0
+    whole = min(row["life_Mrev"] for row in record["rows"]) if "rows" in record else record["life_Mrev"]
+    assert turns.value == pytest.approx(whole, rel=1e-12) and turns.worst.point == 0
     assert pressure.worst.point == 1
     rows = getattr(solution, "rows", (solution,))
     largest = max(side.max_pressure.max() for row in rows for side in (row.inner, row.outer))
@@ -213,6 +219,62 @@ def test_what_remarks_do_not_try_counts_where_little_is_to_spare() -> None:
     (answer,) = required_answers(solution, all_taken(solution))
     assert answer.state is Standing.OPEN and answer.reason is not None
     assert answer.reason.values["effect"] == "hertz_form"
+
+
+# ------------------------------------------------------------------------------------------------ what its names may be
+
+BENT = {
+    "rows": [ROW | {"housing_stiffness": {"radial_stiffness_N_per_um": 900, "axial_stiffness_N_per_um": 900}},
+             ROW | {"position_mm": 60, "carries": "-x"}],
+    "shaft": {"sections": [{"length_mm": 140, "outer_diameter_mm": 45}], "start_mm": -40, "points": {"tool_mm": -40},
+              "supports": [{"position_mm": 90, "radial_y_stiffness_N_per_um": 50}]},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("tables", "right", "wrong", "meant"),
+    [
+        (heated.tables(), "steady_heat_inner_ring_to_balls", "steady_heat_iner_ring_to_balls", "inner_ring_to_balls"),
+        (input_tables(heated.pair()), "steady_inner_ring_2_temperature", "steady_iner_ring_2_temperature",
+         "steady_inner_ring_2_temperature"),
+        (PAIR | BENT, "tool_share_housing_1_radial_y", "tool_share_housing_2_radial_y", "tool_share_housing_1"),
+        (PAIR | BENT, "support_1_load_radial_y", "tol_share_shaft_radial_y", "tool_share_shaft_radial_y"),
+    ],
+    ids=["heated bearing", "heated pair", "shaft", "support"],
+)  # fmt: skip
+def test_every_name_is_known_before_anything_is_solved(
+    tables: dict[str, Any], right: str, wrong: str, meant: str
+) -> None:
+    answer = only(tables, {right: ">= -1e9"})
+    assert answer.state is Standing.MET and math.isfinite(answer.value)
+    with pytest.raises(qs.SceneError) as caught:
+        made(tables, {wrong: ">= 1"})
+    assert f"require.{wrong}: is not a result" in str(caught.value) and meant in str(caught.value)
+
+
+@pytest.mark.parametrize("tables", [heated.tables(), input_tables(heated.pair()), PAIR | BENT])
+def test_names_before_and_after_the_solution_are_the_same(tables: dict[str, Any]) -> None:
+    of = made(tables, {})
+    solution = solve_any(of)
+    if solution.thermal is not None:
+        readings = [of.readings] * len(getattr(of, "rows", "1"))
+        before, after = map(groups_of_heat, (names_of(of.thermal, readings), solution.thermal))
+        assert [(each.prefix, [x.name for x in each.results]) for each in before] == [
+            (each.prefix, [x.name for x in each.results]) for each in after
+        ]
+    for point in getattr(solution, "points", {}).values():
+        assert parts_of(of) == list(point.shares)
+
+
+def test_json_has_the_speed_at_which_steady_states_end() -> None:
+    solution = solve_any(made(heated.tables(), {}))
+    record = whole_record(solution, all_taken(solution))
+    (speed,) = (each for each in record["requirements"] if each["name"] == "thermal speed limit")
+    whole = solution.thermal.whole_bearing
+    ends = [each.speeds.end for each in (solution.thermal, whole.state) if each is not None and each.speeds.end]
+    assert speed["found"] == pytest.approx(8000) and (speed["unit"], speed["origin"]) == ("rpm", "model")
+    assert speed["limit"] == pytest.approx(8000 * min(each.factor for each in ends))
+    assert "thermal speed limit" not in [each["name"] for each in record["not_checked"]]
 
 
 # ----------------------------------------------------------------------------------------------------- what is refused

@@ -8,6 +8,8 @@ Raises, all of them:
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from copy import deepcopy
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -25,6 +27,7 @@ from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.scene.scene import Scene
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.whole import whole_record, with_input
+from qsbearing.studies.changed_keys import ChangedKey, changed, text_with
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explained import explained
 from qsbearing.studies.study import Read
@@ -42,6 +45,10 @@ Tables = Annotated[
     Field(description="a bearing of the catalogue, a file below the folder, the text of a scene file, or its tables"),
 ]
 Vary = Annotated[dict[str, Any], Field(description='keys and what they take, as {"axial_load_N": "500:2000:4"}')]
+Changes = Annotated[
+    dict[str, Any] | None,
+    Field(description='keys of the scene and the value of each instead, as {"operation.speed_rpm": 12000}'),
+]
 Points = Annotated[int | None, Field(ge=1, le=MOST_POINTS)]
 
 
@@ -57,19 +64,27 @@ class Tools:
         guide. Without a topic: which topics there are."""
         return described(topic)
 
-    def solve(self, scene: Tables, balls: bool = False) -> Answer:
+    def solve(self, scene: Tables, balls: bool = False, changes: Changes = None) -> Answer:
         """Solve a bearing, a set of rows or a load spectrum: status, message, answers to what its [require] says,
         remarks, displacements, loads, stiffness and the readings that it asks for. With balls: also each ball's
         contacts."""
-        of = self._scene_or_set(scene)
+        of, _, changed_keys = self._scene_or_set(scene, changes)
         solution = solve_any(of)
         record = with_input(of, whole_record(solution, all_taken(solution)))
-        return _told(record, balls)
+        return _told(record, balls) | _of_changes(changed_keys)
 
-    def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = DEFAULT_ACCURACY) -> Answer:
+    def explain(
+        self,
+        scene: Tables,
+        tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = DEFAULT_ACCURACY,
+        changes: Changes = None,
+    ) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
         is needed: whether it changes a result by more than the tolerance."""
-        return explained(self._one(scene), tolerance).record
+        of, _, changed_keys = self._scene_or_set(scene, changes)
+        if "spectrum" in of.readings:
+            raise _refused("[[spectrum]]", "has several operating points", "Leave it out here; `solve` takes it")
+        return explained(of, tolerance).record | _of_changes(changed_keys)
 
     def find(
         self,
@@ -81,6 +96,7 @@ class Tools:
         maximise: str | None = None,
         points: Points = None,
         seed: Annotated[int, Field(ge=0)] = 0,
+        changes: Changes = None,
     ) -> Answer:
         """Find values of up to six keys of a scene, each with "LOW:HIGH", that meet goals ("NAME=VALUE") and limits
         ("NAME<=VALUE") of results, and make one as small or large as possible. The answer's input is the scene found.
@@ -88,8 +104,12 @@ class Tools:
         from qsbearing.studies.design import shown
         from qsbearing.studies.design.find import prepared, searched
 
-        search = prepared(self._read(scene), vary, goals or (), limits or (), minimise, maximise)
-        return _told(shown.record(searched(search, points, seed)))
+        search, _, changed_keys = changed(
+            self._read(scene),
+            _pairs(changes),
+            lambda read: prepared(read, vary, goals or (), limits or (), minimise, maximise),
+        )
+        return _told(shown.record(searched(search, points, seed))) | _of_changes(changed_keys)
 
     def sweep(
         self,
@@ -99,6 +119,7 @@ class Tools:
         samples: Points = None,
         seed: Annotated[int, Field(ge=0)] = 0,
         out: str = "",
+        changes: Changes = None,
     ) -> Answer:
         """Solve a scene at all combinations of what keys take: "START:STOP:COUNT", a list, or "normal(MEAN,SD)". The
         answer is how points ended and the spread of each result; a small table as a whole; out: a file for all, .csv,
@@ -110,14 +131,18 @@ class Tools:
         from qsbearing.studies.sweep import sweep
         from qsbearing.studies.tables import frame_of, write_table
 
-        study = Study.of(self._read(scene, True), vary, samples=samples, seed=seed, quantities=quantities)
+        study, _, changed_keys = changed(
+            self._read(scene, True),
+            _pairs(changes),
+            lambda read: Study.of(read, vary, samples=samples, seed=seed, quantities=quantities),
+        )
         if (count := Grid(study).count) > MOST_POINTS:
             raise _refused("vary", f"are {count:,} points; at most {MOST_POINTS:,} are solved", "Take fewer values")
         place = self.folder.new(out) if out else None
         if place is not None and place.suffix.lower() not in TABLES:
             raise _refused("out", f"must end in one of {', '.join(TABLES)}")
         results = sweep(study)
-        summary = record(results)
+        summary = record(results) | _of_changes(changed_keys)
         frame = frame_of(results) if results["status"].size <= MOST_CELLS else None
         if frame is not None and frame.size <= MOST_CELLS:
             summary["table"] = frame.astype(object).where(frame.notna(), None).to_dict("list")
@@ -130,7 +155,7 @@ class Tools:
             summary["file"] = self.folder.named(place)
         return summary
 
-    def report(self, scene: Tables, name: str) -> Answer:
+    def report(self, scene: Tables, name: str, changes: Changes = None) -> Answer:
         """Write the design report, NAME.html and NAME.pdf below the folder; the answer names both."""
         from contextlib import ExitStack
 
@@ -141,12 +166,13 @@ class Tools:
         from qsbearing.reports.of_any import document_of_any
 
         places = [self.folder.new(f"{name}{ending}") for ending in (".html", ".pdf")]
-        of = self._scene_or_set(scene)
+        of, document, changed_keys = self._scene_or_set(scene, changes)
         solution = solve_any(of)
         if not np.all(solution.converged):
             status = np.ravel(solution.status)[np.argmin(solution.converged)]
             return {"status": str(status), "message": message(solution)}
-        made = document_of_any(solution, of, self._text(scene), "the tool `report` of qsbearing mcp")
+        text = text_with(document, changed_keys) if changed_keys else self._text(scene)
+        made = document_of_any(solution, of, text, "the tool `report` of qsbearing mcp", changed_keys)
         forms = html(made).encode(), pdf(made)
         with ExitStack() as stack:  # both or none
             writers = [stack.enter_context(output_file(str(place))) for place in places]
@@ -154,7 +180,8 @@ class Tools:
                 writer.fill(data)
             for writer in writers:
                 writer.put()
-        return {"status": "converged", "files": [self.folder.named(place) for place in places]}
+        files = [self.folder.named(place) for place in places]
+        return {"status": "converged", "files": files} | _of_changes(changed_keys)
 
     def _read(self, scene: str | dict[str, Any], of_study: bool = False) -> Read:
         if isinstance(scene, str) and "\n" not in scene:
@@ -165,14 +192,14 @@ class Tools:
         check_tables(tables, Path("scene"))
         return Read(tables, "scene", "")
 
-    def _scene_or_set(self, scene: str | dict[str, Any]) -> Scene | BearingSet:
-        return scene_or_set_of(*self._read(scene))
-
-    def _one(self, scene: str | dict[str, Any]) -> Scene | BearingSet:
-        of = self._scene_or_set(scene)
-        if "spectrum" in of.readings:
-            raise _refused("[[spectrum]]", "has several operating points", "Leave it out here; `solve` takes it")
-        return of
+    def _scene_or_set(
+        self, scene: str | dict[str, Any], changes: dict[str, Any] | None
+    ) -> tuple[Scene | BearingSet, dict[str, Any], tuple[ChangedKey, ...]]:
+        """Of these tables with changes; the tables, and what has changed."""
+        of, read, changed_keys = changed(
+            self._read(scene), _pairs(changes), lambda read: scene_or_set_of(deepcopy(read.document), *read[1:])
+        )
+        return of, read.document, changed_keys
 
     def _text(self, scene: str | dict[str, Any]) -> str:
         """Of a scene as a file has it; empty for an example of the catalogue."""
@@ -185,6 +212,14 @@ class Tools:
 
 def _refused(key: str, problem: str, cause: str = "") -> SceneFileError:
     return SceneFileError("question", [FileErrorDetail(key, problem, cause=cause)])
+
+
+def _pairs(changes: dict[str, Any] | None) -> list[tuple[str, Any]]:
+    return list((changes or {}).items())
+
+
+def _of_changes(changes: Sequence[ChangedKey]) -> Answer:
+    return {"changed_input": [each.record() for each in changes]} if changes else {}
 
 
 def _told(record: Any, balls: bool = False) -> Any:

@@ -50,6 +50,11 @@ class HeatBalance:
         self.shares = self._shares()
         """S; shape (free node, source)."""
 
+    @property
+    def source_names(self) -> tuple[NetworkPart, ...]:
+        """Of the sources, in their order."""
+        return tuple(NetworkPart(source, row if self.rows > 1 else None) for row, source in self.sources)
+
     def _paths(self) -> tuple[tuple[NetworkPart, NetworkPart, float], ...]:
         conductances: dict[tuple[NetworkPart, NetworkPart], float] = {}
         for each in self.thermal.conductances:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from qsbearing.model.solution.groups import STEADY
 from qsbearing.model.solution.result_keys import Group, Result, in_name
+from qsbearing.systems.heat.balance import INLET, HeatBalance
+from qsbearing.systems.heat.network import Thermal
 from qsbearing.systems.heat.state import NetworkPart, ThermalState
+from qsbearing.systems.heat.steady import sources_of
 
 WHOLE = Group(
     (
@@ -17,7 +21,28 @@ WHOLE = Group(
 )  # fmt: skip
 
 
-def groups_of_heat(state: ThermalState | None) -> list[Group]:
+class NetworkNames(NamedTuple):
+    """Those of a balance that nothing is known of yet."""
+
+    temperatures: tuple[NetworkPart, ...]
+    powers: tuple[NetworkPart, ...]
+    flows: tuple[tuple[NetworkPart, NetworkPart], ...]
+
+
+def names_of(thermal: Thermal | None, readings: Sequence[Mapping[str, Any]]) -> NetworkNames | None:
+    """Nodes, sources and paths before anything is solved.
+
+    Args:
+        readings: of each row.
+    """
+    if thermal is None:
+        return None
+    balance = HeatBalance(thermal, [sources_of(thermal.friction, own) for own in readings])
+    nodes = (*balance.free, *(node for node in balance.fixed if node != INLET))
+    return NetworkNames(nodes, balance.source_names, tuple((one, other) for one, other, _ in balance.paths))
+
+
+def groups_of_heat(state: ThermalState | NetworkNames | None) -> list[Group]:
     """What a balance has besides `STEADY`: other nodes, sources, paths; nothing without one."""
     if state is None:
         return []

@@ -16,7 +16,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import SceneError
 from qsbearing.systems.heat.hot import HotBearing, HotSystem
 from qsbearing.systems.heat.speeds import follow_speeds
-from qsbearing.systems.heat.state import NetworkPart, SpeedCurve, ThermalState, ThermalVerdict, WholeBearing
+from qsbearing.systems.heat.state import SpeedCurve, ThermalState, ThermalVerdict, WholeBearing
 from qsbearing.systems.heat.steady import Heated, Steady, feedback, find_steady
 from qsbearing.systems.heat.transient import heat_up
 from qsbearing.systems.heat.whole_bearing import with_whole_friction
@@ -62,7 +62,7 @@ def at_steady_temperatures(system: HotSystem) -> Any:
     named = balance.named(temperatures)
     solution.thermal = ThermalState(
         temperatures=named,
-        powers={_name(*source, balance.rows): x for source, x in zip(balance.sources, made, strict=True)},
+        powers=dict(zip(balance.source_names, made, strict=True)),
         flows=balance.flows(named),
         imbalance=np.abs(balance.net_heat(temperatures, made)).max(axis=0, initial=0.0),
         feedback=np.where(good, feedback(steady.slopes), np.nan),
@@ -109,7 +109,3 @@ def _verdict_of(curve: SpeedCurve) -> ThermalVerdict:
     if curve.at_limit is None or curve.crossing is not None:
         return ThermalVerdict.UNDECIDED
     return ThermalVerdict.TOO_HOT if curve.fold is None else ThermalVerdict.RUNAWAY
-
-
-def _name(row: int, source: str, rows: int) -> NetworkPart:
-    return NetworkPart(source, row if rows > 1 else None)

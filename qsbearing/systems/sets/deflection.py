@@ -134,15 +134,23 @@ class Deflection:
         bent = places.flexibility(places.masters, places.masters)
         energy = np.einsum("akic,kabij,bkjc->kc", forces, self._cases(bent), forces)
         energy = energy + 2.0 * np.einsum("kii->ki", (back @ forces).sum(axis=0)) + np.einsum("kii->ki", own)
-        parts = {} if places.beam is None else {"shaft": energy}
+        parts = [] if places.beam is None else [energy]
         for number, row in enumerate(places.of.rows):
-            parts[f"row {number + 1}"] = (pressed[number] * loads[number]).sum(axis=1)
+            parts.append((pressed[number] * loads[number]).sum(axis=1))
             if row.housing_stiffness is not None:
                 sinks = row.housing_stiffness.compliance @ forces[number]
-                parts[f"housing {number + 1}"] = (sinks * forces[number]).sum(axis=1)
-        for number, one in enumerate(sunk):
-            parts[f"support {number + 1}"] = -(one * forces[count + number]).sum(axis=1)
-        return total, parts
+                parts.append((sinks * forces[number]).sum(axis=1))
+        parts += [-(one * forces[count + number]).sum(axis=1) for number, one in enumerate(sunk)]
+        return total, dict(zip(parts_of(places.of), parts, strict=True))
+
+
+def parts_of(of: BearingSet) -> list[str]:
+    """What gives way at a point of the shaft, in the order of `Deflection.compliance`."""
+    shaft = of.shaft
+    names = ["shaft"] if shaft is not None and shaft.sections else []
+    for number, row in enumerate(of.rows, 1):
+        names += [f"row {number}", *([] if row.housing_stiffness is None else [f"housing {number}"])]
+    return [*names, *(f"support {number + 1}" for number in range(0 if shaft is None else len(shaft.supports)))]
 
 
 def solve_known(matrices: NDArray, right_sides: NDArray) -> NDArray:

@@ -5,8 +5,7 @@ A row also has whatever a bearing has (`GROUPS`, and its readings'); rows count 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -25,6 +24,7 @@ from qsbearing.model.solution.result_keys import (
     value_at,
 )
 from qsbearing.systems.sets.bearing_set import places_on_shaft
+from qsbearing.systems.sets.deflection import parts_of
 from qsbearing.systems.sets.system_life import system_life
 
 if TYPE_CHECKING:
@@ -114,23 +114,13 @@ class OfSupport(NamedTuple):
 GROWTH = Result("axial_growth", "um", is_signed=True)
 
 
-def groups_of_set(solution: SetSolution) -> list[Group]:
+def groups_of_set(of: BearingSet) -> list[Group]:
     """Of a set's shaft, the points and supports of this, and places along it; the lives of all rows are `SYSTEM`."""
-    has_points = solution.set.shaft is not None
-    parts = {name: tuple(point.shares) for name, point in solution.points.items()} if has_points else {}
-    return groups_of_shaft(solution.set, parts)
-
-
-def groups_of_shaft(of: BearingSet, parts: Mapping[str, Iterable[str]] = MappingProxyType({})) -> list[Group]:
-    """Likewise, before anything is solved.
-
-    Args:
-        parts: what the deflection at each point is shared out to.
-    """
     shaft = of.shaft
     if shaft is None:
         return [*OF_SHAFT, SLIDE]
-    points = [group for name in shaft.points for group in _of_point(name, parts.get(name, ()))]
+    parts = parts_of(of)
+    points = [group for name in shaft.points for group in _of_point(name, parts)]
     line = [group for name in places_on_shaft(of) for group in _of_line(name)]
     supports = [_of_support(number) for number in range(len(shaft.supports))]
     return [*OF_SHAFT, *points, SLIDE, *line, *supports]
