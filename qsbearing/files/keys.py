@@ -181,13 +181,14 @@ EFFECT_SECTIONS[Traction.name] = ("law", *named((*TRACTION, FRICTION_RANGE)))
 
 SET_TABLES = ("rows", "shaft", "housing", "spacers", "floating")
 """The tables that the file of a set has in addition; their keys: `set_keys`."""
-WITHIN_SET_TABLES = ("sections", "loads", "supports", "masses", "housing_stiffness")
+ON_SHAFT = ("sections", "loads", "gears", "belts", "supports", "masses")
+WITHIN_SET_TABLES = (*ON_SHAFT, "housing_stiffness")
 """Those within [shaft] and [[rows]]."""
 MAKES_SET = tuple(name for name in SET_TABLES if name != "housing")
 """Those that make a file one of a set; a single bearing may be in a housing as well."""
 NUMBERED = {
     "row": "rows", "spacer": "spacers", "floating": "floating",
-    "section": "sections", "load": "loads", "support": "supports", "mass": "masses",
+    "section": "sections", "load": "loads", "gear": "gears", "belt": "belts", "support": "supports", "mass": "masses",
 }  # fmt: skip
 """What one of several tables is called in errors, its number following; and its table."""
 SPECTRUM_POINT = "spectrum point"

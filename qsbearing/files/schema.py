@@ -176,6 +176,8 @@ def _of_set() -> dict[str, Schema]:
     own["rows"] |= {name: _ref(name) for name in ("bearing", "readings", *EFFECT_TABLES)}
     for name in ("housing", "sections"):
         own[name] |= dict.fromkeys(materials_of(RECORDS[name]), _MATERIAL)
+    for name in parts_of(Shaft):
+        own[name] |= {each: _one_of(kind, name, each) for each, kind in choices_of(RECORDS[name]).items()}
     points = {"type": "object", "patternProperties": {"_mm$": _NUMBER}, "additionalProperties": False}
     own["shaft"] |= {name: _list(closed(own[name])) for name in parts_of(Shaft)}
     own["shaft"] |= {GRAVITY.name: _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}

@@ -111,7 +111,7 @@ def _is_loaded(document: dict[str, Any]) -> bool:
     """Whether anything but [operation] and [preload] loads rows: the shaft's loads or weight, springs, or lengths."""
     shaft = document.get("shaft")
     rows = document.get("rows")
-    of_shaft = isinstance(shaft, dict) and ("loads" in shaft or GRAVITY.name in shaft)
+    of_shaft = isinstance(shaft, dict) and not shaft.keys().isdisjoint(("loads", "gears", "belts", GRAVITY.name))
     of_rows = isinstance(rows, list) and any("offset_um" in row for row in rows if isinstance(row, dict))
     groups = document.get("floating")
     of_groups = isinstance(groups, list) and any(key != "rows" for group in groups for key in group)

@@ -7,6 +7,8 @@ from typing import Any
 from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, key_of, keys_of, named
 from qsbearing.model.described import choices_of, lists_of, materials_of, parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.belts import Belt
+from qsbearing.systems.sets.gears import Gear
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import (
     FloatingGroup,
@@ -30,6 +32,8 @@ RECORDS: dict[str, Any] = {
     "loads": ShaftLoad,
     "supports": ShaftSupport,
     "masses": ShaftMass,
+    "gears": Gear,
+    "belts": Belt,
     "housing_stiffness": HousingStiffness,
 }
 """What each table makes."""

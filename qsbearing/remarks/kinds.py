@@ -157,7 +157,7 @@ def _differing(fields: Mapping[str, Any], words: Words) -> str:
         for name in ("displacement", "stiffness")
         if name in fields and _largest(fields[f"{name}_most"]) > _largest(fields[f"{name}_least"])
     ]
-    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST[words.reader]}"
+    return f"{_DIFFERING} {' and the '.join(said)}. {_LIST_ON_PAGE if words.reader is Audience.PAGE else _LIST}"
 
 
 def _pressing(fields: Mapping[str, Any], words: Words) -> str:
@@ -233,11 +233,7 @@ _ADD = {
 }
 _ADVICE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
 _DIFFERING = "Raceway control is a hypothesis. By all hypotheses that have a solution, the"
-_LIST = {
-    Audience.PYTHON: "To see each: qsbearing explain FILE",
-    Audience.FILE: "To see each: qsbearing explain FILE",
-    Audience.PAGE: "The table of effects has the range",
-}
+_LIST, _LIST_ON_PAGE = "To see each: qsbearing explain FILE", "The table of effects has the range"
 _ENDED = ", a limit of practice; wear or the lubricant will"
 _YIELDING = (
     " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
@@ -334,6 +330,9 @@ _ALL = (
          "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
          "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
          say=_pressing),
+    Kind("torques_differ", NOTE, "gears",
+         "The torques of gears and belts do not cancel: {sum_Nm:.4g} N m about +x are left for a motor or a coupling, "
+         "which is taken to load no bearing."),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model

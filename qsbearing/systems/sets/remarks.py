@@ -30,10 +30,12 @@ from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, r
 from qsbearing.remarks.wording import capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import torque_scale
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOTICEABLE = 1e-3
-"""Of the largest force on a row: what rows press each other with below it, changes no digit that matters."""
+"""Of the largest force on a row, or torque on the shaft: what rows press each other with below it, or torques leave,
+changes no digit that matters."""
 
 
 @ended.register
@@ -146,6 +148,7 @@ def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterat
         for where, make in _preload(solution, loads, number, part):
             yield where, partial(_of_row, solution, number, make)
     yield from _pressing_rows(solution, part)
+    yield from _torques(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part, may_solve)
     yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
@@ -190,6 +193,16 @@ def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
                 return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
 
             yield once & (pressed > least), make
+
+
+def _torques(solution: SetSolution, part: slice) -> Iterator[Found]:
+    """Gears and belts whose torques leave a rest, more than rounding of what a file states (chosen: 0.1 %)."""
+    left, shaft = solution.torque_sum, solution.set.shaft
+    if left is None or shaft is None:
+        return
+    largest = torque_scale(shaft, solution.set.operation.speed)
+    left, largest = (np.broadcast_to(each, solution.shape).reshape(-1)[part] for each in (left, largest))
+    yield np.abs(left) > NOTICEABLE * largest, lambda i: remark("torques_differ", sum_Nm=left[i])
 
 
 def _of_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int) -> Remark:
