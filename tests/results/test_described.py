@@ -88,6 +88,13 @@ SCENES: dict[str, dict[str, Any]] = {
             "start_mm": -40,
             "points": {"tool_mm": -40},
             "supports": [{"position_mm": 100, "radial_y_stiffness_N_per_um": 50}],
+            "gears": [
+                {"position_mm": 30, "azimuth_deg": 20, "pitch_diameter_mm": 70, "torque_Nm": 9, "drives": True}
+            ],
+            "belts": [
+                {"position_mm": 90, "azimuth_deg": 20, "pitch_diameter_mm": 70, "torque_Nm": 9, "drives": False,
+                 "tension_ratio": 3},
+            ],
         },
     },
 }  # fmt: skip
