@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from qsbearing.documents.model import Table
+from qsbearing.files.keys import keys_of
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import mm
+from qsbearing.remarks.wording import listed
 from qsbearing.results.json_record import tables_of
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
@@ -45,8 +47,12 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
         name: {"position_mm": float(point.position / mm), **own["points"][name]}
         for name, point in solution.points.items()
     }
-    listed = {kind: [*own.get(kind, {}).values()] for kind in ("supports", "gears", "belts")}
-    return {"points": points, "line": line, **listed, TORQUE_SUM: own.get(TORQUE_SUM)}
+    standing = {kind: [*own.get(kind, {}).values()] for kind in ("supports", "gears", "belts")}
+    for kind in _DRIVES:
+        for each, drive in zip(standing[f"{kind}s"], shaft.standing[kind], strict=True):
+            keys = (key for key in keys_of(type(drive)) if key.field in drive.assumed)
+            each["assumed"] = {key.name: key.in_file(drive.assumed[key.field]) for key in keys}
+    return {"points": points, "line": line, **standing, TORQUE_SUM: own.get(TORQUE_SUM)}
 
 
 def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
@@ -88,8 +94,13 @@ def _drive_tables(shaft: dict[str, Any]) -> list[Table]:
             )
             for number, each in enumerate(shaft[f"{kind}s"], 1)
         ]
+        assumed = [(number, each["assumed"]) for number, each in enumerate(shaft[f"{kind}s"], 1)]
+        words = [f"{name} = {value:g} of {kind} {number}" for number, of in assumed for name, value in of.items()]
         if cells:
-            tables.append(Table(heading, cells, caption=f"{kind.capitalize()}s: {_SIGNS[kind]}"))
+            caption = (
+                f"{kind.capitalize()}s: {_SIGNS[kind]}{'. Assumed: ' * bool(words)}{listed(words) if words else ''}"
+            )
+            tables.append(Table(heading, cells, caption=caption))
     if tables:
         total = f"Torques on the shaft together: {digits_of(shaft[TORQUE_SUM])} N m about +x"
         tables[-1] = replace(tables[-1], caption=f"{tables[-1].caption}. {total}")

@@ -37,7 +37,7 @@ EXEMPT = {
     "solves": "how the solve went",
     "stiffness_SI compliance_SI": "matrices in SI; their channels have names, and --csv has a column for each number",
     "amplitudes_um": "a list by harmonic; the bending is their size",
-    "position_mm reference_position_mm offset_um axial_datum_row at limit_C": "of the input",
+    "position_mm reference_position_mm offset_um axial_datum_row at limit_C assumed": "of the input",
     "warnings remarks choices left_out accuracy channels models fits": "said of results",
     "requirements not_checked": "compares results with limits",
     "kind state status": "words",

@@ -53,10 +53,16 @@ class Belt:
     """Of each strand, while nothing is transmitted [N]; or"""
     tension_ratio: ArrayLike | None = field(default=None, metadata=given_in(words="tight strand over slack strand"))
     """the tension of the tight strand over that of the slack one."""
-    wrap_angle: ArrayLike = field(default=np.pi, metadata=given_in("deg"))
-    """Over which the belt touches this pulley [rad]: below 180 degrees on the smaller one; 180: parallel strands."""
+    wrap_angle: ArrayLike | None = field(default=None, metadata=given_in("deg"))
+    """Over which the belt touches this pulley [rad]: below 180 degrees on the smaller one. None: strands are assumed to
+    be parallel."""
     drives: bool | None = field(default=None, metadata=one_of(bool))
     """Whether this pulley drives the other one. To be given."""
+
+    @property
+    def assumed(self) -> dict[str, float]:
+        """As of a gear."""
+        return {"wrap_angle": np.pi} if self.wrap_angle is None else {}
 
     def forces(self, speed: ArrayLike) -> BeltForces:
         """Of its strands, under its torque.
@@ -76,7 +82,8 @@ class Belt:
     def load(self, speed: ArrayLike) -> tuple[NDArray, ...]:
         """On the shaft at its position, in the order of the channels: forces [N] and moments [N m]."""
         torque, tight, slack = self.forces(speed)
-        lean = 0.5 * (np.pi - np.asarray(self.wrap_angle, float))
+        wrap = np.pi if self.wrap_angle is None else self.wrap_angle
+        lean = 0.5 * (np.pi - np.asarray(wrap, float))
         across = -np.sign(torque) * (tight - slack) * np.sin(lean)
         return carried_to_axis(across, (tight + slack) * np.cos(lean), 0.0, self.azimuth, 0.0)
 
@@ -96,7 +103,8 @@ def belt_errors(path: str, of: Belt) -> Iterator[ErrorDetail]:
     """Of one belt alone; of what depends on the speed: `slack_errors`."""
     yield from within(f"{path}.azimuth", of.azimuth, ANGLE, -4.0 * np.pi, 4.0 * np.pi)
     yield from within(f"{path}.pitch_diameter", of.pitch_diameter, LENGTH, 1.0 * mm, WIDEST)
-    yield from within(f"{path}.wrap_angle", of.wrap_angle, ANGLE, 0.25 * np.pi, 1.75 * np.pi)
+    if of.wrap_angle is not None:
+        yield from within(f"{path}.wrap_angle", of.wrap_angle, ANGLE, 0.25 * np.pi, 1.75 * np.pi)
     yield from torque_errors(path, of)
     names = {"pretension": Field("pretension"), "tension_ratio": Field("tension_ratio")}
     if (of.pretension is None) == (of.tension_ratio is None):

@@ -35,6 +35,8 @@ from qsbearing.systems.sets.torque import torque_errors, torque_on_shaft
 
 STEEPEST_HELIX = 60.0 * deg
 """Beyond it friction decides, as in a worm."""
+USUAL_ANGLE = 20.0 * deg
+"""Pressure angle of the basic rack of ISO 53."""
 WIDEST = 10.0
 """Metres; it catches mistakes of unit."""
 
@@ -94,8 +96,8 @@ class Gear:
     """That it transmits [N m]; its direction follows from `drives` and the shaft's speed. Below zero: reversed."""
     power: ArrayLike | None = field(default=None, metadata=given_in("kW"))
     """In its place: torque times the shaft's speed [W]."""
-    normal_pressure_angle: ArrayLike = field(default=20.0 * deg, metadata=given_in("deg"))
-    """In operation, square to the tooth trace [rad]."""
+    normal_pressure_angle: ArrayLike | None = field(default=None, metadata=given_in("deg"))
+    """In operation, square to the tooth trace [rad]; None: 20 degrees are assumed."""
     helix_angle: ArrayLike = field(default=0.0, metadata=given_in("deg"))
     """At the pitch circle, without sign [rad]; with `hand`."""
     cone_angle: ArrayLike | None = field(default=None, metadata=given_in("deg"))
@@ -107,6 +109,11 @@ class Gear:
     apex: Apex | None = field(default=None, metadata=one_of(Apex))
     internal: bool = field(default=False, metadata=one_of(bool))
     """Whether its teeth point inwards."""
+
+    @property
+    def assumed(self) -> dict[str, float]:
+        """What stands for numbers that are not given, by their fields."""
+        return {"normal_pressure_angle": USUAL_ANGLE} if self.normal_pressure_angle is None else {}
 
     @property
     def diameter(self) -> NDArray:
@@ -124,7 +131,8 @@ class Gear:
         """
         torque = torque_on_shaft(self, speed)
         along = torque / (0.5 * self.diameter)
-        pressure = np.tan(self.normal_pressure_angle)
+        angle = self.normal_pressure_angle
+        pressure = np.tan(USUAL_ANGLE if angle is None else angle)
         if self.cone_angle is not None:
             inwards = np.abs(along) * pressure * np.cos(self.cone_angle)
             axial = np.abs(along) * pressure * np.sin(self.cone_angle)
@@ -170,7 +178,8 @@ def gear_errors(path: str, of: Gear) -> list[ErrorDetail]:
     """Of one gear alone; of its power at rest: `speed_errors`."""
     errors = [*_kind_errors(path, of), *_size_errors(path, of), *torque_errors(path, of)]
     errors += within(f"{path}.azimuth", of.azimuth, ANGLE, -4.0 * np.pi, 4.0 * np.pi)
-    errors += within(f"{path}.normal_pressure_angle", of.normal_pressure_angle, ANGLE, 5.0 * deg, 45.0 * deg)
+    if of.normal_pressure_angle is not None:
+        errors += within(f"{path}.normal_pressure_angle", of.normal_pressure_angle, ANGLE, 5.0 * deg, 45.0 * deg)
     beyond = "is beyond that of a helical gear: forces of worms and crossed gears depend on friction"
     size = np.max(np.abs(of.helix_angle)) if np.size(of.helix_angle) else 0.0
     errors += within(

@@ -69,7 +69,8 @@ def flank_push(of: qs.Gear, speed: float) -> tuple[NDArray, NDArray]:
     assert trace @ outwards == pytest.approx(0.0, abs=1e-12)
     side = np.cross(outwards, trace) / np.linalg.norm(trace)  # square to the trace, in the pitch surface
     side *= np.sign(side @ round_ * torque)
-    push = np.cos(of.normal_pressure_angle) * side - np.sin(of.normal_pressure_angle) * outwards
+    angle = 20 * qs.deg if of.normal_pressure_angle is None else of.normal_pressure_angle
+    push = np.cos(angle) * side - np.sin(angle) * outwards
     place = np.array([of.position, 0.0, 0.0]) + 0.5 * float(of.pitch_diameter) * out  # type: ignore[arg-type]
     about = np.cross(place, push)[0]
     return place, push * torque / about
@@ -77,9 +78,10 @@ def flank_push(of: qs.Gear, speed: float) -> tuple[NDArray, NDArray]:
 
 def random_gear() -> qs.Gear:
     common: dict[str, Any] = {
-        "torque": RNG.uniform(5.0, 200.0), "normal_pressure_angle": RNG.uniform(14.0, 25.0) * qs.deg,
+        "torque": RNG.uniform(5.0, 200.0),
+        "normal_pressure_angle": RNG.uniform(14.0, 25.0) * qs.deg if RNG.integers(4) else None,
         "drives": bool(RNG.integers(2)),
-    }  # fmt: skip
+    }
     kind = RNG.integers(4)
     if kind == 0:
         common |= {"cone_angle": RNG.uniform(10.0, 80.0) * qs.deg, "apex": RNG.choice(["+x", "-x"])}
@@ -228,6 +230,8 @@ def test_results_name_forces_and_the_sum_of_torques() -> None:
     assert shaft["torque_sum_Nm"] == pytest.approx(7.0 - torque, rel=1e-9)
     assert shaft["belts"][0]["tight_tension_N"] == pytest.approx(90.0 + 40.0, rel=1e-12)
     text = repr(shaft_tables(shaft))
+    assert first["assumed"] == {"normal_pressure_angle_deg": 20.0} and shaft["belts"][0]["assumed"] == {}
+    assert "Assumed: normal_pressure_angle_deg = 20 of gear 1 and normal_pressure_angle_deg = 20 of gear 2" in text
     assert "gear 2" in text and "belt 1" in text and "Torques on the shaft together: 1.6948 N m" in text
     said = [each for each in qs.warnings(solution) if each.remark.code == "torques_differ"]
     assert [each.remark.values["sum_Nm"] for each in said] == [pytest.approx(7.0 - torque, rel=1e-9)]
