@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects.elastic_rings import grooves_of
-from qsbearing.model.material import EXPANSION_HOLDS, Material, is_own_expansion
+from qsbearing.model.material import Material, expansion_holds, is_own_expansion
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um, zero_celsius
 from qsbearing.remarks.remark import Found, Remark, remark
@@ -24,11 +24,13 @@ def far_from_room_temperature(
     Args:
         bodies: names, temperatures [K] and materials of what grows by heat.
     """
-    least, most = EXPANSION_HOLDS
-    known = [(name, np.asarray(warm, float), is_own_expansion(of)) for name, warm, of in bodies]
+    known = [(name, np.asarray(warm, float), of) for name, warm, of in bodies]
+    limits = {name: expansion_holds(of) for name, _, of in known}
     beyond = {
-        name: np.broadcast_to(np.where(own, np.maximum(least - warm, warm - most), -1.0), shape).reshape(-1)[part]
-        for name, warm, own in known
+        name: np.broadcast_to(
+            np.where(is_own_expansion(of), np.maximum(limits[name][0] - warm, warm - limits[name][1]), -1.0), shape
+        ).reshape(-1)[part]
+        for name, warm, of in known
     }
     if not beyond:
         return
@@ -37,8 +39,9 @@ def far_from_room_temperature(
     def far(i: int) -> Remark:
         parts = [name for name, by in beyond.items() if by[i] > 0.0]
         farthest = max(parts, key=lambda name: beyond[name][i])
-        limits: dict[str, Any] = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
-        return remark("expansion_far", parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
+        least, most = (limit - zero_celsius for limit in limits[farthest])
+        warm = warmth[farthest][i] - zero_celsius
+        return remark("expansion_far", parts=listed(parts), temperature_C=warm, least_C=least, most_C=most)
 
     yield np.max([*beyond.values()], axis=0) > 0.0, far
 
