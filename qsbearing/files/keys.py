@@ -107,6 +107,8 @@ RACEWAYS = _lengths("inner_raceway_diameter", "outer_raceway_diameter")
 """At the bottom of each groove; both together stand for the pitch diameter and the clearance."""
 DIAMETERS = _lengths("bore_diameter", "outside_diameter")
 """Of the bearing as a whole."""
+SPAN = _lengths("from", "to", "diameter")
+"""Of a section of a shaft: in place of its length, and of its outer diameter."""
 SHOULDERS = _lengths("inner_shoulder_diameter", "outer_shoulder_diameter")
 RATINGS = tuple(key_of(number(f"{kind}_load_rating", "N")) for kind in ("dynamic", "static"))
 PRINTED = (*DIAMETERS, *_lengths("width"), *SHOULDERS, *RATINGS)

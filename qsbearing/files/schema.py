@@ -219,8 +219,11 @@ def _rules() -> list[Schema]:
             "operation": {"not": {"anyOf": both}, "allOf": tilts},
             "preload": one_of,
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
-            "rows": {"items": {"required": ["position_mm", "carries"], "properties": {"bearing": own}}},
+            "rows": {"items": {"required": ["position_mm", "carries"]}},
         },
+        # Beside a bearing of all rows, a row's own may be single keys.
+        "if": {"not": {"required": ["bearing"]}},
+        "then": {"properties": {"rows": {"items": {"properties": {"bearing": own}}}}},
     }
     alone = {
         "required": ["bearing", "operation"],

@@ -13,6 +13,7 @@ from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, named, required_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
+from qsbearing.files.shaft_spans import with_lengths
 from qsbearing.files.table_checks import (
     Errors,
     TableModel,
@@ -54,6 +55,7 @@ _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The arguments of a BearingSet that these tables give."""
     table = document.get("shaft", {})
+    table = with_lengths(table, errors) if isinstance(table, dict) else table
     plain = {k: v for k, v in table.items() if k not in OTHERS["shaft"]} if isinstance(table, dict) else table
     good, _ = checked(_SHAFT, "shaft", plain, errors)
     numbers: dict[str, Any] = si(keys_of(Shaft), good)

@@ -10,6 +10,7 @@ import numpy as np
 
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
 from qsbearing.files.keys import OPERATION, PRELOAD, Key, keys_of
+from qsbearing.files.row_bearing import whole_bearing
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
 from qsbearing.model.described import materials_of, words_of
 from qsbearing.model.units import mm, um
@@ -168,7 +169,7 @@ def _rows(of: BearingSet) -> Table:
 def _bearings(of: BearingSet, source: str) -> list[tuple[str, list[Line]]]:
     """Each bearing once, with the rows that have it."""
     tables = document(source)
-    own = [row.get("bearing", tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
+    own = [whole_bearing(row, tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
     groups = _by_rows([bearing_lines(row.bearing, "file", table) for row, table in zip(of.rows, own, strict=True)])
     if len(groups) == 1 and len(of.rows) > 1:
         return [("Bearing of all rows", groups[0][1])]
