@@ -77,6 +77,8 @@ from qsbearing.systems.heat.network import Conductance as Conductance, OilFlow a
 from qsbearing.systems.rotor_dynamics import stiffness_table as stiffness_table, to_ross as to_ross
 from qsbearing.systems.rotor_dynamics.ross_bearing import ross_element as ross_element
 from qsbearing.systems.sets.bearing_set import BearingSet as BearingSet
+from qsbearing.systems.sets.belts import Belt as Belt
+from qsbearing.systems.sets.gears import Gear as Gear
 from qsbearing.systems.sets.preload_limits import preload_loads as preload_loads, preload_speeds as preload_speeds
 from qsbearing.systems.sets.row import Row as Row
 from qsbearing.systems.sets.set_solution import SetSolution as SetSolution

@@ -9,6 +9,7 @@ from qsbearing.files.file_keys import REQUIRE, find, spelled
 from qsbearing.files.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
+from qsbearing.model.described import choices_of
 from qsbearing.model.material import BY_NAME
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Audience, Words
@@ -25,7 +26,7 @@ FARTHEST = 1e30
 """Of a slider."""
 ROOM = 20.0
 """The reference temperature [C]."""
-OF_SET = (("operation",), ("preload",), ("shaft", "loads"))
+OF_SET = (("operation",), ("preload",), ("shaft", "loads"), ("shaft", "gears"), ("shaft", "belts"))
 """The tables of a set that the page has fields for; what else rows and shaft have is changed in the file."""
 DAILY = ("operation", "shaft", "preload")
 """Tables whose fields come first and are always in view."""
@@ -74,7 +75,7 @@ def _field(path: Path, value: Any) -> FieldOfPage:
     field: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
     field |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
     if isinstance(value, str):
-        return field | {"options": _options(name)}
+        return field | {"options": _options(name, path)}
     if path[-1] == "ball_count":
         return field | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
     value = min(max(value, -FARTHEST), FARTHEST)
@@ -82,7 +83,12 @@ def _field(path: Path, value: Any) -> FieldOfPage:
     return field | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
 
 
-def _options(name: str) -> list[str]:
+def _options(name: str, path: Path) -> list[str]:
+    if path[0] == "shaft":
+        from qsbearing.files.set_keys import RECORDS  # a scene does not load it
+
+        words: Any = choices_of(RECORDS[str(path[1])])[name]
+        return list(map(str, words))
     if name in (*MATERIALS, *SEAT_MATERIALS):
         return list(BY_NAME)
     return [str(each) for each in CHOICES_OF_FILES.get(name, ())]

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from qsbearing.files.bearing_table import bearing_of
 from qsbearing.files.data_sheet_table import is_data_sheet
+from qsbearing.files.row_bearing import whole_bearing
 from qsbearing.files.sheet_by_name import sheets_by_name
 from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BallBearing
@@ -47,7 +48,7 @@ def listed_in(document: Mapping[str, Any]) -> list[Listed]:
     """Those of a file's tables, alike ones of several rows together."""
     rows = document.get("rows")
     of_rows = [each for each in rows if isinstance(each, dict)] if isinstance(rows, list) else []
-    tables = [row.get("bearing", document.get("bearing")) for row in of_rows]
+    tables = [whole_bearing(row, document.get("bearing")) for row in of_rows]
     every = tables if tables else [document.get("bearing")]
     lists = []
     for number, table in enumerate(every):

@@ -107,6 +107,8 @@ RACEWAYS = _lengths("inner_raceway_diameter", "outer_raceway_diameter")
 """At the bottom of each groove; both together stand for the pitch diameter and the clearance."""
 DIAMETERS = _lengths("bore_diameter", "outside_diameter")
 """Of the bearing as a whole."""
+SPAN = _lengths("from", "to", "diameter")
+"""Of a section of a shaft: in place of its length, and of its outer diameter."""
 SHOULDERS = _lengths("inner_shoulder_diameter", "outer_shoulder_diameter")
 RATINGS = tuple(key_of(number(f"{kind}_load_rating", "N")) for kind in ("dynamic", "static"))
 PRINTED = (*DIAMETERS, *_lengths("width"), *SHOULDERS, *RATINGS)
@@ -181,13 +183,14 @@ EFFECT_SECTIONS[Traction.name] = ("law", *named((*TRACTION, FRICTION_RANGE)))
 
 SET_TABLES = ("rows", "shaft", "housing", "spacers", "floating")
 """The tables that the file of a set has in addition; their keys: `set_keys`."""
-WITHIN_SET_TABLES = ("sections", "loads", "supports", "masses", "housing_stiffness")
+ON_SHAFT = ("sections", "loads", "gears", "belts", "supports", "masses")
+WITHIN_SET_TABLES = (*ON_SHAFT, "housing_stiffness")
 """Those within [shaft] and [[rows]]."""
 MAKES_SET = tuple(name for name in SET_TABLES if name != "housing")
 """Those that make a file one of a set; a single bearing may be in a housing as well."""
 NUMBERED = {
     "row": "rows", "spacer": "spacers", "floating": "floating",
-    "section": "sections", "load": "loads", "support": "supports", "mass": "masses",
+    "section": "sections", "load": "loads", "gear": "gears", "belt": "belts", "support": "supports", "mass": "masses",
 }  # fmt: skip
 """What one of several tables is called in errors, its number following; and its table."""
 SPECTRUM_POINT = "spectrum point"

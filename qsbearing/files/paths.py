@@ -16,7 +16,8 @@ from qsbearing.model.validation import LENGTH, alike, question, whole_number
 Path = tuple[str, ...]
 ONE_EACH = (
     "rows.offset_um", "rows.bearing.", *(f"rows.{name}." for name in EFFECT_TABLES), "rows.readings.",
-    "shaft.temperature_C", "shaft.loads.", "housing.temperature_C", "housing.outside_diameter_mm",
+    "shaft.temperature_C", "shaft.loads.", "shaft.gears.", "shaft.belts.",
+    "housing.temperature_C", "housing.outside_diameter_mm",
     *(f"spacers.{side}_{what}" for side in ("inner", "outer") for what in ("length_mm", "temperature_C")),
     "floating.spring_N", "rows.housing_radial_", "rows.housing_tilt_", "shaft.masses.mass_kg",
 )  # fmt: skip
@@ -58,7 +59,7 @@ def spans_cases(path: Path, document: dict[str, Any]) -> bool:
         return not any(isinstance(each, dict) and "ring_expansion" in each for each in holders)
     if path[0] not in (*SET_TABLES, *WITHIN_SET_TABLES, "thermal"):
         return True
-    return name.startswith(ONE_EACH) and name != "shaft.loads.position_mm"
+    return name.startswith(ONE_EACH) and not name.endswith(".position_mm")
 
 
 def numbers_of(table: Any, before: Path = ()) -> Iterator[Path]:

@@ -34,7 +34,7 @@ from qsbearing.files.keys import (
     keys_of,
 )
 from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
-from qsbearing.model.described import choices_of, materials_of
+from qsbearing.model.described import materials_of, words_of
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import BY_NAME, Material
@@ -94,8 +94,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
 
 def _row(row: Row, with_bearing: bool) -> Tables:
     table: Tables = _numbers(keys_of(Row), row)
-    chosen = {name: getattr(row, name) for name in choices_of(Row)}
-    table |= {name: word if isinstance(word, bool) else str(word) for name, word in chosen.items()}
+    table |= words_of(row)
     if row.housing_stiffness is not None:
         from qsbearing.files.shaft_tables import stiffness_table
 

@@ -176,6 +176,8 @@ def _of_set() -> dict[str, Schema]:
     own["rows"] |= {name: _ref(name) for name in ("bearing", "readings", *EFFECT_TABLES)}
     for name in ("housing", "sections"):
         own[name] |= dict.fromkeys(materials_of(RECORDS[name]), _MATERIAL)
+    for name in parts_of(Shaft):
+        own[name] |= {each: _one_of(kind, name, each) for each, kind in choices_of(RECORDS[name]).items()}
     points = {"type": "object", "patternProperties": {"_mm$": _NUMBER}, "additionalProperties": False}
     own["shaft"] |= {name: _list(closed(own[name])) for name in parts_of(Shaft)}
     own["shaft"] |= {GRAVITY.name: _list(_NUMBER, 3) | {"maxItems": 3}, "points": points}
@@ -217,8 +219,11 @@ def _rules() -> list[Schema]:
             "operation": {"not": {"anyOf": both}, "allOf": tilts},
             "preload": one_of,
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
-            "rows": {"items": {"required": ["position_mm", "carries"], "properties": {"bearing": own}}},
+            "rows": {"items": {"required": ["position_mm", "carries"]}},
         },
+        # Beside a bearing of all rows, a row's own may be single keys.
+        "if": {"not": {"required": ["bearing"]}},
+        "then": {"properties": {"rows": {"items": {"properties": {"bearing": own}}}}},
     }
     alone = {
         "required": ["bearing", "operation"],

@@ -16,6 +16,7 @@ from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
 from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import with_preload_class
 from qsbearing.files.readings_table import errors_in_scene, requested_readings
+from qsbearing.files.row_bearing import with_whole_bearings
 from qsbearing.files.scene_file import (
     document_of,
     heated,
@@ -72,7 +73,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document = with_preload_class(document, errors)
+    document = with_whole_bearings(with_preload_class(document, errors))
     thermal, balance_keys = heated(document, errors)
     document, stated = with_own_tables(document), stated_in(document, errors)
     _find_unknown_tables(document, errors)
@@ -111,7 +112,7 @@ def _is_loaded(document: dict[str, Any]) -> bool:
     """Whether anything but [operation] and [preload] loads rows: the shaft's loads or weight, springs, or lengths."""
     shaft = document.get("shaft")
     rows = document.get("rows")
-    of_shaft = isinstance(shaft, dict) and ("loads" in shaft or GRAVITY.name in shaft)
+    of_shaft = isinstance(shaft, dict) and not shaft.keys().isdisjoint(("loads", "gears", "belts", GRAVITY.name))
     of_rows = isinstance(rows, list) and any("offset_um" in row for row in rows if isinstance(row, dict))
     groups = document.get("floating")
     of_groups = isinstance(groups, list) and any(key != "rows" for group in groups for key in group)

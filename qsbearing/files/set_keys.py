@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, key_of, keys_of, named
+from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, SPAN, key_of, keys_of, named
 from qsbearing.model.described import choices_of, lists_of, materials_of, parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.belts import Belt
+from qsbearing.systems.sets.gears import Gear
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import (
     FloatingGroup,
@@ -30,6 +32,8 @@ RECORDS: dict[str, Any] = {
     "loads": ShaftLoad,
     "supports": ShaftSupport,
     "masses": ShaftMass,
+    "gears": Gear,
+    "belts": Belt,
     "housing_stiffness": HousingStiffness,
 }
 """What each table makes."""
@@ -38,7 +42,9 @@ OF_SET = keys_of(BearingSet)
 SET_NUMBERS = {name: keys_of(of) for name, of in RECORDS.items()}
 SET_NUMBERS["shaft"] = (*OF_SET, *SET_NUMBERS["shaft"])
 SET_NUMBERS["housing"] += DIAMETERS[1:]
-"""Those that hold numbers, by their table; what surrounds a fit counts with [housing] only in a file: `stated`."""
+SET_NUMBERS["sections"] += SPAN
+"""Those that hold numbers, by their table; what surrounds a fit counts with [housing] only in a file: `stated`; ends of
+sections: `shaft_spans`."""
 LISTS = {name: tuple(map(key_of, lists_of(of))) for name, of in RECORDS.items()}
 """Those that hold lists of numbers."""
 (GRAVITY,), (MATRIX,) = LISTS["shaft"], LISTS["housing_stiffness"]

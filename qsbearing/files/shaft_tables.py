@@ -13,6 +13,7 @@ from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, named, required_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
+from qsbearing.files.shaft_spans import with_lengths
 from qsbearing.files.table_checks import (
     Errors,
     TableModel,
@@ -26,7 +27,7 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
-from qsbearing.model.described import materials_of
+from qsbearing.model.described import choices_of, materials_of, parts_of, words_of
 from qsbearing.model.material import Material
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.shaft import (
@@ -38,7 +39,7 @@ from qsbearing.systems.sets.shaft import (
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
 
 
-_LISTED = ("section", "load", "support", "mass")
+_LISTED = tuple(kind for kind, name in NUMBERED.items() if name in parts_of(Shaft))
 
 
 def _plain(name: str) -> TableModel:
@@ -54,6 +55,7 @@ _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
     """The arguments of a BearingSet that these tables give."""
     table = document.get("shaft", {})
+    table = with_lengths(table, errors) if isinstance(table, dict) else table
     plain = {k: v for k, v in table.items() if k not in OTHERS["shaft"]} if isinstance(table, dict) else table
     good, _ = checked(_SHAFT, "shaft", plain, errors)
     numbers: dict[str, Any] = si(keys_of(Shaft), good)
@@ -81,15 +83,18 @@ def surroundings_tables(
 
     def written(each: Any) -> dict[str, Any]:
         bodies = {name: getattr(each, name) for name in materials_of(type(each))}
-        return numbers(keys_of(type(each)), each) | {
-            name: named(body) for name, body in bodies.items() if body is not None
-        }
+        return (
+            numbers(keys_of(type(each)), each)
+            | {name: named(body) for name, body in bodies.items() if body is not None}
+            | words_of(each)
+        )
 
     tables: dict[str, Any] = {}
     if of.shaft is not None or numbers(OF_SET, of):
         tables["shaft"] = numbers(OF_SET, of)
     if of.shaft is not None:
-        tables["shaft"] |= numbers(SET_NUMBERS["shaft"], of.shaft)
+        # Where it begins and how warm it is, only its sections know.
+        tables["shaft"] |= numbers(SET_NUMBERS["shaft"], of.shaft) if of.shaft.sections else {}
         for kind in _LISTED:
             name = NUMBERED[kind]
             listed = [written(each) for each in getattr(of.shaft, name)]
@@ -185,7 +190,7 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
         given: dict[str, Any] = si(keys, good)
         missing = lacking(named(required_of(make)), good, unusable)
         errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in missing]
-        given |= _bodies(make, at, good, errors)
+        given |= _bodies(make, at, good, errors) | {name: good[name] for name in choices_of(make) if name in good}
         if "rows" in model.checks:
             rows = good.get("rows")
             if not isinstance(rows, list) or not all(type(row) is int for row in rows):

@@ -13,7 +13,7 @@ import numpy as np
 
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import find
-from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, Key, named, required_of
+from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS, Key, named, required_of
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
 from qsbearing.inference.clearance import ClearanceClass
@@ -22,7 +22,7 @@ from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.effects.traction import TractionLaw
-from qsbearing.model.material import BY_NAME, Material, material_named
+from qsbearing.model.material import BY_NAME, STAINLESS_STEEL, Material, material_named
 from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, alike, comma_advice, question
@@ -230,6 +230,10 @@ def material(path: str, value: Any, errors: Errors) -> Material:
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
         return unknown
     known = material_named(value)
+    if known is STAINLESS_STEEL and not value[:1].isdigit() and path.rpartition(".")[2] in MATERIALS:
+        cause = "Bearings are of 440C, which write; if it really is the steel of shafts and housings, write 1.4301"
+        errors.append(FileErrorDetail(path, "is the name of several materials", value, cause=cause))
+        return unknown
     if known is None:
         others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(named(_NEEDED))}"
         cause = question(alike(value, BY_NAME)) or others

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections, set_numbers, thermal_numbers
-from qsbearing.files.keys import EFFECT_SECTIONS, MATERIAL, SPECTRUM, Key, named
+from qsbearing.files.keys import EFFECT_SECTIONS, MATERIAL, ON_SHAFT, SPECTRUM, Key, named
 from qsbearing.files.usual_words import is_preload, usual
 from qsbearing.model.validation import alike, question
 
@@ -76,7 +76,7 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
 def _title(table: str) -> str:
     if table == "material":
         return "a material's table"
-    if table in ("sections", "loads", "supports", "masses"):
+    if table in ON_SHAFT:
         return f"[[shaft.{table}]]"
     if table == "housing_stiffness":
         return "[rows.housing_stiffness]"

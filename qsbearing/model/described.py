@@ -24,6 +24,7 @@ from qsbearing.model.validation import (
     LENGTH,
     MODULUS,
     MOMENT,
+    POWER,
     PRESSURE,
     SPEED,
     TEMPERATURE,
@@ -77,6 +78,7 @@ UNITS = {
         Unit("J/(kg K)", "J_kgK"),
         Unit("J/K", "J_per_K"),
         Unit("W", "W"),
+        Unit("kW", "kW", 1e3, POWER),
         Unit("W/K", "W_per_K"),
         Unit("m/s2", "m_s2"),
         Unit("SI", "SI"),
@@ -199,6 +201,12 @@ def materials_of(of: Any) -> tuple[str, ...]:
 def choices_of(of: Any) -> dict[str, type[StrEnum] | type[bool]]:
     """The fields that are a word of several, or true or false; and which."""
     return _stated(of, _ONE_OF)
+
+
+def words_of(of: Any) -> dict[str, str | bool]:
+    """The words, or true or false, that an object has; those that it has not are left out."""
+    chosen = {name: getattr(of, name) for name in choices_of(type(of))}
+    return {name: own if isinstance(own, bool) else str(own) for name, own in chosen.items() if own is not None}
 
 
 def parts_of(of: Any) -> dict[str, Any]:

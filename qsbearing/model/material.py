@@ -80,14 +80,72 @@ M50 = Material(
 )
 """High-speed steel of aircraft engines."""
 
+ALUMINIUM = Material(
+    elastic_modulus=70e9,
+    poisson_ratio=0.3,
+    density=2700.0,
+    thermal_expansion=23e-6,
+    name="aluminium",
+    source="EN 1999-1-1 (draft of 05-2004), 3.2.5: constants of wrought and cast structural alloys",
+)
+"""Structural aluminium alloys, as those of housings."""
+
+CAST_IRON = Material(
+    elastic_modulus=110e9,
+    poisson_ratio=0.26,
+    density=7200.0,
+    thermal_expansion=11.7e-6,
+    name="cast iron",
+    source="EN 1561, annex of typical properties, EN-GJL-250: E 103 to 118 GPa (falls with the stress), 7.20 g/cm3, "
+    "11.7e-6 per K from 20 to 200 C (values at second hand)",
+)
+"""Grey cast iron EN-GJL-250."""
+
+STAINLESS_BEARING_STEEL = Material(
+    elastic_modulus=200e9,
+    poisson_ratio=0.28,
+    density=7650.0,
+    thermal_expansion=10.1e-6,
+    name="440C",
+    source="qinghesteels.com, 440C (E, density, expansion from 0 to 100 C); Poisson's ratio: makeitfrom.com, 440C, "
+    "annealed. Rolled Alloys prints 210 GPa, EN 10088-1 of its group 215 GPa and 10.4e-6 per K",
+)
+"""Martensitic stainless steel of bearings, 1.4125."""
+
+STAINLESS_STEEL = Material(
+    elastic_modulus=200e9,
+    poisson_ratio=0.3,
+    density=7900.0,
+    thermal_expansion=16e-6,
+    name="stainless steel",
+    source="EN 10088-1, 1.4301, at ambient temperature (rolextube.com); Poisson's ratio: usual handbook value",
+)
+"""Austenitic stainless steel 1.4301, as of shafts and housings; rings and balls are 440C."""
+
+TITANIUM = Material(
+    elastic_modulus=114e9,
+    poisson_ratio=0.33,
+    density=4430.0,
+    thermal_expansion=8.6e-6,
+    name="titanium",
+    source="asm.matweb.com, Ti-6Al-4V (Grade 5), annealed bar; expansion from 20 to 100 C",
+)
+"""Ti-6Al-4V."""
+
 _OTHER_NAMES = {
+    "aluminium": ("aluminum",),
+    "cast iron": ("grey cast iron", "gray cast iron", "EN-GJL-250", "GJL-250", "GG25"),
+    "440C": ("AISI 440C", "1.4125", "SUS440C"),
+    "stainless steel": ("stainless", "1.4301", "AISI 304", "304"),
+    "titanium": ("Ti-6Al-4V", "Ti6Al4V"),
     "silicon nitride": ("Si3N4",),
     "100Cr6": ("1.3505", "AISI 52100", "SAE 52100", "52100", "SUJ2"),
     "M50": ("AISI M50",),
 }
+OF_BODIES = (ALUMINIUM, CAST_IRON, STAINLESS_BEARING_STEEL, STAINLESS_STEEL, TITANIUM)
 BY_NAME = {
     spelling.lower(): material
-    for material in (STEEL, SILICON_NITRIDE, BEARING_STEEL, M50)
+    for material in (STEEL, SILICON_NITRIDE, BEARING_STEEL, M50, *OF_BODIES)
     for spelling in (material.name, *_OTHER_NAMES.get(material.name, ()))
 }
 """The materials a scene file may name, by all that they are called, in small letters."""
@@ -99,7 +157,19 @@ By steel: 55Cr3 (data sheets to EN 10089) has 10.5e-6 per kelvin at -100 °C, 11
 at 300 and 13.6e-6 at 400 °C, EN 1993-1-2, 3.4.1.1, 1.2e-5 + 0.4e-8 (T + 20) from 20 to 750 °C; iron contracts by 0.19 %
 down to 77 K and 0.197 % to 20 K (Ekin, Experimental Techniques for Low-Temperature Measurements, appendix A6.4), on
 average by 8.8e-6 and 7.2e-6 per kelvin. For silicon nitride no such table was found; its range is taken to be no wider.
+Of the others, aluminium (EN 1999-1-2, 3.3.1: 22.5e-6 + 1e-8 (T + 20), 24.7e-6 up to 200 °C and 25.7e-6 up to 300 °C)
+and cast iron (10.0e-6 from -100 to 20 °C, 11.7e-6 up to 200 °C, 13.0e-6 up to 400 °C) end earlier.
 """
+EXPANSION_HOLDS_OF = {
+    "aluminium": (EXPANSION_HOLDS[0], 250.0 + zero_celsius),
+    "cast iron": (0.0 + zero_celsius, EXPANSION_HOLDS[1]),
+}
+"""The narrower ranges, by the names of materials [K]."""
+
+
+def expansion_holds(material: Material) -> tuple[float, float]:
+    """Between which temperatures this program's coefficient of a material is good [K]."""
+    return EXPANSION_HOLDS_OF.get(material.name, EXPANSION_HOLDS)
 
 
 def is_own_expansion(material: Material) -> Any:

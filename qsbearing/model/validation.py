@@ -64,6 +64,7 @@ MOMENT = Quantity(
     "N m", (("Nm", "newton metres", 1.0), ("Nmm", "newton millimetres", 1e-3), ("kNm", "kilonewton metres", 1e3))
 )
 PRESSURE = MODULUS
+POWER = Quantity("W", (("W", "watts", 1.0), ("kW", "kilowatts", 1e3), ("hp", "horsepower", 745.7)))
 VELOCITY = Quantity("m/s", (("m_s", "metres per second", 1.0), ("mm_s", "millimetres per second", 1e-3)))
 TEMPERATURE = Quantity("K")
 EXPANSION = Quantity("1/K")

@@ -63,7 +63,7 @@ def draw_deformed_shaft(axes: Any, solution: SetSolution, place: CasePlace, plan
     for number, row in enumerate(of.rows, 1):
         _bearing(axes, solution, place, number, factor, channel)
         top = max(top, 0.5 * float(np.ravel(row.bearing.pitch_diameter)[0]))
-    for load in (*shaft.loads, *mass_loads(shaft)):
+    for load in (*of.shaft_loads, *mass_loads(shaft)):
         value = np.broadcast_to(np.asarray(load.values[channel], float), solution.shape)[place]
         if value != 0.0:
             at = float(load.position) / mm

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.elastic_rings import grooves_of
-from qsbearing.model.material import EXPANSION_HOLDS, Material, is_own_expansion
+from qsbearing.model.material import Material, expansion_holds, is_own_expansion
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um, zero_celsius
 from qsbearing.remarks.kinds import CHECK, SEE_HEAT, SEE_RINGS, WRONG, Kind
@@ -56,9 +56,14 @@ def far_from_room_temperature(of: Stretch, bodies: Iterable[tuple[str, Any, Mate
     Args:
         bodies: names, temperatures [K] and materials of what grows by heat.
     """
-    least, most = EXPANSION_HOLDS
-    known = [(name, np.asarray(warm, float), is_own_expansion(each)) for name, warm, each in bodies]
-    beyond = {name: of.cases(np.where(own, np.maximum(least - warm, warm - most), -1.0)) for name, warm, own in known}
+    known = [(name, np.asarray(warm, float), material) for name, warm, material in bodies]
+    limits = {name: expansion_holds(material) for name, _, material in known}
+    beyond = {
+        name: of.cases(
+            np.where(is_own_expansion(material), np.maximum(limits[name][0] - warm, warm - limits[name][1]), -1.0)
+        )
+        for name, warm, material in known
+    }
     if not beyond:
         return
     warmth = {name: of.cases(warm) for name, warm, _ in known}
@@ -66,8 +71,9 @@ def far_from_room_temperature(of: Stretch, bodies: Iterable[tuple[str, Any, Mate
     def far(i: int) -> Remark:
         parts = [name for name, by in beyond.items() if by[i] > 0.0]
         farthest = max(parts, key=lambda name: beyond[name][i])
-        limits: dict[str, Any] = {"least_C": least - zero_celsius, "most_C": most - zero_celsius}
-        return remark(EXPANSION_FAR, parts=listed(parts), temperature_C=warmth[farthest][i] - zero_celsius, **limits)
+        least, most = (limit - zero_celsius for limit in limits[farthest])
+        warm = warmth[farthest][i] - zero_celsius
+        return remark(EXPANSION_FAR, parts=listed(parts), temperature_C=warm, least_C=least, most_C=most)
 
     yield np.max([*beyond.values()], axis=0) > 0.0, far
 

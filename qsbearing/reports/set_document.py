@@ -71,7 +71,7 @@ def _summary(solution: SetSolution) -> str:
     turning = f"{float(np.asarray(of.operation.speed)) / rpm:.6g} rpm{report.outer_turning(of.operation.outer_speed)}"
     said = [f"{count} of {bearings}", f"Shaft {turning}"]
     said.append(capital(report.loads_text(solution)))
-    for load in () if of.shaft is None else of.shaft.loads:
+    for load in of.shaft_loads:
         values = report.named_loads(float(np.asarray(value)) for value in load.values)
         said.append(f"At x = {load.position / mm:.6g} mm: {values}")
     return ". ".join(filter(None, said)) + "."

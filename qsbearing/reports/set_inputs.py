@@ -10,10 +10,11 @@ import numpy as np
 
 from qsbearing.documents.model import Block, Cell, Paragraph, Section, Table
 from qsbearing.files.keys import OPERATION, PRELOAD, Key, keys_of
+from qsbearing.files.row_bearing import whole_bearing
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
-from qsbearing.model.described import materials_of
+from qsbearing.model.described import materials_of, words_of
 from qsbearing.model.units import mm, um
-from qsbearing.remarks.wording import numbered
+from qsbearing.remarks.wording import capital, numbered
 from qsbearing.reports.inputs import (
     Line,
     as_read,
@@ -30,6 +31,8 @@ from qsbearing.systems.heat.network import Thermal
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.shaft import HousingStiffness
+
+_TITLES = {"section": "Shaft section", "support": "Support of the shaft"}
 
 
 def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section:
@@ -94,11 +97,9 @@ def _by_rows(of_rows: Sequence[list[Line]]) -> list[tuple[list[int], list[Line]]
 def _around(of: BearingSet) -> list[tuple[str, list[Line]]]:
     """Sections, loads and supports of the shaft, what outer rings sit in, spacers and floating groups."""
     shaft = of.shaft
+    standing = {} if shaft is None else {"section": shaft.sections} | shaft.standing
     parts: list[tuple[str, tuple[Any, ...]]] = [
-        ("Shaft section", () if shaft is None else shaft.sections),
-        ("Load on the shaft", () if shaft is None else shaft.loads),
-        ("Support of the shaft", () if shaft is None else shaft.supports),
-        ("Mass on the shaft", () if shaft is None else shaft.masses),
+        *((_TITLES.get(kind, f"{capital(kind)} on the shaft"), all_) for kind, all_ in standing.items()),
         ("Spacer", of.spacers),
         ("Floating group", of.floating),
     ]
@@ -135,12 +136,13 @@ def _housing(of: HousingStiffness) -> list[Line]:
 
 
 def _of_part(part: Any) -> list[Line]:
-    """Its numbers, the rows that it names, its materials and its preload."""
+    """Its numbers and words, the rows that it names, its materials and its preload."""
     lines = numbers(keys_of(type(part)), part)
     for name in ("rows", *materials_of(type(part))):
         value = getattr(part, name, None)
         if value is not None:
             lines.append((name, getattr(value, "name", None) or ", ".join(map(str, value)), "", ""))
+    lines += [(name, str(word).lower(), "", "") for name, word in words_of(part).items()]
     return lines + numbers(PRELOAD, getattr(part, "preload", None))
 
 
@@ -167,7 +169,7 @@ def _rows(of: BearingSet) -> Table:
 def _bearings(of: BearingSet, source: str) -> list[tuple[str, list[Line]]]:
     """Each bearing once, with the rows that have it."""
     tables = document(source)
-    own = [row.get("bearing", tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
+    own = [whole_bearing(row, tables.get("bearing")) for row in tables.get("rows", [{}] * len(of.rows))]
     groups = _by_rows([bearing_lines(row.bearing, "file", table) for row, table in zip(of.rows, own, strict=True)])
     if len(groups) == 1 and len(of.rows) > 1:
         return [("Bearing of all rows", groups[0][1])]

@@ -2,24 +2,34 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from qsbearing.documents.model import Table
+from qsbearing.files.keys import keys_of
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import mm
+from qsbearing.remarks.wording import listed
 from qsbearing.results.json_record import tables_of
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.bearing_set import places_on_shaft
-from qsbearing.systems.sets.set_groups import SHAFT, SHARES, groups_of_set
+from qsbearing.systems.sets.set_groups import BELT, GEAR, SHAFT, SHARES, TORQUES, groups_of_set
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOISE = 1e-9
 """Of the largest in a column, or of a kind: less is rounding of equilibria that are found to 1e-10."""
 LEAST_SHARE = 1e-4
 """Less is said to be nothing."""
+TORQUE_SUM = TORQUES.results[0].in_record
+_DRIVES = {"gear": (GEAR, ("tangential", "inwards", "axial")), "belt": (BELT, ("tight", "slack"))}
+"""What the table of each kind shows, and the headings."""
+_SIGNS = {
+    "gear": "forces of the mate (tangential: towards growing azimuth; axial: +x)",
+    "belt": "tensions of the strands",
+}
 
 
 def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
@@ -39,7 +49,12 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
         name: {"position_mm": float(point.position / mm), **own["points"][name]}
         for name, point in solution.points.items()
     }
-    return {"points": points, "line": line, "supports": [*own.get("supports", {}).values()]}
+    standing = {kind: [*own.get(kind, {}).values()] for kind in ("supports", "gears", "belts")}
+    for kind in _DRIVES:
+        for each, drive in zip(standing[f"{kind}s"], shaft.standing[kind], strict=True):
+            keys = (key for key in keys_of(type(drive)) if key.field in drive.assumed)
+            each["assumed"] = {key.name: key.in_file(drive.assumed[key.field]) for key in keys}
+    return {"points": points, "line": line, **standing, TORQUE_SUM: own.get(TORQUE_SUM)}
 
 
 def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
@@ -55,13 +70,42 @@ def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
     noise[5:7], noise[1:4] = noise[5:7].max(), noise[1:4].max()
     cells = [(each["at"], *map(digits, values, noise)) for each, values in zip(shaft["line"], rows, strict=True)]
     title = "Shaft: deflection and internal forces (of the part after x on the part before)"
-    tables = [Table(heading, cells, caption=title)]
+    tables = [*_drive_tables(shaft), Table(heading, cells, caption=title)]
     for name, point in shaft["points"].items():
         heading = ["", *(each.plain_name for each in SHARES)]
         cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
             cells.append((f"deflection due to {part}", *map(_share, share.values())))
         tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))
+    return tables
+
+
+def _drive_tables(shaft: dict[str, Any]) -> list[Table]:
+    """What gears and belts put on the shaft; none without them."""
+    tables = []
+    for kind, (own, named) in _DRIVES.items():
+        noise = NOISE * max(
+            (abs(each["load"][name]) for each in shaft[f"{kind}s"] for name in each["load"]), default=0.0
+        )
+        heading = ["", "torque\nN m", *(f"{name}\nN" for name in named), "on shaft\ny N", "on shaft\nz N"]
+        cells = [
+            (
+                f"{kind} {number}",
+                *map(digits_of, (each[result.in_record] for result in own)),
+                *(digits(each["load"][name], noise) for name in ("radial_y_N", "radial_z_N")),
+            )
+            for number, each in enumerate(shaft[f"{kind}s"], 1)
+        ]
+        assumed = [(number, each["assumed"]) for number, each in enumerate(shaft[f"{kind}s"], 1)]
+        words = [f"{name} = {value:g} of {kind} {number}" for number, of in assumed for name, value in of.items()]
+        if cells:
+            caption = (
+                f"{kind.capitalize()}s: {_SIGNS[kind]}{'. Assumed: ' * bool(words)}{listed(words) if words else ''}"
+            )
+            tables.append(Table(heading, cells, caption=caption))
+    if tables:
+        total = f"Torques on the shaft together: {digits_of(shaft[TORQUE_SUM])} N m about +x"
+        tables[-1] = replace(tables[-1], caption=f"{tables[-1].caption}. {total}")
     return tables
 
 

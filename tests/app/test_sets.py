@@ -57,6 +57,24 @@ def set_of(tables: dict[str, Any]) -> BearingSet:
     return found
 
 
+def test_the_page_has_fields_of_gears_with_their_own_words() -> None:
+    gear = """[[shaft.gears]]
+position_mm = 10
+azimuth_deg = 0
+pitch_diameter_mm = 80
+torque_Nm = 20
+helix_angle_deg = 10
+hand = "left"
+kind = "helical"
+drives = true
+"""
+    fields = {each["key"]: each for each in answers.opened(PAIR_FILE + gear, "geared")["fields"]}
+    assert fields["shaft.gear 1.hand"]["options"] == ["right", "left"]
+    assert fields["shaft.gear 1.kind"]["options"] == ["spur", "helical", "straight_bevel"]
+    assert fields["shaft.gear 1.torque_Nm"]["unit"] == "N m"
+    assert "shaft.gear 1.drives" not in fields
+
+
 def test_the_page_has_the_inputs_of_the_shaft_and_says_what_it_leaves_to_the_file(first: dict[str, Any]) -> None:
     shown = {field["key"]: tuple(field["path"]) for field in first["fields"]}
     assert {"operation.speed_rpm", "operation.axial_load_N", "preload.rigid_N", "shaft.load 1.radial_y_N"} <= set(shown)

@@ -33,6 +33,7 @@ from qsbearing.model.effects import ring_compliance, ring_expansion
 from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
 from qsbearing.studies.design import optimum
+from qsbearing.systems.sets import gears
 from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.documents.page import Page
 
@@ -240,6 +241,12 @@ def lenient_limits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(optimum, "MET", 1e-3)
 
 
+def lost_lever(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Axial forces of gears as if they acted on the axis."""
+    right = gears.carried_to_axis
+    monkeypatch.setattr(gears, "carried_to_axis", lambda *parts: right(*parts[:-1], 0.0))
+
+
 PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("bearing_design", lenient_limits),
     ("gmn_rigidities", softer),
@@ -266,6 +273,7 @@ PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("multiple_sets", lost_offset),
     ("triple_set_factor", lost_offset),
     ("nsk_6208", equivalent_load),
+    ("pinion_on_motor", lost_lever),
     ("axisforge_tilts", softer),
     ("rings_with_fits", heavier_rings),
     ("contacts_of_programs", softer),

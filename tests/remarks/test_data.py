@@ -179,6 +179,8 @@ def of_solutions() -> Iterator[Any]:
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
     across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
     yield qs.solve_set(qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), across))
+    gear = qs.Gear(0.1, 0.0, 0.06, torque=9.0, drives=True)
+    yield qs.solve_set(qs.BearingSet(rows("DB", B218, distance=0.2), shaft=qs.Shaft(gears=(gear,))))
     operation = qs.Operation(
         np.array([424.2060708578242, 424.0]) * qs.rpm, axial_load=np.array([1168.8530554521644, 9000.0]),
         radial_load_y=np.array([103.73081221234129, 0.0]), moment_z=0.0,

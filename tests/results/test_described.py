@@ -37,7 +37,7 @@ EXEMPT = {
     "solves": "how the solve went",
     "stiffness_SI compliance_SI": "matrices in SI; their channels have names, and --csv has a column for each number",
     "amplitudes_um": "a list by harmonic; the bending is their size",
-    "position_mm reference_position_mm offset_um axial_datum_row at limit_C": "of the input",
+    "position_mm reference_position_mm offset_um axial_datum_row at limit_C assumed": "of the input",
     "warnings remarks choices left_out accuracy channels models fits": "said of results",
     "requirements not_checked": "compares results with limits",
     "kind state status": "words",
@@ -88,6 +88,13 @@ SCENES: dict[str, dict[str, Any]] = {
             "start_mm": -40,
             "points": {"tool_mm": -40},
             "supports": [{"position_mm": 100, "radial_y_stiffness_N_per_um": 50}],
+            "gears": [
+                {"position_mm": 30, "azimuth_deg": 20, "pitch_diameter_mm": 70, "torque_Nm": 9, "drives": True}
+            ],
+            "belts": [
+                {"position_mm": 90, "azimuth_deg": 20, "pitch_diameter_mm": 70, "torque_Nm": 9, "drives": False,
+                 "tension_ratio": 3},
+            ],
         },
     },
 }  # fmt: skip

@@ -130,7 +130,8 @@ def test_every_key_of_the_templates_is_known() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["Si3N4", "SI3N4", "silicon nitride", "Silicon_Nitride", "100Cr6", "STEEL", "AISI 52100"]
+    "name",
+    ["Si3N4", "SI3N4", "silicon nitride", "Silicon_Nitride", "100Cr6", "STEEL", "AISI 52100", "440c", "Ti-6Al-4V"],
 )
 def test_names_of_materials_are_known_in_any_letters(name: str) -> None:
     document = changed(SCENE, {"bearing.ball_material": name})

@@ -39,7 +39,6 @@ from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import known_results, read
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
-from qsbearing.systems.sets.shaft import ShaftLoad
 
 MOST = 20
 """Bearings: of more no table is read."""
@@ -212,8 +211,9 @@ def _of_another(tables: tuple[str, ...], job: str) -> list[Remark]:
 def _conditions(of: Scene | BearingSet) -> tuple[tuple[str, float, str], ...]:
     holders: list[tuple[str, tuple[Key, ...], Any]] = [("", OPERATION, of.operation), ("preload.", PRELOAD, of.preload)]
     shaft = of.shaft if isinstance(of, BearingSet) else None
-    for number, load in enumerate(() if shaft is None else shaft.loads, 1):
-        holders.append((f"shaft.loads.{number}.", keys_of(ShaftLoad), load))
+    for kind in ("load", "gear", "belt") if shaft is not None else ():
+        for number, each in enumerate(shaft.standing[kind], 1):  # type: ignore[union-attr]
+            holders.append((f"shaft.{kind}s.{number}.", keys_of(type(each)), each))
     return tuple(
         (f"{before}{key.name}", key.in_file(float(np.asarray(value))), key.unit)
         for before, keys, holder in holders

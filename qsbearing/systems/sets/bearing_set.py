@@ -28,8 +28,9 @@ from qsbearing.model.scene.requirement import Requirement, read_requirements
 from qsbearing.model.scene.scene import CHOICES, Scene, tolerance_errors
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
+from qsbearing.systems.sets.drives import drive_errors, drive_loads
 from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
-from qsbearing.systems.sets.shaft import FloatingGroup, Housing, Shaft, Spacer, outside
+from qsbearing.systems.sets.shaft import FloatingGroup, Housing, Shaft, ShaftLoad, Spacer, outside
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -219,12 +220,17 @@ class BearingSet(InNotebooks):
         positions = np.broadcast_arrays(*(np.asarray(row.position, float) for row in self.rows))
         return np.asarray(0.5 * (np.min(positions, axis=0) + np.max(positions, axis=0)))
 
+    @cached_property
+    def shaft_loads(self) -> tuple[ShaftLoad, ...]:
+        """What loads the shaft where it stands: loads, gears and belts."""
+        return () if self.shaft is None else (*self.shaft.loads, *drive_loads(self.shaft, self.operation.speed))
+
     @property
     def numbers_around(self) -> list[ArrayLike | None]:
         """Of shaft, housing, spacers and sleeves, which may span cases."""
         numbers = [each.temperature for each in (self.shaft, self.housing) if each is not None]
         if self.shaft is not None:
-            numbers += [value for load in self.shaft.loads for value in load.values]
+            numbers += [value for load in self.shaft_loads for value in load.values]
             numbers += [each.mass for each in self.shaft.masses]
         numbers += [getattr(row, name) for row in self.rows for name, *_ in OUT_OF_LINE]
         for each in self.spacers:
@@ -277,8 +283,8 @@ def places_on_shaft(of: BearingSet) -> dict[str, float]:
     assert shaft is not None
     places: dict[str, Any] = {"begin": shaft.ends[0], "end": shaft.ends[-1]} if shaft.sections else {}
     places |= shaft.points
-    parts: dict[str, Sequence[Any]] = {"row": of.rows, "load": shaft.loads, "mass": shaft.masses}
-    for kind, several in (parts | {"support": shaft.supports}).items():
+    parts: dict[str, Sequence[Any]] = {"row": of.rows}
+    for kind, several in (parts | shaft.standing).items():
         places |= {f"{kind} {i}": part.position for i, part in enumerate(several, 1)}
     at = {name: float(position) for name, position in places.items() if np.ndim(position) == 0}
     return dict(sorted(at.items(), key=lambda item: item[1]))
@@ -318,6 +324,7 @@ def _place_errors(of: BearingSet) -> list[ErrorDetail]:
         errors.append(ErrorDetail("shaft", "is not a shaft", of.shaft, cause="Write qs.Shaft(...)"))
     elif of.shaft is not None:
         errors += outside(of.shaft, [(f"row {number}", row.position) for number, row in enumerate(of.rows, 1)])
+        errors += drive_errors(of.shaft, of.operation.speed)
         if of.reference_position is not None and not errors:
             errors += outside(of.shaft, [("reference", of.reference_position)])
     for number, row in enumerate(of.rows, 1):

@@ -106,7 +106,7 @@ class Places:
 
     def loads_seen_from(self, positions: list) -> tuple[ShaftLoad, ...]:
         """Of the shaft and its weight, as rows, supports and these positions see them exactly."""
-        return () if self.shaft is None else (*self.shaft.loads, *weight(self.shaft, [*self._cuts, *positions]))
+        return () if self.shaft is None else (*self.of.shaft_loads, *weight(self.shaft, [*self._cuts, *positions]))
 
     def arms(self, positions: list) -> NDArray:
         """From the reference, warm; shape (case or 1, position)."""

@@ -133,11 +133,10 @@ def load_changes(of: BearingSet, highest: float = MOST, threads: int | None = No
 
 
 def loads_of(of: BearingSet) -> dict[str, Any]:
-    """The loads and moments on the shaft that are not zero, by their fields; its own by their numbers."""
+    """The loads and moments on the shaft that are not zero, by their fields; its own, of gears and belts by numbers."""
     given = {channel.load: getattr(of.operation, channel.load) for channel in CHANNELS}
-    if of.shaft is not None:
-        for number, load in enumerate(of.shaft.loads, 1):
-            given |= {f"load {number}, channel {i}": value for i, value in enumerate(load.values)}
+    for number, load in enumerate(of.shaft_loads, 1):
+        given |= {f"load {number}, channel {i}": value for i, value in enumerate(load.values)}
     return {name: value for name, value in given.items() if value is not None and np.any(np.asarray(value) != 0.0)}
 
 

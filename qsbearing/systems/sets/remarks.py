@@ -23,7 +23,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
-from qsbearing.remarks.kinds import CHECK, SEE_HYPOTHESES, WRONG, Kind
+from qsbearing.remarks.kinds import CHECK, NOTE, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.of_solution import ended, every_remark, holding
 from qsbearing.remarks.preload import not_grown, of_loads
@@ -32,10 +32,12 @@ from qsbearing.remarks.stretch import Stretch, Subject, in_case
 from qsbearing.remarks.wording import Audience, Words, capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import torque_scale
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOTICEABLE = 1e-3
-"""Of the largest force on a row: what rows press each other with below it, changes no digit that matters."""
+"""Of the largest force on a row, or torque on the shaft: what rows press each other with below it, or torques leave,
+changes no digit that matters."""
 
 
 @ended.register
@@ -208,6 +210,24 @@ def _pressing_rows(stretch: Stretch) -> Iterator[Holding]:
                 return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
 
             yield once & (pressed > least), make
+
+
+TORQUES_DIFFER = Kind(
+    "torques_differ", NOTE, "gears",
+    "The torques of gears and belts do not cancel: {sum_Nm:.4g} N m about +x are left for a motor or a coupling, "
+    "which is taken to load no bearing.",
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _torques(of: Stretch) -> Iterator[Holding]:
+    """Gears and belts whose torques leave a rest, more than rounding of what a file states (chosen: 0.1 %)."""
+    solution, shaft = of.solution, of.solution.set.shaft
+    if solution.torque_sum is None or shaft is None:
+        return
+    left = of.cases(solution.torque_sum)
+    largest = of.cases(torque_scale(shaft, solution.set.operation.speed))
+    yield np.abs(left) > NOTICEABLE * largest, lambda i: remark(TORQUES_DIFFER, sum_Nm=left[i])
 
 
 STIFFNESS_UNDETERMINED = Kind(

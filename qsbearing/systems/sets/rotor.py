@@ -36,7 +36,7 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     holders = [Holder(float(np.asarray(row.position)), own, f"row {number}") for number, (row, own) in rows]
     supports = enumerate(shaft.supports, 1)
     holders += [Holder(each.position, each.stiffness, f"support {number}") for number, each in supports]
-    places = [*shaft.points.values(), *(load.position for load in shaft.loads)]
+    places = [*shaft.points.values(), *(load.position for load in of.shaft_loads)]
     speed = np.broadcast_to(np.asarray(of.operation.speed, float), held.shape[1:-2])
     inertia = {"m": "mass", "Ip": "polar_inertia", "Id": "diametral_inertia"}
     masses = [

@@ -111,6 +111,45 @@ class OfSupport(NamedTuple):
         return np.asarray(solution.support_loads[..., self.number, :])
 
 
+GEAR = unasked(
+    (
+        Result("torque", "N m", "torque on the shaft, about +x", is_signed=True),
+        Result("tangential_force", "N", "towards growing azimuth", path="tangential", is_signed=True),
+        Result("radial_force", "N", "towards the axis", path="radial", is_signed=True),
+        Result("axial_force", "N", "along +x", path="axial", is_signed=True),
+    )
+)
+"""Of the mate on a gear's teeth."""
+BELT = unasked(
+    (
+        GEAR[0],
+        Result("tight_tension", "N", "tension of the tight strand", path="tight"),
+        Result("slack_tension", "N", "tension of the slack strand", path="slack"),
+    )
+)
+TORQUES = Group(
+    unasked((Result("torque_sum", "N m", "torques of gears and belts together, about +x", path="", is_signed=True),)),
+    before=SHAFT, holder="torque_sum", table=(SHAFT,), is_requested=lambda of: bool(of.shaft.gears or of.shaft.belts),
+)  # fmt: skip
+
+
+class OfDrive(NamedTuple):
+    """A gear or belt of the shaft, by its number from 0: its forces, or the load that it is on the shaft."""
+
+    kind: str
+    number: int
+    is_load: bool = False
+
+    def __call__(self, solution: SetSolution) -> Any:
+        """Of the cases, NaN where they are not solved as of every other result."""
+        speed = solution.set.operation.speed
+        drive = solution.set.shaft.standing[self.kind][self.number]  # type: ignore[union-attr]
+        if not self.is_load:
+            return drive.forces(speed)
+        parts = np.broadcast_arrays(*(np.broadcast_to(each, solution.shape) for each in drive.load(speed)))
+        return np.stack(parts, axis=-1)
+
+
 GROWTH = Result("axial_growth", "um", is_signed=True)
 
 
@@ -123,7 +162,10 @@ def groups_of_set(of: BearingSet) -> list[Group]:
     points = [group for name in shaft.points for group in _of_point(name, parts)]
     line = [group for name in places_on_shaft(of) for group in _of_line(name)]
     supports = [_of_support(number) for number in range(len(shaft.supports))]
-    return [*OF_SHAFT, *points, SLIDE, *line, *supports]
+    drives = [
+        group for kind in ("gear", "belt") for n in range(len(shaft.standing[kind])) for group in _of_drive(kind, n)
+    ]
+    return [*OF_SHAFT, *points, SLIDE, *line, *supports, *drives, *([TORQUES] if drives else [])]
 
 
 def _of_point(name: str, parts: Iterable[str]) -> list[Group]:
@@ -154,6 +196,15 @@ def _of_part(point: str, part: str) -> Group:
 def _of_support(number: int) -> Group:
     table, prefix = ("shaft", "supports", str(number)), f"support_{number + 1}_load"
     return Group(unasked(LOAD), prefix=prefix, holder=OfSupport(number), table=table, is_requested=_always)
+
+
+def _of_drive(kind: str, number: int) -> list[Group]:
+    table, prefix = ("shaft", f"{kind}s", str(number)), f"{kind}_{number + 1}"
+    own = {"gear": GEAR, "belt": BELT}[kind]
+    forces = Group(own, prefix=prefix, holder=OfDrive(kind, number), table=table, is_requested=_always)
+    loads = unasked(LOAD)
+    on_shaft = Group(loads, prefix=f"{prefix}_load", holder=OfDrive(kind, number, True), table=(*table, "load"))
+    return [forces, on_shaft._replace(is_requested=_always)]
 
 
 def _grows(of: BearingSet) -> bool:

@@ -25,6 +25,7 @@ from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
 from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
+from qsbearing.systems.sets.drives import torque_sum
 from qsbearing.systems.sets.elastic_shaft import Structure
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
@@ -265,6 +266,11 @@ class SetSolution(SolutionOfCases):
         """What each support of the shaft carries; shape (*cases, support, 5) [N, N m]."""
         loads = self._known(-self._deflection.supports)
         return np.asarray(self._shaped(loads, *loads.shape[1:]))
+
+    @property
+    def torque_sum(self) -> NDArray | None:
+        """Of gears and belts, about +x; shape of the cases that it spans [N m]. None: there are none."""
+        return None if self.set.shaft is None else torque_sum(self.set.shaft, self.set.operation.speed)
 
     @cached_property
     def points(self) -> dict[str, ShaftPoint]:

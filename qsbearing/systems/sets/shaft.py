@@ -26,6 +26,8 @@ from qsbearing.model.validation import (
     raise_if_any,
     within,
 )
+from qsbearing.systems.sets.belts import Belt, belt_errors
+from qsbearing.systems.sets.gears import Gear, gear_errors
 
 STIFFNESS, TILT_STIFFNESS = Quantity("N/m"), Quantity("N m/rad")
 MASS, INERTIA, ACCELERATION = Quantity("kg"), Quantity("kg m^2"), Quantity("m/s^2")
@@ -285,6 +287,9 @@ class Shaft:
     masses: tuple[ShaftMass, ...] = field(default=(), metadata=made_of(ShaftMass))
     gravity: tuple[float, float, float] | None = field(default=None, metadata=given_in("m/s2", is_list=True))
     """Its acceleration along x, y, z [m/s^2]; None: nothing has weight."""
+    gears: tuple[Gear, ...] = field(default=(), metadata=made_of(Gear))
+    """Their forces depend on the set's speed where their power is given."""
+    belts: tuple[Belt, ...] = field(default=(), metadata=made_of(Belt))
 
     def __post_init__(self) -> None:
         raise_if_any(list(_shaft_errors(self)))
@@ -293,6 +298,13 @@ class Shaft:
     def ends(self) -> NDArray:
         """Of the sections, from `start`; shape (section + 1,) [m]."""
         return self.start + np.concatenate([[0.0], np.cumsum([each.length for each in self.sections])])
+
+    @property
+    def standing(self) -> dict[str, tuple[Any, ...]]:
+        """What stands on it at a position of its own, by what one of it is called."""
+        return {
+            "load": self.loads, "gear": self.gears, "belt": self.belts, "mass": self.masses, "support": self.supports,
+        }  # fmt: skip
 
     @cached_property
     def strains(self) -> NDArray:
@@ -309,10 +321,17 @@ class Shaft:
 
     def bore_at(self, position: ArrayLike) -> float:
         """Diameter of the bore [m]."""
+        return self._diameter_at(position, "inner")
+
+    def diameter_at(self, position: ArrayLike) -> float:
+        """Outer diameter [m]."""
+        return self._diameter_at(position, "outer")
+
+    def _diameter_at(self, position: ArrayLike, side: str) -> float:
         number = self.section_number(position)
-        begin, end = self.sections[number].inner_diameters
+        begin, end = getattr(self.sections[number], f"{side}_diameters")
         part = (float(np.ravel(position)[0]) - self.ends[number]) / self.sections[number].length
-        return begin + part * (end - begin)
+        return float(begin + part * (end - begin))
 
 
 def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
@@ -348,6 +367,10 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
     yield from within("shaft.start", of.start, LENGTH, -FARTHEST, FARTHEST)
     yield from _temperatures("shaft", of)
     yield from _mass_errors(of)
+    for number, gear in enumerate(of.gears, 1):
+        yield from gear_errors(f"shaft.gear {number}", gear)
+    for number, belt in enumerate(of.belts, 1):
+        yield from belt_errors(f"shaft.belt {number}", belt)
     numbers: tuple[tuple[str, Any, Any], ...] = (("load", of.loads, LOADS), ("support", of.supports, SPRINGS))
     for kind, each, channels in numbers:
         for number, one in enumerate(each, 1):
@@ -355,9 +378,8 @@ def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:
                 low, high = (-1e9, 1e9) if kind == "load" else (0.0, STIFFEST)
                 yield from within(f"shaft.{kind} {number}.{name}", getattr(one, name), quantity, low, high)
     if not broken:
-        yield from outside(of, [(f"shaft.load {n}", one.position) for n, one in enumerate(of.loads, 1)])
-        yield from outside(of, [(f"shaft.mass {n}", one.position) for n, one in enumerate(of.masses, 1)])
-        yield from outside(of, [(f"shaft.support {n}", one.position) for n, one in enumerate(of.supports, 1)])
+        for kind, all_ in of.standing.items():
+            yield from outside(of, [(f"shaft.{kind} {n}", one.position) for n, one in enumerate(all_, 1)])
         yield from outside(of, [(f"shaft.point {name}", position) for name, position in of.points.items()])
 
 
@@ -398,10 +420,18 @@ def _temperatures(path: str, of: Shaft | Housing) -> list[ErrorDetail]:
 
 
 def with_loads(of: Shaft | None, factors: ArrayLike) -> Shaft | None:
-    """A shaft under these multiples of its loads."""
+    """A shaft under these multiples of its loads, torques of gears and belts among them."""
     if of is None:
         return None
-    scaled = (
-        ShaftLoad(load.position, *(np.asarray(value, float) * factors for value in load.values)) for load in of.loads
+    names = {"loads": [name for name, _ in LOADS], "gears": ["torque", "power"]}
+    names["belts"] = [*names["gears"], "pretension"]
+    scaled: Any = {kind: tuple(_times(each, own, factors) for each in getattr(of, kind)) for kind, own in names.items()}
+    return replace(of, **scaled)
+
+
+def _times(of: Any, names: list[str], factors: ArrayLike) -> Any:
+    """With multiples of these numbers, where it has them."""
+    given = {name: getattr(of, name) for name in names}
+    return replace(
+        of, **{name: np.asarray(value, float) * factors for name, value in given.items() if value is not None}
     )
-    return replace(of, loads=tuple(scaled))

@@ -104,7 +104,7 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
         for row, offset in zip(of.rows, offsets, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
-    shaft = None if of.shaft is None else replace(of.shaft, loads=(), gravity=None)
+    shaft = None if of.shaft is None else replace(of.shaft, loads=(), gears=(), belts=(), gravity=None)
     around: dict[str, Any] = {"shaft": shaft, "floating": tuple(replace(each, preload=None) for each in of.floating)}
     if effects_at_rest is None:
         return replace(of, rows=rows, preload=preload, operation=of.operation.unloaded, readings={}, **around)

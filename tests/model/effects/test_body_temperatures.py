@@ -15,6 +15,7 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.thermal_table import NODE_KEYS
+from qsbearing.model.material import BY_NAME
 from tests.systems.heat.spindle import tables
 
 OWNERS = {body: (effect, key) for effect, keys in NODE_KEYS.items() for key, body in keys.items()}
@@ -250,3 +251,17 @@ def test_a_part_beyond_the_range_of_its_coefficient_is_named(body: str, warm: fl
 def test_a_coefficient_that_is_given_for_there_is_not_doubted() -> None:
     cold = dict.fromkeys(OWNERS, -253.0)
     assert far(cold) and not far(cold, 7.2e-6)
+
+
+@pytest.mark.parametrize(
+    ("material", "warm", "is_far"),
+    [("aluminium", 240.0, False), ("aluminium", 260.0, True), ("cast iron", -5.0, True), ("titanium", 260.0, False)],
+)
+def test_some_materials_have_narrower_ranges(material: str, warm: float, is_far: bool) -> None:
+    housing = {"housing_interference": 0.0, "housing_outside_diameter": 0.14, "housing_material": BY_NAME[material]}
+    ring = {f"{part}_temperature": warm + qs.zero_celsius for part in ("inner_ring", "outer_ring", "housing")}
+    rings = qs.RingExpansion(0.05, 0.09, **housing, **ring)  # type: ignore[arg-type]
+    bearing = replace(BEARING, ball_material=qs.STEEL, ring_material=qs.STEEL)
+    found = qs.solve(qs.Scene(bearing, qs.Operation(axial_load=2000.0), ring_effects=(rings,)))
+    said = [each.remark.values["parts"] for each in qs.warnings(found) if each.remark.code == "expansion_far"]
+    assert said == (["housing"] if is_far else [])
