@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
 from qsbearing.model.solution.ring_forces import radial_forces
+from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.kinds import CHECK, INCOMPLETE, NOTE, SEE_AXIS, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
-from qsbearing.remarks.stretch import Stretch, Subject
 
 BALLS = Subject()
 
@@ -40,7 +40,7 @@ CONTROL_INCONSISTENT = Kind(
 
 
 @BALLS.tells
-def _inconsistent(of: Stretch) -> Iterator[Holding]:
+def _inconsistent(of: CaseRange) -> Iterator[Holding]:
     yield ~of.cases(of.solution.control_is_consistent, bool), remark(CONTROL_INCONSISTENT)
 
 
@@ -52,7 +52,7 @@ BALLS_OFF_INNER = Kind(
 
 
 @BALLS.tells
-def _without_load(of: Stretch) -> Iterator[Holding]:
+def _without_load(of: CaseRange) -> Iterator[Holding]:
     solution = of.solution
     exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[of.part])
     inner, outer = of.rows(solution.inner.load), of.rows(solution.outer.load)
@@ -71,7 +71,7 @@ BALLS_SLIP = Kind(
 
 
 @BALLS.tells
-def _slip(of: Stretch) -> Iterator[Holding]:
+def _slip(of: CaseRange) -> Iterator[Holding]:
     solution, moment = of.solution, of.solution.scene.gyroscopic_moment
     if solution.slips is None or moment is None or _is_moved(of):
         return
@@ -85,7 +85,7 @@ def _slip(of: Stretch) -> Iterator[Holding]:
     )
 
 
-def _is_moved(of: Stretch) -> bool:
+def _is_moved(of: CaseRange) -> bool:
     """Whether friction moves the balls, so that the moment is no question of a hypothesis."""
     return bool(of.solution.scene.raceway_control == "friction")
 
@@ -109,7 +109,7 @@ FRICTIONS = (
 
 
 @BALLS.tells
-def _friction(of: Stretch) -> Iterator[Holding]:
+def _friction(of: CaseRange) -> Iterator[Holding]:
     """Where no coefficient is given, which says what contacts offer."""
     solution = of.solution
     if solution.slips is not None or _is_moved(of):
@@ -134,7 +134,7 @@ FRICTION_ASSUMED = Kind(
 
 
 @BALLS.tells
-def _assumed(of: Stretch) -> Iterator[Holding]:
+def _assumed(of: CaseRange) -> Iterator[Holding]:
     motion, law = of.solution.friction, of.solution.scene.traction
     if motion is not None and (law is None or law.is_assumed):
         assumed = remark(FRICTION_ASSUMED, assumed=FRICTION_COEFFICIENT)
@@ -153,7 +153,7 @@ BALLS_NEAR_SKIDDING = Kind(
 
 
 @BALLS.tells
-def _moved(of: Stretch) -> Iterator[Holding]:
+def _moved(of: CaseRange) -> Iterator[Holding]:
     """Of balls that friction moves: how far from a hypothesis, and from skidding."""
     motion = of.solution.friction
     if motion is None:
@@ -173,7 +173,7 @@ MOMENTUM_GAP = Kind(
 
 
 @BALLS.tells
-def _momentum(of: Stretch) -> Iterator[Holding]:
+def _momentum(of: CaseRange) -> Iterator[Holding]:
     """Rings that do not carry the same, since each azimuth is balanced for itself."""
     forces = radial_forces(of.solution, of.part)
     if forces is None:

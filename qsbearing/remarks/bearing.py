@@ -20,6 +20,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa
 from qsbearing.remarks.balls import BALLS
+from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.expansion import EXPANSION
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.kinds import CHECK, NOTE, WRONG, Kind
@@ -27,7 +28,6 @@ from qsbearing.remarks.missing_effects import missing_effects, to_add
 from qsbearing.remarks.preload import preloads
 from qsbearing.remarks.remark import Holding, Remark, remark
 from qsbearing.remarks.ring import RING
-from qsbearing.remarks.stretch import Stretch, Subject
 from qsbearing.remarks.wording import Words
 
 
@@ -174,7 +174,7 @@ PRESSURE_YIELDS = Kind(
 
 
 @SUBJECTS.tells
-def _pressure(of: Stretch) -> Iterator[Holding]:
+def _pressure(of: CaseRange) -> Iterator[Holding]:
     """Dents, and first yield where the scene gives a yield strength."""
     solution = of.solution
     pressure = np.maximum(*(of.rows(side.max_pressure) for side in (solution.inner, solution.outer))).max(axis=-1)
@@ -204,7 +204,7 @@ BALLS_SPARSE = Kind(
 
 
 @SUBJECTS.tells
-def _sparse(of: Stretch) -> Iterator[Holding]:
+def _sparse(of: CaseRange) -> Iterator[Holding]:
     bearing = of.solution.scene.bearing
     share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
     filled = of.cases(share)

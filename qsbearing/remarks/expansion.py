@@ -12,9 +12,9 @@ from qsbearing.model.effects.elastic_rings import grooves_of
 from qsbearing.model.material import Material, expansion_holds, is_own_expansion
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um, zero_celsius
+from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.kinds import CHECK, SEE_HEAT, SEE_RINGS, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
-from qsbearing.remarks.stretch import Stretch, Subject
 from qsbearing.remarks.wording import listed
 
 EXPANSION = Subject()
@@ -31,7 +31,7 @@ CLEARANCE_NEGATIVE = Kind(
 
 
 @EXPANSION.tells
-def _wedged(of: Stretch) -> Iterator[Holding]:
+def _wedged(of: CaseRange) -> Iterator[Holding]:
     scene = of.solution.scene
     if not scene.is_reshaped:
         return
@@ -50,7 +50,7 @@ EXPANSION_FAR = Kind(
 )  # fmt: skip
 
 
-def far_from_room_temperature(of: Stretch, bodies: Iterable[tuple[str, Any, Material]]) -> Iterator[Holding]:
+def far_from_room_temperature(of: CaseRange, bodies: Iterable[tuple[str, Any, Material]]) -> Iterator[Holding]:
     """Where this program's coefficients of expansion do not hold.
 
     Args:
@@ -90,7 +90,7 @@ def _bodies(solution: Solution) -> Iterator[tuple[str, Any, Material]]:
 
 
 @EXPANSION.tells
-def _far(of: Stretch) -> Iterator[Holding]:
+def _far(of: CaseRange) -> Iterator[Holding]:
     if of.solution.scene.is_reshaped:
         yield from far_from_room_temperature(of, _bodies(of.solution))
 
@@ -108,7 +108,7 @@ FIT_LOST = Kind(
 
 
 @EXPANSION.tells
-def _fits(of: Stretch) -> Iterator[Holding]:
+def _fits(of: CaseRange) -> Iterator[Holding]:
     """Rings that yield, fits that are lost."""
     solution, effect = of.solution, of.solution.scene.ring_expansion
     if not solution.scene.is_reshaped or effect is None:
@@ -161,7 +161,7 @@ RING_BENDS_FAR = Kind(
 
 
 @EXPANSION.tells
-def _bending(of: Stretch) -> Iterator[Holding]:
+def _bending(of: CaseRange) -> Iterator[Holding]:
     """Of elastic rings: a seat that opens somewhere under its ring, deflections that are not small."""
     solution, rings = of.solution, of.solution.scene.elastic_rings
     if rings is None:

@@ -13,9 +13,9 @@ from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
 from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
 from qsbearing.model.solution.ranges import ranges
+from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.kinds import INCOMPLETE, SEE_HYPOTHESES, Kind
 from qsbearing.remarks.remark import Holding, Remark
-from qsbearing.remarks.stretch import Stretch
 from qsbearing.remarks.wording import Audience, Words
 
 WORTH_A_SOLVE = 5e-4
@@ -53,7 +53,7 @@ HYPOTHESES_DIFFER = Kind(
 )  # fmt: skip
 
 
-def hypotheses(of: Stretch) -> Iterator[Holding]:
+def hypotheses(of: CaseRange) -> Iterator[Holding]:
     """Of a scene or set, where few cases may be solved again; a row of a set has nothing to say of itself."""
     solution, part = of.solution, of.part
     if not of.may_solve or solution.solve_alike is None or requested(solution).raceway_control in (None, "friction"):

@@ -32,9 +32,9 @@ from qsbearing.model.solution.judgement import (
 )
 from qsbearing.model.units import um
 from qsbearing.model.validation import Setting
+from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.kinds import INCOMPLETE, SEE_AXIS, Kind
 from qsbearing.remarks.remark import Holding, Of, Remark
-from qsbearing.remarks.stretch import Stretch
 from qsbearing.remarks.wording import Audience, Words, listed, spanned
 
 DISPLACEMENT = "displacement"
@@ -136,7 +136,7 @@ EFFECT_UNKNOWN_TO_FRICTION = Kind(
 )  # fmt: skip
 
 
-def missing_effects(of: Stretch) -> Iterator[Holding]:
+def missing_effects(of: CaseRange) -> Iterator[Holding]:
     """Of a scene or set; a row of a set has nothing to say of itself."""
     solution, part = of.solution, of.part
     if solution.solve_alike is None:

@@ -19,8 +19,8 @@ from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import check_kind
 from qsbearing.remarks import bearing
+from qsbearing.remarks.case_range import CaseRange, in_case
 from qsbearing.remarks.remark import Holding, Remark, Warned, in_order, told
-from qsbearing.remarks.stretch import Stretch, in_case
 
 Readings = Mapping[str, Any]
 """Results by the name of their reading."""
@@ -110,7 +110,7 @@ def _(solution: Solution, readings: Mapping, index: Index = None) -> list[Remark
 
 @holding.register
 def _(solution: Solution, readings: Mapping, part: slice, may_solve: bool) -> Iterator[Holding]:
-    yield from bearing.SUBJECTS(Stretch(solution, part, may_solve))
+    yield from bearing.SUBJECTS(CaseRange(solution, part, may_solve))
     for name, reading in readings.items():
         for where, each in getattr(reading, "remarks", ()):
             yield where, partial(_of_reading, name, each)

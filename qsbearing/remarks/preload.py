@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from qsbearing.model.solution.preload_state import EXCESSIVE, REDUCED, PreloadLoads, PreloadState, states
 from qsbearing.model.solution.rounding import rounding_of_load
+from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.kinds import CHECK, SEE_PRELOAD, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
-from qsbearing.remarks.stretch import Stretch
 
 
-def preloads(of: Stretch) -> Iterator[Holding]:
+def preloads(of: CaseRange) -> Iterator[Holding]:
     """A preload that is held and has been lost, has fallen or, where this may be solved, has grown."""
     solution, preload = of.solution, of.solution.scene.preload
     if preload is None or preload.kind == "spring":

@@ -10,9 +10,9 @@ from qsbearing.model.bearing import BearingKind
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.units import mrad, um
+from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.kinds import CHECK, SEE_STATUSES, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
-from qsbearing.remarks.stretch import Stretch, Subject
 
 RING = Subject()
 
@@ -30,7 +30,7 @@ RING_UNLOADED = Kind(
 
 
 @RING.tells
-def _unloaded(of: Stretch) -> Iterator[Holding]:
+def _unloaded(of: CaseRange) -> Iterator[Holding]:
     yield of.cases(of.solution.ring_is_unloaded, bool), remark(RING_UNLOADED)
 
 
@@ -41,7 +41,7 @@ RING_FREE = Kind(
 
 
 @RING.tells
-def _soft_directions(of: Stretch) -> Iterator[Holding]:
+def _soft_directions(of: CaseRange) -> Iterator[Holding]:
     solution, part = of.solution, of.part
     if solution.friction is not None:
         return
@@ -66,7 +66,7 @@ RACEWAYS_SEPARATED = Kind(
 
 
 @RING.tells
-def _separated(of: Stretch) -> Iterator[Holding]:
+def _separated(of: CaseRange) -> Iterator[Holding]:
     solution = of.solution
     loaded = of.rows(solution.inner.load) > 0.0
     steepest = np.abs(np.where(loaded, of.rows(solution.inner.angle), 0.0)).max(axis=-1)
@@ -86,6 +86,6 @@ TILT_LARGE = Kind(
 
 
 @RING.tells
-def _tilted(of: Stretch) -> Iterator[Holding]:
+def _tilted(of: CaseRange) -> Iterator[Holding]:
     tilt = np.abs(of.rows(of.solution.displacement)[:, 3:]).max(axis=-1)
     yield tilt > SMALL_TILT, lambda i: remark(TILT_LARGE, tilt_mrad=tilt[i] / mrad)

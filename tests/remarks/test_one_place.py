@@ -26,7 +26,7 @@ OF_BEARING = """BALLS_HEAVY = Kind(
 
 
 @SUBJECTS.tells
-def _heavy(of: Stretch) -> Iterator[Holding]:
+def _heavy(of: CaseRange) -> Iterator[Holding]:
     mass = of.cases(of.solution.scene.bearing.ball_mass)
     is_there = of.rows(np.isfinite(of.solution.azimuth).astype(float)) > 0.0
     yield mass > 0.04, lambda i: remark(BALLS_HEAVY, balls=is_there[i], most_g=40.0, mass_g=1e3 * mass[i])
@@ -37,7 +37,7 @@ OF_SET = """SHAFT_FAST = Kind("shaft_fast", CHECK, "sets", "The shaft turns at {
 
 
 @SUBJECTS.tells
-def _fast(of: Stretch) -> Iterator[Holding]:
+def _fast(of: CaseRange) -> Iterator[Holding]:
     speed = of.cases(of.solution.set.operation.speed) * 30.0 / np.pi
     yield speed > 900.0, lambda i: remark(SHAFT_FAST, speed_rpm=speed[i])
 
@@ -48,7 +48,7 @@ LINE = """    holding.append((True, remark(STRESS_READ, balls_read=16.0)))
 """
 EDITS = [
     ("remarks/bearing.py", [("SPARSE = 0.25", OF_BEARING)]),
-    ("systems/sets/remarks.py", [("SUBJECTS.tells(missing_effects)", OF_SET)]),
+    ("systems/sets/remarks.py", [("def _bodies(", OF_SET)]),
     (
         "readings/subsurface_stress.py",
         [("DENT_OF_CERAMIC = ", OF_READING), ("    holding.append((numbers.is_hybrid", LINE)],

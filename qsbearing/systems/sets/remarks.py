@@ -21,6 +21,7 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
+from qsbearing.remarks.case_range import CaseRange, Subject, in_case
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.kinds import CHECK, NOTE, SEE_HYPOTHESES, WRONG, Kind
@@ -28,7 +29,6 @@ from qsbearing.remarks.missing_effects import missing_effects
 from qsbearing.remarks.of_solution import ended, every_remark, holding
 from qsbearing.remarks.preload import not_grown, of_loads
 from qsbearing.remarks.remark import Holding, Remark, in_order, of_row, remark, row_name
-from qsbearing.remarks.stretch import Stretch, Subject, in_case
 from qsbearing.remarks.wording import Audience, Words, capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -115,10 +115,10 @@ def _(solution: SetSolution, readings: Sequence, index: Index = None) -> list[Re
 
 @holding.register
 def _(solution: SetSolution, readings: Sequence, part: slice, may_solve: bool) -> Iterator[Holding]:
-    yield from SUBJECTS(Stretch(solution, part, may_solve))
+    yield from SUBJECTS(CaseRange(solution, part, may_solve))
     for number, (row, own) in enumerate(zip(solution.rows, readings, strict=True)):
         for where, make in holding(row, own, part, may_solve):
-            yield where, partial(_of_row, solution, number, make)
+            yield where, partial(of_the_row, solution, number, make)
 
 
 def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index: Index = None) -> list[Remark]:
@@ -129,8 +129,9 @@ def with_rows(solution: SetSolution, of_rows: Sequence[Sequence[Remark]], index:
     return in_order(said + [of_the_row(solution, n, each) for n, of_row in enumerate(of_rows) for each in of_row])
 
 
-def of_the_row(solution: SetSolution, number: int, said: Remark) -> Remark:
-    """What a row's own solution or reading says, with its row."""
+def of_the_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int = 0) -> Remark:
+    """What a row's own solution or reading says, of the i-th case, with its row."""
+    said = make if isinstance(make, Remark) else make(i)
     row = of_row(solution.set.rows[number], number)
     return replace(said, of=replace(said.of, rows=row.rows, bearing=row.bearing, carries=row.carries))
 
@@ -141,7 +142,7 @@ together: what one changes of a row moves the shaft."""
 
 
 @SUBJECTS.tells
-def _preloads(of: Stretch) -> Iterator[Holding]:
+def _preloads(of: CaseRange) -> Iterator[Holding]:
     solution = of.solution
     if not solution.set.is_opposed:
         return
@@ -149,7 +150,7 @@ def _preloads(of: Stretch) -> Iterator[Holding]:
     loads = solution.preload_loads if of.may_solve else at_rest
     for number in range(len(solution.rows) if loads is not None else 0):
         for where, make in _preload(of, loads, number):
-            yield where, partial(_of_row, solution, number, make)
+            yield where, partial(of_the_row, solution, number, make)
 
 
 def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
@@ -185,9 +186,9 @@ ROWS_PRESS = Kind(
 
 
 @SUBJECTS.tells
-def _pressing_rows(stretch: Stretch) -> Iterator[Holding]:
+def _pressing_rows(cases: CaseRange) -> Iterator[Holding]:
     """Deep-groove rows that others of their housing or sleeve press without having been told to."""
-    solution, part, of = stretch.solution, stretch.part, stretch.solution.set
+    solution, part, of = cases.solution, cases.part, cases.solution.set
     signs = np.array([row.sign for row in of.rows])
     along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
     least = np.maximum(NOTICEABLE * solution.outcome.largest, np.reshape(solution.rounding, -1))[part]
@@ -220,7 +221,7 @@ TORQUES_DIFFER = Kind(
 
 
 @SUBJECTS.tells
-def _torques(of: Stretch) -> Iterator[Holding]:
+def _torques(of: CaseRange) -> Iterator[Holding]:
     """Gears and belts whose torques leave a rest, more than rounding of what a file states (chosen: 0.1 %)."""
     solution, shaft = of.solution, of.solution.set.shaft
     if solution.torque_sum is None or shaft is None:
@@ -237,26 +238,14 @@ STIFFNESS_UNDETERMINED = Kind(
 
 
 @SUBJECTS.tells
-def _undetermined(of: Stretch) -> Iterator[Holding]:
+def _of_model(of: CaseRange) -> Iterator[Holding]:
     yield ~of.cases(of.solution.control_is_consistent, bool), remark(STIFFNESS_UNDETERMINED)
-
-
-SUBJECTS.tells(missing_effects)
-
-
-@SUBJECTS.tells
-def _far(of: Stretch) -> Iterator[Holding]:
+    yield from missing_effects(of)
     yield from far_from_room_temperature(of, _bodies(of.solution.set))
+    yield from hypotheses(of)
 
 
-SUBJECTS.tells(hypotheses)
-
-
-def _of_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int) -> Remark:
-    return of_the_row(solution, number, make if isinstance(make, Remark) else make(i))
-
-
-def _preload(of: Stretch, loads: Any, number: int) -> Iterator[Holding]:
+def _preload(of: CaseRange, loads: Any, number: int) -> Iterator[Holding]:
     """What to beware of in the preload of a row."""
     solution = of.solution
 

@@ -1,4 +1,4 @@
-"""A stretch of solved cases, and what tells what holds of them."""
+"""Some solved cases, and the functions that tell what holds of them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.remarks.remark import Holding, Remark, told
 
 
-class Stretch(NamedTuple):
+class CaseRange(NamedTuple):
     """Some cases of a solution, one after another along its flattened axes."""
 
     solution: Any
@@ -28,8 +28,8 @@ class Stretch(NamedTuple):
         return np.nan_to_num(array.reshape(-1, array.shape[-1])[self.part], nan=0.0)
 
 
-Teller = Callable[[Stretch], Iterable[Holding]]
-"""Tells where remarks hold, and that of the i-th case of the stretch."""
+Teller = Callable[[CaseRange], Iterable[Holding]]
+"""Tells where remarks hold, and that of the i-th of the cases."""
 
 
 class Subject:
@@ -43,7 +43,7 @@ class Subject:
         self._tellers.append(teller)
         return teller
 
-    def __call__(self, of: Stretch) -> Iterator[Holding]:
+    def __call__(self, of: CaseRange) -> Iterator[Holding]:
         for teller in self._tellers:
             yield from teller(of)
 
@@ -52,8 +52,8 @@ def in_case(solution: Any, teller: Teller, index: Any) -> list[Remark]:
     """What holds of a solved case of a bearing or set; without an index of several, in how many each holds."""
     solved = np.ravel(solution.converged)
     if index is None and solution.shape:
-        every = teller(Stretch(solution, slice(0, solved.size)))
+        every = teller(CaseRange(solution, slice(0, solved.size)))
         return told(((np.reshape(np.where(solved, where, 0), solution.shape), each) for where, each in every), None)
     k = solution.flat_index(index)
-    one = teller(Stretch(solution, slice(k, k + 1))) if solved[k] else ()
+    one = teller(CaseRange(solution, slice(k, k + 1))) if solved[k] else ()
     return told(((np.asarray(where)[0], each) for where, each in one), None)
