@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.validation import Field
 from qsbearing.remarks.kinds import KINDS, Kind, Severity
+from qsbearing.remarks.pasted import pasted
 from qsbearing.remarks.wording import PYTHON, Balls, Raceways, Words, capital, listed, numbered
 
 
@@ -129,7 +130,12 @@ class Remark:
         """As JSON has it; null for a number that is not finite."""
         values = {name: _plain(value, words) for name, value in self.values.items()}
         head = {"code": self.code, "severity": self.kind.severity.name.lower(), "of": self.of.record()}
-        return {**head, "values": values, "text": self.written(words)}
+        return {**head, "values": values, "text": self.written(words), "paste": self.paste(words)}
+
+    def paste(self, words: Words) -> str:
+        """A line to be pasted: an option that does what it asks for, or the command that says more."""
+        is_of_whole = not self.of.rows and not self.of.bearings
+        return pasted(self.code, self.values, self.kind.see, is_of_whole, words)
 
 
 NAMES_ROW = ("preload_lost", "preload_reduced", "preload_excessive")
