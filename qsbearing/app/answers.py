@@ -33,13 +33,14 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital
-from qsbearing.reports.key_results import KeyResult, results_of, results_of_row, results_of_shaft
 from qsbearing.results import report, set_report
+from qsbearing.results.key_results import KeyResult, results_of
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.requirements import blocks as requirement_blocks
 from qsbearing.results.requirements import required_answers
+from qsbearing.results.set_key_results import results_of_row, results_of_shaft
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set

@@ -58,8 +58,8 @@ def _blocks(shown: Any) -> Sequence[Block]:
         case Solution() | SetSolution() if shown.shape:
             return _cases(shown)
         case Solution():
-            return report.result(shown, all_taken(shown), PYTHON)
-    return set_report.set_result(shown, all_taken(shown), PYTHON)
+            return [*report.result(shown, all_taken(shown), PYTHON), *report.pulse(shown)]
+    return [*set_report.set_result(shown, all_taken(shown), PYTHON), *report.pulse(shown)]
 
 
 def _tables(blocks: Sequence[Block]) -> list[Block]:

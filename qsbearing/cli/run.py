@@ -120,7 +120,9 @@ def run(
         if as_json:
             print_result(outcome.input, with_changes(outcome.record(), changes))
         else:
-            print_table([*told(changes), *outcome.blocks()])
+            from qsbearing.results.report import pulse
+
+            print_table([*told(changes), *outcome.blocks(), *pulse(outcome.solution)])
         if outcome.lacks:
             for option in writers:
                 note(f"{targets[option]} is not written: {outcome.lacks}")

@@ -87,6 +87,8 @@ class Callout:
     colour: str = ""
     is_apart: bool = False
     """Whether a terminal has an empty line before it."""
+    paste: str = ""
+    """A line that does what it asks for, or a command that says more, which a terminal shows below it."""
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,13 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Badge, Block, Callout, Cell, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Block, Callout, Cell, Facts, Paragraph, RowGroup, Table
 
-NARROWEST, WIDEST = 80, 100
-"""Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
+NARROWEST, USUAL, WIDEST = 80, 100, 140
+"""Columns: a narrower terminal breaks the lines itself, which loses no digit; a file has the usual ones; wider than the
+last, no table is easier to read."""
+MOST_OF_NAME = 40
+"""Columns of the name of a fact."""
 
 STYLES = {"pass": "green", "fail": "bold red", "finding": "yellow", "refused": "magenta"}
 """Of verdicts."""
@@ -27,14 +30,14 @@ def text_of(shown: RenderableType | Sequence[Block], width: int | None = None) -
     if width is None:
         # A file has no width to ask for; a terminal keeps its own, within reason.
         known = console.is_terminal or "COLUMNS" in os.environ
-        console.width = max(min(console.width, WIDEST), NARROWEST) if known else WIDEST
+        console.width = max(min(console.width, WIDEST), NARROWEST) if known else USUAL
     with console.capture() as capture:
         is_of_blocks = isinstance(shown, Sequence) and not isinstance(shown, str)
         console.print(laid_out(shown, console.width) if is_of_blocks else shown)  # type: ignore[arg-type]
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
-def laid_out(blocks: Sequence[Block], width: int = WIDEST) -> Group:
+def laid_out(blocks: Sequence[Block], width: int = USUAL) -> Group:
     """Blocks below each other, an empty line before every table."""
     parts: list[RenderableType] = []
     part: RenderableType
@@ -49,13 +52,17 @@ def laid_out(blocks: Sequence[Block], width: int = WIDEST) -> Group:
                     names = ", ".join(" ".join(block.headings[each].split("\n")).strip() for each in left_out)
                     below.append(Text(f"Too narrow for: {names}.", "dim"))
                 below += [Padding(_notes(block), (1, 0, 0, 0))] if block.notes else []
+            case Facts():
+                part = _facts(block)
             case Paragraph():
                 part = _text(block.text, block.lead, "bold")
             case Callout():
-                part = _text(block.text, block.lead, f"bold {block.colour}")
+                said = f"{block.text.removesuffix(f' (see {block.paste}).')}".removesuffix(".") + "."
+                part = _text(said if block.paste else block.text, block.lead, f"bold {block.colour}")
+                below = [Text(f"    {block.paste}", "dim", no_wrap=True, overflow="ignore")] if block.paste else []
             case _:
                 raise TypeError(f"a terminal shows no {type(block).__name__}")
-        is_apart = isinstance(block, Table) or block.is_apart
+        is_apart = isinstance(block, Table | Facts) or block.is_apart
         parts += [Padding(part, (1, 0, 0, 0)) if is_apart and parts else part, *below]
     return Group(*parts)
 
@@ -160,6 +167,16 @@ def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
         cells = [row.text] if isinstance(row, RowGroup) else [_cell(row[each]) for each in part]
         rich_table.add_row(*cells, style="dim" if number in table.faint else None)
     return rich_table
+
+
+def _facts(facts: Facts) -> RichTable:
+    """Names, and what they are beside them."""
+    lines = RichTable(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    lines.add_column(max_width=MOST_OF_NAME)
+    lines.add_column()
+    for name, cell in facts.pairs:
+        lines.add_row(Text(name), _cell(cell))
+    return lines
 
 
 def _notes(table: Table) -> RichTable:

@@ -41,7 +41,11 @@ GROOVES = [1, 0, 2]
 """The three cases of a set: its usual groove radius, the least and the largest."""
 
 SHEET_SETS_LEFT_OUT = Kind(
-    "sheet_sets_left_out", CHECK, "data_sheet", "of {sets} ball sets the {solved} that fit best are solved"
+    "sheet_sets_left_out",
+    CHECK,
+    "data_sheet",
+    "of {sets} ball sets the {solved} that fit best are solved",
+    setting="bearing.ball_set=1",
 )
 SHEET_GROOVE_ASSUMED = Kind(
     "sheet_groove_assumed", NOTE, "data_sheet",
@@ -58,6 +62,7 @@ SHEET_RATINGS_UNSTATED = Kind(
     "nothing states what the ratings mean: they agree with the standards, perhaps by chance, and are read so and "
     "as those of the bearing's own grooves. Add whose they are, such as {field}",
     field=Setting("maker", "SKF"),
+    setting="bearing.maker=SKF",
 )  # fmt: skip
 
 

@@ -77,6 +77,7 @@ LIFE_GROOVES_UNCOVERED = Kind(
     "life_grooves_uncovered", WRONG, SEE_CHOICES,
     f'{_GROOVES}: a wider groove carries less ({{field}} takes the grooves into account)',
     field=Setting("rating", "lundberg_palmgren"),
+    setting="readings.life.rating=lundberg_palmgren",
 )  # fmt: skip
 LIFE_SIZE_UNCOVERED = Kind(
     "life_size_uncovered", WRONG, SEE_CHOICES, "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"

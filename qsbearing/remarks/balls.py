@@ -15,6 +15,8 @@ from qsbearing.remarks.kinds import CHECK, INCOMPLETE, NOTE, SEE_AXIS, SEE_HYPOT
 from qsbearing.remarks.remark import Holding, Remark, remark
 
 BALLS = Subject()
+BY_FRICTION = "effects.raceway_control=friction"
+"""What does what a remark on the motion of balls asks for."""
 
 LEAST_TYPICAL = 0.06
 MOST_TYPICAL = 0.1
@@ -36,6 +38,7 @@ CONTROL_INCONSISTENT = Kind(
     "control_inconsistent", WRONG, SEE_HYPOTHESES,
     "No consistent raceway control: for some ball, whichever raceway is assumed to control it, the loads point "
     "to the other one. The last choice tried is reported.",
+    setting=BY_FRICTION,
 )  # fmt: skip
 
 
@@ -94,11 +97,24 @@ _REQUIRES = (
     "The gyroscopic moment requires a friction coefficient of {required:.2f} at {raceways:the} raceway of {balls}: "
 )
 _TYPICAL = " (typical: {typical_least:g} to {typical_most:g})."
-FRICTION_DOUBTFUL = Kind("friction_doubtful", NOTE, SEE_HYPOTHESES, f"{_REQUIRES}slip may begin{_TYPICAL}")
-FRICTION_BEYOND = Kind("friction_beyond", WRONG, SEE_HYPOTHESES, f"{_REQUIRES}expect slip{_TYPICAL}")
+FRICTION_DOUBTFUL = Kind(
+    "friction_doubtful",
+    NOTE,
+    SEE_HYPOTHESES,
+    f"{_REQUIRES}slip may begin{_TYPICAL}",
+    setting=BY_FRICTION,
+)
+FRICTION_BEYOND = Kind(
+    "friction_beyond",
+    WRONG,
+    SEE_HYPOTHESES,
+    f"{_REQUIRES}expect slip{_TYPICAL}",
+    setting=BY_FRICTION,
+)
 FRICTION_ABOVE_LOAD = Kind(
     "friction_above_load", WRONG, SEE_HYPOTHESES,
     f"{_REQUIRES}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}",
+    setting=BY_FRICTION,
 )  # fmt: skip
 FRICTIONS = (
     (FRICTION_DOUBTFUL, LEAST_TYPICAL, MOST_TYPICAL),
@@ -129,7 +145,11 @@ def _friction(of: CaseRange) -> Iterator[Holding]:
 
 
 FRICTION_ASSUMED = Kind(
-    "friction_assumed", NOTE, SEE_AXIS, "The friction coefficient of {assumed:g} that moves the balls is assumed."
+    "friction_assumed",
+    NOTE,
+    SEE_AXIS,
+    "The friction coefficient of {assumed:g} that moves the balls is assumed.",
+    setting="effects.traction.friction_coefficient={assumed:g}",
 )
 
 
@@ -169,6 +189,7 @@ MOMENTUM_GAP = Kind(
     "momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
     "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
     "follow the azimuth. Radial stiffness is that against a load that turns with the cage.",
+    setting=BY_FRICTION,
 )  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.gyroscopic_moment import ENTRY as GYROSCOPIC_MOMENT
 from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
+from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
 from qsbearing.model.solution.ranges import ranges
@@ -50,6 +51,7 @@ HYPOTHESES_DIFFER = Kind(
     "{displacement_unit} (here {displacement_here:.4g}) and the {stiffness} is {stiffness_least:.4g} to "
     "{stiffness_most:.4g} {stiffness_unit} (here {stiffness_here:.4g}). To see each: qsbearing explain FILE",
     say=_differing,
+    setting="effects.raceway_control={alternative}",
 )  # fmt: skip
 
 
@@ -64,13 +66,21 @@ def hypotheses(of: CaseRange) -> Iterator[Holding]:
     matters = np.any([_matters(each, part) for each in changes], axis=0)
 
     def differing(i: int) -> Remark:
-        values: dict[str, Any] = {}
+        values: dict[str, Any] = {"alternative": _another(solution)}
         for name, span in ranges(solution, changes, part.start + i).items():
             values |= {name: span.what, f"{name}_unit": span.unit}
             values |= {f"{name}_{end}": getattr(span, end) for end in ("here", "least", "most")}
         return Remark(HYPOTHESES_DIFFER, values=values)
 
     yield matters, differing
+
+
+def _another(solution: Any) -> str:
+    """Of a bearing no hypothesis: friction in balance; of a set, whose balls this does not move, another hypothesis."""
+    if not hasattr(solution, "rows"):
+        return str(RacewayControl.FRICTION)
+    others = (RacewayControl.MINIMUM_DISSIPATION, RacewayControl.OUTER)
+    return str(next(each for each in others if each != requested(solution).raceway_control))
 
 
 def _inertia(solution: Any) -> NDArray:

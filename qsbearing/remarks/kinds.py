@@ -68,6 +68,9 @@ class Kind:
     """What makes the sentence where a format string cannot."""
     field: Field = _NO_FIELD
     """What to give, {field} in the sentence."""
+    setting: str | Callable[[Mapping[str, Any], Words], list[str]] = ""
+    """What does what it asks for, in a file: a key and its value, over the remark's values, or what makes such lines.
+    Remarks without one point to the guide."""
 
     def __post_init__(self) -> None:
         KINDS[self.code] = self
@@ -87,6 +90,12 @@ class Kind:
         """The sentence with … for each number."""
         blank = _Blank(who="the bearing", raceways=Raceways(("…",)), field=words.spell(self.field, ""))
         return (self.sentence + self.more).format_map(blank)
+
+    def settings(self, values: Mapping[str, Any], words: Words) -> list[str]:
+        """Keys with values, as they stand behind an option of the command."""
+        if isinstance(self.setting, str):
+            return [self.setting.format_map(values)] if self.setting else []
+        return self.setting(values, words)
 
     @property
     def values(self) -> tuple[str, ...]:

@@ -31,7 +31,7 @@ from qsbearing.model.solution.judgement import (
     unit_of,
 )
 from qsbearing.model.units import um
-from qsbearing.model.validation import Setting
+from qsbearing.model.validation import Field, Sentence, Setting
 from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.kinds import INCOMPLETE, SEE_AXIS, Kind
 from qsbearing.remarks.remark import Holding, Of, Remark
@@ -117,16 +117,48 @@ def _of_quantity(quantity: str, by: Sequence[str], link: str = " ") -> str:
     return f"{WORDS[quantity]}{link}{'about ' * is_about}{said}"
 
 
+OF_EFFECTS = {"gyroscopic_slip": "effects.friction_coefficient=0.06"}
+"""To paste for an effect that lacks its numbers, where no example stands beside what it needs: the least of lubricated
+steel."""
+
+
+def _add_effects(values: Mapping[str, Any], words: Words) -> list[str]:
+    return _under("effects", values["add"], words)
+
+
+def _add_data(values: Mapping[str, Any], words: Words) -> list[str]:
+    """What makes an effect act that needs numbers of the scene: the example beside what it needs."""
+    name = values["effect"]
+    needed = EFFECT[name].needs_beside_size
+    if not values["has_size"] or not isinstance(needed, Sentence):
+        return [OF_EFFECTS[name]] if name in OF_EFFECTS else []
+    return _under(f"effects.{name}", needed.values["example"], words)
+
+
+def _under(table: str, settings: Sequence[Field], words: Words) -> list[str]:
+    """Keys of a table with their values; none where one takes a table of its own."""
+    pairs = [words.spell(each, "").partition(" = ") for each in settings if isinstance(each, Setting)]
+    return [f"{table}.{key}={_bare(value)}" for key, _, value in pairs] if all(value for *_, value in pairs) else []
+
+
+def _bare(value: str) -> str:
+    """A word without its quotation marks."""
+    word = value.strip('"')
+    return word if word.isidentifier() else value
+
+
 EFFECTS_MISSING = Kind(
     "effects_missing", INCOMPLETE, "accuracy",
     "{effects} ({quantities} {changes}) are not included. Add under [effects]: {add}",
     say=_missing,
+    setting=_add_effects,
 )  # fmt: skip
 EFFECT_DATA_MISSING = Kind(
     "effect_data_missing", INCOMPLETE, "accuracy",
     "{effect} is not included; it would change the {quantity} by about {changes} ({under}). To include it, give "
     "its numbers",
     say=_lacking,
+    setting=_add_data,
 )  # fmt: skip
 EFFECT_UNKNOWN_TO_FRICTION = Kind(
     "effect_unknown_to_friction", INCOMPLETE, SEE_AXIS,

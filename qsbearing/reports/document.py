@@ -13,8 +13,8 @@ from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.front import head, made_with
-from qsbearing.reports.key_results import key_results
 from qsbearing.results import report
+from qsbearing.results.key_results import key_results
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark

@@ -15,12 +15,12 @@ from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.front import head, made_with
-from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
 from qsbearing.results.requirements import answered
+from qsbearing.results.set_key_results import key_results_of_set
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution

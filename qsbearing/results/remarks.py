@@ -57,7 +57,12 @@ def blocks(said: Iterable[Remark], is_apart: bool = False, words: Words = IN_FIL
     lines = [each.said(words) for each in together(said)]
     return [
         Callout(
-            each.line, each.rank.status, f"{each.rank.words}:", COLOURS.get(each.rank, ""), is_apart and number == 0
+            each.line,
+            each.rank.status,
+            f"{each.rank.words}:",
+            COLOURS.get(each.rank, ""),
+            is_apart and number == 0,
+            each.remark.paste(words),
         )
         for number, each in enumerate(lines)
     ]

@@ -31,7 +31,7 @@ from qsbearing.model.solution.result_keys import STIFFNESS, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
-from qsbearing.results.json_record import record
+from qsbearing.results.json_record import how_it_ended, record
 from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.remarks import blocks, every_remark
 
@@ -47,11 +47,14 @@ _UNITS = (("µm", "N", "N/µm"), ("mrad", "N m", "N m/mrad"))
 
 
 def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> list[Block]:
-    """The report on a single case: heading, ring, balls, what was read off, warnings."""
+    """The report on a single case: heading, the answer, ring, balls, what was read off, warnings."""
     said = every_remark(solution, readings)
     of_case = record(solution, {}, said=said)
     parts = _heading(solution, of_case)
     if of_case["status"] == "converged":
+        from qsbearing.results.key_results import answer
+
+        parts.append(answer(solution, readings))
         parts += [*_tables(solution, of_case), *_balance(solution, of_case), *heat_tables(of_case)]
         if readings:
             from qsbearing.results.readings_report import readings_tables  # a scene without readings does not load them
@@ -201,16 +204,23 @@ def preload_text(preload: dict[str, Any]) -> str:
 
 
 def ending(record: dict[str, Any]) -> list[Block]:
-    """How the case of a record ended."""
-    status = record["status"].replace("_", " ").capitalize()
-    if record["status"] != "converged":
-        message = record["message"]
-        if message.startswith(status):
-            return [Callout(message, "fail", status, "red")]
-        return [Callout(status, "fail", status, "red"), Paragraph(message)]
-    took = f"{status} in {record['iterations']} iterations, {duration(record['seconds'])}"
+    """Why the case of a record has no solution; nothing where it has one."""
+    status, message = record["status"].replace("_", " ").capitalize(), record["message"]
+    if record["status"] == "converged":
+        return []
+    if message.startswith(status):
+        return [Callout(message, "fail", status, "red")]
+    return [Callout(status, "fail", status, "red"), Paragraph(message)]
+
+
+def pulse(solution: Solution | SetSolution) -> list[Block]:
+    """How the solver came to a single case; nothing where it did not, or of several cases."""
+    if solution.shape or not solution.converged:
+        return []
+    record = how_it_ended(solution)
+    took = f"Converged in {record['iterations']} iterations, {duration(record['seconds'])}"
     told = f"{took}; largest imbalance {record['residual']:.1e} of the largest force"
-    return [Callout(told, "pass", status, "green")]
+    return [Callout(told, "pass", "Converged", "green", is_apart=True)]
 
 
 def requested_for(record: dict[str, Any]) -> str:

@@ -41,6 +41,9 @@ def set_result(solution: SetSolution, readings: Sequence[Readings], words: Words
     record = set_record(solution, readings)
     parts = heading(solution, record)
     if record["status"] == "converged":
+        from qsbearing.results.set_key_results import answer
+
+        parts.append(answer(solution, readings))
         parts += [*_tables(solution, record), *_temperatures(record)]
         for number, row in enumerate(record["rows"]):
             title = f"{capital(row_name(solution.set.rows[number], number))}: contacts"
@@ -95,7 +98,7 @@ def _system_life(record: dict[str, Any]) -> list[Block]:
 
 
 def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
-    """What a set is, and how its case ended."""
+    """What a set is, and why its case has no solution, where it has none."""
     of = solution.set
     name = of.name or "Set"
     count = "1 row" if len(of.rows) == 1 else f"{len(of.rows)} rows"

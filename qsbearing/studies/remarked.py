@@ -167,7 +167,8 @@ def blocks(remarks: Sequence[Mapping[str, Any]], looked: int, points: int) -> li
         kind, severity = KINDS.get(each["code"]), Severity[each["severity"].upper()]
         see = f" (see qsbearing guide {kind.see})" if kind else ""  # of another version: none
         text = f"{severity.words}: {each['text'].removesuffix('.')}{see}."
-        said.append(Callout(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0))
+        paste = each.get("paste", "")  # of another version: none
+        said.append(Callout(text, severity.status, f"{severity.words}:", COLOURS.get(severity, ""), number == 0, paste))
     if not may_solve(points):
         some = f"{looked:,} of {points:,} points are looked at, spread over all of them" if looked < points else ""
         told = "nothing is solved again for them: `qsbearing run` tells of one point what takes that"

@@ -19,8 +19,8 @@ from qsbearing.documents.html import part
 from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
-from qsbearing.reports.key_results import key_results_of_set
 from qsbearing.results.remarks import blocks, every_remark
+from qsbearing.results.set_key_results import key_results_of_set
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.bearing_set import BearingSet
 from tests.app.test_answers import ran

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.reports.key_results import ring_lines
 from qsbearing.results import report
 from qsbearing.results.json_record import record
+from qsbearing.results.key_results import ring_lines
 
 SMALL = qs.BallBearing.from_diametral_clearance(
     ball_count=9, ball_diameter=7.94 * qs.mm, pitch_diameter=39 * qs.mm, inner_groove_radius=0.52 * 7.94 * qs.mm,

@@ -182,6 +182,7 @@ ROWS_PRESS = Kind(
     "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
     "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
     say=_pressing,
+    setting="floating=[{{rows = [{slides:.0f}]}}]",
 )  # fmt: skip
 
 

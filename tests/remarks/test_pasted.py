@@ -1,0 +1,79 @@
+"""The line that a remark ends with works where it is pasted, and does what the remark asks for."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from qsbearing.cli import cli
+from qsbearing.files.file_keys import IN_FILE
+from qsbearing.remarks.kinds import KINDS
+from qsbearing.remarks.remark import Of, Remark
+from tests.guide.pages import GUIDE
+
+B218 = '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 10000\naxial_load_N = 17800\n'
+EFFECTS = '[effects]\nball = ["centrifugal_force", "gyroscopic_moment"]\nraceway_control = "outer"\n'
+PAIR = (
+    '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 18000\naxial_load_N = 300\n[preload]\nrigid_N = 300\n'
+    '[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 40\ncarries = "-x"\n'
+)
+RADIAL = B218.replace("17800", "8000\nradial_load_y_N = 4000\ntilt_z_mrad = 0\ntilt_y_mrad = 0")
+OWN = (
+    "[bearing]\nball_count = 16\nball_diameter_mm = 22.225\npitch_diameter_mm = 125.26\ninner_groove_radius_mm = 12\n"
+    'outer_groove_radius_mm = 12\nfree_contact_angle_deg = 40\nball_material = "steel"\nring_material = "steel"\n'
+)
+
+
+def remarks(*words: str | Path) -> list[dict[str, Any]]:
+    result = CliRunner().invoke(cli, ["run", *map(str, words), "--json"])
+    assert result.exit_code in (0, 1), result.output  # 1: a free ring in which nothing holds a load across
+    said: list[dict[str, Any]] = json.loads(result.stdout)["remarks"]
+    return said
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"),
+    [
+        (B218, {"effects_missing", "effect_data_missing"}),
+        (B218 + EFFECTS, {"hypotheses_differ", "friction_doubtful", "effect_data_missing"}),
+        (RADIAL + EFFECTS, {"momentum_gap"}),
+        (B218 + EFFECTS.replace("outer", "friction"), {"friction_assumed"}),
+        (OWN + B218.partition("\n")[2].partition("\n")[2] + EFFECTS + "[readings.life]\n", {"life_grooves_uncovered"}),
+        (PAIR, {"effects_missing", "effect_data_missing"}),
+        (PAIR + EFFECTS, {"hypotheses_differ"}),
+    ],
+    ids=["static", "at speed", "radial", "friction", "life", "pair", "pair at speed"],
+)  # fmt: skip
+def test_what_is_pasted_does_it(text: str, codes: set[str], tmp_path: Path) -> None:
+    (tmp_path / "my.toml").write_text(text)
+    said = [each for each in remarks(tmp_path / "my.toml") if each["paste"].startswith("--set ")]
+    assert codes <= {each["code"] for each in said}
+    for each in said:
+        after = remarks(tmp_path / "my.toml", *shlex.split(each["paste"]))
+        effect = each["values"].get("effect")
+        still = [(one["code"], one["values"].get("effect")) for one in after]
+        assert (each["code"], effect) not in still or (each["code"] == "hypotheses_differ" and "rows" in text), each
+
+
+def test_every_remark_has_a_line() -> None:
+    for kind in KINDS.values():
+        line = Remark(kind, Of(rows=(1,))).paste(IN_FILE)
+        assert line == f"qsbearing guide {kind.see}"
+        assert (GUIDE / f"{kind.see.partition('#')[0]}.md").is_file()
+
+
+def test_the_terminal_ends_each_remark_with_it(tmp_path: Path) -> None:
+    (tmp_path / "my.toml").write_text(B218 + EFFECTS + "[readings.life]\n")
+    lines = CliRunner().invoke(cli, ["run", str(tmp_path / "my.toml")]).output.splitlines()
+    pasted = [line.strip() for line in lines if line.startswith("    ") and ("--set" in line or "guide" in line)]
+    assert set(pasted) >= {each["paste"] for each in remarks(tmp_path / "my.toml")}
+    assert "--set effects.raceway_control=friction" in pasted
+    for line in pasted:
+        if line.startswith("qsbearing guide "):
+            assert f"(see {line})" not in " ".join(lines)
+            assert CliRunner().invoke(cli, shlex.split(line)[1:]).exit_code == 0
