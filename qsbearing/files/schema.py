@@ -217,7 +217,7 @@ def _rules() -> list[Schema]:
             "operation": {"not": {"anyOf": both}, "allOf": tilts},
             "preload": one_of,
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
-            "rows": {"items": {"required": ["position_mm", "carries"], "properties": {"bearing": own}}},
+            "rows": {"items": {"required": ["position_mm"], "properties": {"bearing": own}}},
         },
     }
     alone = {

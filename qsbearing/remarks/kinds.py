@@ -163,12 +163,15 @@ def _differing(fields: Mapping[str, Any], words: Words) -> str:
 def _pressing(fields: Mapping[str, Any], words: Words) -> str:
     """Rows that press each other, and what to write so that one of them slides."""
     said = KINDS["rows_press"].sentence.format_map(fields)
-    row = f"{fields['slides']:.0f}"
-    written = {
-        Audience.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
-        Audience.FILE: f": floating = [{{rows = [{row}]}}]",
-    }
+    written = {Audience.PYTHON: ': carries="none"', Audience.FILE: ': carries = "none"'}
     return f"{said}{written.get(words.reader, '')}."
+
+
+def _free(fields: Mapping[str, Any], words: Words) -> str:
+    """A shaft that nothing holds, within a play that ends or that does not."""
+    if "play_um" in fields:
+        return KINDS["axially_free"].sentence.format_map(fields)
+    return "Nothing holds the shaft along x: no row carries an axial load there, and its place is as good as another."
 
 
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
@@ -331,9 +334,10 @@ _ALL = (
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
     Kind("rows_press", CHECK, "sets#deep-groove-rows",
-         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
-         "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
-         say=_pressing),
+         "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: the outer "
+         "ring of each is held on the side to which it is pushed. Let row {slides} slide", say=_pressing),
+    Kind("axially_free", CHECK, "sets#deep-groove-rows",
+         "Nothing holds the shaft along x, which lies amid its play of {play_um:.4g} µm.", say=_free),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model

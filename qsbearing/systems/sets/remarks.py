@@ -21,6 +21,7 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
+from qsbearing.model.units import um
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
 from qsbearing.remarks.missing_effects import missing_effects
@@ -30,6 +31,7 @@ from qsbearing.remarks.remark import Found, Remark, in_case, in_order, of_row, r
 from qsbearing.remarks.wording import capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.location import carried, sliding
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOTICEABLE = 1e-3
@@ -63,6 +65,7 @@ def _why(solution: SetSolution, k: int) -> str:
     outcome = solution.outcome
     names = [*(channel.label for channel in CHANNELS), "axial of the sprung rings"]
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
+    names += [f"axial of the outer ring of row {number + 1}" for number in sliding(solution.set)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
         reached = f"{plain(100.0 * outcome.reached[k], '.3g')} %"
@@ -92,13 +95,14 @@ def _overloaded(solution: SetSolution, k: int) -> str:
 
     value = 0.0 if load is None else of_case(load)
     direction = "+x" if value > 0.0 else "-x"
-    if value != 0.0 and np.sign(value) not in {row.sign for row in solution.set.rows}:
+    ways = {n: carried(row) for n, row in enumerate(solution.set.rows)}
+    if value != 0.0 and not any(np.sign(value) in each for each in ways.values()):
         return f" The axial load acts in {direction}, which no row carries."
     against = [row for row in solution.set.rows if row.sprung and row.sign * value > 0.0]
     if against and preload is not None and preload.spring is not None and abs(value) > of_case(preload.spring):
         return f" The axial load in {direction} is more than the spring's {of_case(preload.spring):.4g} N."
     floating = {number - 1 for group in solution.set.floating for number in group.rows}
-    if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
+    if value != 0.0 and floating.issuperset(n for n, each in ways.items() if np.sign(value) in each):
         return f" All rows that carry in {direction} float, and their springs give no more than their own force."
     return ""
 
@@ -146,6 +150,7 @@ def of_set(solution: SetSolution, part: slice, may_solve: bool = True) -> Iterat
         for where, make in _preload(solution, loads, number, part):
             yield where, partial(_of_row, solution, number, make)
     yield from _pressing_rows(solution, part)
+    yield from _free_shaft(solution, part)
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("stiffness_undetermined")
     yield from missing_effects(solution, part, may_solve)
     yield from far_from_room_temperature(_bodies(solution.set), solution.shape, part)
@@ -166,7 +171,7 @@ def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
 
 
 def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
-    """Deep-groove rows that others of their housing or sleeve press without having been told to."""
+    """Deep-groove rows that others of their housing or sleeve press without having been told to; all are held there."""
     of = solution.set
     signs = np.array([row.sign for row in of.rows])
     along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
@@ -186,10 +191,23 @@ def _pressing_rows(solution: SetSolution, part: slice) -> Iterator[Found]:
 
             def make(i: int, both: NDArray = pushed + against, pressed: NDArray = pressed) -> Remark:
                 rows = np.flatnonzero(both[:, i] > least[i])
-                said = remark("rows_press", pressed_N=pressed[i], slides=int(rows[-1]) + 1)
+                said = remark("rows_press", pressed_N=pressed[i], slides=int(rows[deep[rows]][-1]) + 1)
                 return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
 
             yield once & (pressed > least), make
+
+
+def _free_shaft(solution: SetSolution, part: slice) -> Iterator[Found]:
+    """A shaft that nothing holds along x where it is."""
+    play = solution.axial_play
+    if play is None:
+        return
+    width = np.diff(play.reshape(-1, 2))[part, 0] / um
+
+    def make(i: int) -> Remark:
+        return remark("axially_free", play_um=float(width[i])) if np.isfinite(width[i]) else remark("axially_free")
+
+    yield np.reshape(solution.is_axially_free, -1)[part], make
 
 
 def _of_row(solution: SetSolution, number: int, make: Remark | Callable[[int], Remark], i: int) -> Remark:

@@ -26,12 +26,15 @@ from qsbearing.systems.sets.axial_growth import SHAFT
 from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
+from qsbearing.systems.sets.one_way import without_idle_rings
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
 
+FREE = 1e-9
+"""Of the stiffest row: less is the rounding of rings that follow the shaft."""
 LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
 
@@ -200,9 +203,24 @@ class SetSolution(SolutionOfCases):
 
     @cached_property
     def axial_loads(self) -> NDArray:
-        """Of each row in the direction that it carries, what is rounding as zero; shape (*cases, row) [N]."""
+        """Of each row in the direction that it carries, in +x where that is both or none; what is rounding as zero;
+        shape (*cases, row) [N]."""
         loads = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
         return without_rounding(loads, self.rounding[..., None])
+
+    @property
+    def axial_play(self) -> NDArray | None:
+        """From where to where the shaft goes from its zero, straight and centred, until rows carry it; shape
+        (*cases, 2) [m]; infinite where no row does. From is beyond to by as much as rows press each other. None: no row
+        has two sides."""
+        return self._shaped(self._known(self.outcome.play), 2) if any(self.set.is_two_sided) else None
+
+    @cached_property
+    def is_axially_free(self) -> Any:
+        """Whether nothing holds the shaft along x where it is, within its play; shape (*cases)."""
+        own = np.max([np.abs(row.stiffness[..., 0, 0]) for row in self.rows], axis=0)
+        is_load = getattr(self.set.operation, CHANNELS[0].displacement) is None
+        return np.asarray(self.converged) & is_load & (np.abs(self.stiffness[..., 0, 0]) <= FREE * own)
 
     @cached_property
     def stiffness(self) -> NDArray:
@@ -229,7 +247,7 @@ class SetSolution(SolutionOfCases):
         if self._structure.elasticity.size:
             total = total + self._structure.elasticity
         total[~np.reshape(self.control_is_consistent, -1)] = np.nan
-        return total
+        return without_idle_rings(self.set, total, self.outcome.held)
 
     @cached_property
     def _deflection(self) -> Deflection:
@@ -430,7 +448,7 @@ class SetSolution(SolutionOfCases):
         if not np.all(self.converged):
             raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
         own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        held = rotor.held_by(self.set, own, self._deflection.turned)
+        held = rotor.held_by(self.set, own, self._deflection.turned, self.outcome.held)
         return rotor.rotor(self.set, held.reshape(len(self.rows), *self.shape, 5, 5), disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:
