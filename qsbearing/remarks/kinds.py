@@ -167,13 +167,6 @@ def _pressing(fields: Mapping[str, Any], words: Words) -> str:
     return f"{said}{written.get(words.reader, '')}."
 
 
-def _free(fields: Mapping[str, Any], words: Words) -> str:
-    """A shaft that nothing holds, within a play that ends or that does not."""
-    if "play_um" in fields:
-        return KINDS["axially_free"].sentence.format_map(fields)
-    return "Nothing holds the shaft along x: no row carries an axial load there, and its place is as good as another."
-
-
 def _cut(fields: Mapping[str, Any], words: Words) -> str:
     """A contact cut by the edge, with as many of its numbers as there are."""
     said = f"the ellipse of {fields['raceways']:an} contact runs over the groove's edge"
@@ -337,7 +330,7 @@ _ALL = (
          "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: the outer "
          "ring of each is held on the side to which it is pushed. Let row {slides} slide", say=_pressing),
     Kind("axially_free", CHECK, "sets#deep-groove-rows",
-         "Nothing holds the shaft along x, which lies amid its play of {play_um:.4g} µm.", say=_free),
+         "Nothing holds the shaft along x where it is.", " It lies amid its play of {play_um:.4g} µm."),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
     # The model

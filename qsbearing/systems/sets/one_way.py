@@ -7,36 +7,28 @@ trying: rings that pull are let free, rings that have passed what holds them are
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.kernel.admissibility import CONVERGED, NOT_CONVERGED
 from qsbearing.model.solution.rounding import NOISE
-from qsbearing.systems.sets.location import sliding
-from qsbearing.systems.sets.rigid_shaft import UNKNOWNS
-from qsbearing.systems.sets.row import ONE_WAY
-
-if TYPE_CHECKING:
-    from qsbearing.systems.sets.problem import Problem
+from qsbearing.systems.sets.problem import Problem
+from qsbearing.systems.sets.rigid_shaft import UNKNOWNS, one_way_rings
 
 AT_ONCE, ONE_BY_ONE = 4, 20
 """Rounds in which all rings change that should, and after them only the first: what goes round in circles by the one
 rule ends by the other. All random sets end after two (`tests.verification.campaign.deep_groove`)."""
+FREE = 1e-9
+"""Of the stiffest row: less stiffness is the rounding of rings that follow the shaft."""
 PASSED = 1e-12
 """[m] By so little a ring has not passed what holds it: rounding of positions."""
 
 
-def one_way_rings(of: Any) -> dict[int, int]:
-    """The number of the row, from 0, of each unknown that is a ring held against one side."""
-    first = UNKNOWNS + len(of.floating)
-    return {first + i: number for i, number in enumerate(sliding(of)) if of.rows[number].carries in ONE_WAY}
-
-
 def settle(problem: Problem, part: slice, carried: NDArray) -> None:
     """Solve a stretch of cases, each with the rings held that are pressed against what holds them."""
-    problem.solve_held(part, carried)
+    problem.solve(part, carried)
     rings = one_way_rings(problem.of)
     if not rings:
         return
@@ -44,7 +36,7 @@ def settle(problem: Problem, part: slice, carried: NDArray) -> None:
     for tried in range(AT_ONCE + ONE_BY_ONE):
         turned &= _turn(problem, part, turned, rings, tried >= AT_ONCE)
         for run in _runs(np.flatnonzero(turned) + part.start):
-            problem.solve_held(run, carried)
+            problem.solve(run, carried)
         if not turned.any():
             break
     problem.outcome.status[part][turned] = NOT_CONVERGED
@@ -67,6 +59,12 @@ def without_idle_rings(of: Any, tangent: NDArray, at_rest: NDArray) -> NDArray:
             tangent[idle, column, :] = tangent[idle, :, column] = 0.0
             tangent[idle, column, column] = 1.0
     return tangent
+
+
+def nothing_holds(shaft: NDArray, of_rows: list[NDArray]) -> NDArray:
+    """Whether a shaft of this stiffness on rows of these goes along x freely; shape (*cases)."""
+    stiffest = np.max([np.abs(own[..., 0, 0]) for own in of_rows], axis=0)
+    return np.asarray(np.abs(shaft[..., 0, 0]) <= FREE * stiffest)
 
 
 def _turn(problem: Problem, part: slice, which: NDArray, rings: dict[int, int], is_single: bool) -> NDArray:

@@ -23,8 +23,7 @@ from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.location import play
-from qsbearing.systems.sets.one_way import one_way_rings, settle
-from qsbearing.systems.sets.rigid_shaft import SLIDE
+from qsbearing.systems.sets.rigid_shaft import SLIDE, one_way_rings
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.row_cases import RowCases, RowStates, empty
 from qsbearing.systems.sets.start import begin
@@ -176,11 +175,10 @@ class Problem:
         return np.asarray((np.abs(turns - np.round(turns)) <= 1e-9).all(axis=0))
 
     def solve(self, part: slice, carried: NDArray) -> None:
-        """A stretch of the flattened cases, but for those whose preload at rest is not carried."""
-        settle(self, part, carried)
+        """A stretch of the flattened cases, but for those whose preload at rest is not carried.
 
-    def solve_held(self, part: slice, carried: NDArray) -> None:
-        """Likewise, with the rings that are held one way where they are now held or free."""
+        Rings that are held one way are held or free as `held` has it: see `one_way.settle`.
+        """
         count = part.stop - part.start
         alike = self.of.alike
         made = {number: maker.make(part.start, part.stop) for number, maker in self.makers.items()}

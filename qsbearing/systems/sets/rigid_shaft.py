@@ -16,11 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.systems.sets.axial_growth import SHAFT, expansion
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.row import Row
+from qsbearing.systems.sets.location import sliding
+from qsbearing.systems.sets.row import ONE_WAY, Row
 
 UNKNOWNS = 6
 """Of a case: five channels of the shaft, and the slide of the sprung rings towards their balls."""
 SLIDE = 5
+
+
+def one_way_rings(of: Any) -> dict[int, int]:
+    """The number of the row, from 0, of each unknown that is a ring held against one side."""
+    first = UNKNOWNS + len(of.floating)
+    return {first + i: number for i, number in enumerate(sliding(of)) if of.rows[number].carries in ONE_WAY}
 
 
 def arms_along(of: BearingSet, positions: Sequence[ArrayLike], shape: tuple[int, ...]) -> NDArray:

@@ -26,15 +26,13 @@ from qsbearing.systems.sets.axial_growth import SHAFT
 from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.elastic_shaft import Structure
-from qsbearing.systems.sets.one_way import without_idle_rings
+from qsbearing.systems.sets.one_way import nothing_holds, without_idle_rings
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
 AtRest = Callable[[tuple[RingEffect, ...]], tuple[RingEffect, ...]]
 """What of a bearing's ring effects it has at rest and cold: `as_made`, `as_fitted`."""
 
-FREE = 1e-9
-"""Of the stiffest row: less is the rounding of rings that follow the shaft."""
 LENGTH_OF_TILTS = 0.1
 """Metres: makes tilts lengths where stiffnesses are weighed against each other; of the size of a spindle bearing."""
 
@@ -210,17 +208,14 @@ class SetSolution(SolutionOfCases):
 
     @property
     def axial_play(self) -> NDArray | None:
-        """From where to where the shaft goes from its zero, straight and centred, until rows carry it; shape
-        (*cases, 2) [m]; infinite where no row does. From is beyond to by as much as rows press each other. None: no row
-        has two sides."""
+        """`location.play`, shape (*cases, 2) [m]; None without rows that stand by their middle planes."""
         return self._shaped(self._known(self.outcome.play), 2) if any(self.set.is_two_sided) else None
 
     @cached_property
     def is_axially_free(self) -> Any:
         """Whether nothing holds the shaft along x where it is, within its play; shape (*cases)."""
-        own = np.max([np.abs(row.stiffness[..., 0, 0]) for row in self.rows], axis=0)
-        is_load = getattr(self.set.operation, CHANNELS[0].displacement) is None
-        return np.asarray(self.converged) & is_load & (np.abs(self.stiffness[..., 0, 0]) <= FREE * own)
+        is_free = nothing_holds(self.stiffness, [row.stiffness for row in self.rows])
+        return np.asarray(self.converged) & is_free & (self.set.operation.axial_displacement is None)
 
     @cached_property
     def stiffness(self) -> NDArray:

@@ -21,6 +21,7 @@ from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what there is to say of sets
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_deflection
+from qsbearing.systems.sets.one_way import settle
 from qsbearing.systems.sets.problem import Problem
 from qsbearing.systems.sets.row import OUT_OF_LINE
 from qsbearing.systems.sets.set_solution import AtRest, SetSolution
@@ -76,7 +77,7 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
     mounted = [np.broadcast_to(side.converged, problem.shape).reshape(-1) for side in sides.values()]
     carried = np.logical_and.reduce(mounted) if mounted else np.ones(problem.count, bool)
 
-    in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
+    in_threads(lambda part: settle(problem, part, carried), problem.count, workers)
 
     unloaded = partial(_unloaded, of, offsets, threads, tolerance)
     seconds = time.perf_counter() - began
