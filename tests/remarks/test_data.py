@@ -166,7 +166,9 @@ def of_solutions() -> Iterator[Any]:
         yield in_housing(interference, radial_load_y=10e3)
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
     across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
-    yield qs.solve_set(qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), across))
+    located = tuple(replace(row, carries="both") for row in rows("DB", grooved_both_ways(10 * qs.um), distance=0.2))  # type: ignore[arg-type]
+    yield qs.solve_set(qs.BearingSet(located, across, shaft=qs.Shaft((qs.ShaftSection(0.4, 0.03),), -0.2)))
+    yield qs.solve_set(qs.BearingSet(located))
     operation = qs.Operation(
         np.array([424.2060708578242, 424.0]) * qs.rpm, axial_load=np.array([1168.8530554521644, 9000.0]),
         radial_load_y=np.array([103.73081221234129, 0.0]), moment_z=0.0,
