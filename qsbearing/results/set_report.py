@@ -125,7 +125,7 @@ def play_of(record: dict[str, Any]) -> list[Block]:
     elif play["from_um"] <= play["to_um"]:
         said = f"from {low} to {high} µm"
     else:
-        said = f"none; rows press each other over {digits(play['from_um'] - play['to_um'], 1e-9)} µm"
+        said = f"none; rows are pressed against each other by {digits(play['from_um'] - play['to_um'], 1e-9)} µm"
     return [Paragraph(f"Axial play: {said} (straight and centred, counted as its displacement)", is_apart=True)]
 
 
