@@ -132,25 +132,29 @@ def test_located_rows_need_what_acts(seed: int) -> None:
     np.testing.assert_allclose((needed - found.load) / size, 0.0, atol=1e-8)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", [0, 1, 2, 11, 89, 109, 128, 258])  # from 11 on rings come back that had drawn away
 def test_one_state_of_the_rings_fits_and_it_is_the_one_found(seed: int) -> None:
     """Each ring held both ways or sliding in a sleeve of its own: of all combinations one has rings that press what
     holds them and rings that have drawn away from it."""
     clearances, operation = drawn(seed)
-    ways = tuple(np.random.default_rng(100 + seed).choice(["+x", "-x"], 3))
-    if not operation.axial_load or {np.sign(operation.axial_load)} - {1.0 if way == "+x" else -1.0 for way in ways}:
-        operation = replace(operation, axial_load=500.0 if "+x" in ways else -500.0)
-    held = stand(*ways, clearances=tuple(clearances))
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(2, 5))
+    ways = list(rng.choice(["+x", "-x"], count))
+    offsets = rng.uniform(-60e-6, 60e-6, count)
+    if {np.sign(operation.axial_load)} - {0.0, *(1.0 if way == "+x" else -1.0 for way in ways)}:
+        operation = replace(operation, axial_load=-np.asarray(operation.axial_load))
+    placed = zip(stand(*ways, clearances=tuple(clearances)), offsets, strict=True)
+    held = tuple(replace(row, offset=offset) for row, offset in placed)
     found = solved(qs.BearingSet(held, operation))
     fitting = []
-    for free in product((False, True), repeat=3):
-        alone = tuple(replace(row, carries="both") for row in held)  # type: ignore[arg-type]
+    for free in product((False, True), repeat=count):
+        alone = tuple(replace(row, carries="both", offset=row.sign * np.asarray(row.offset)) for row in held)  # type: ignore[arg-type]
         groups = tuple(qs.FloatingGroup((n,)) for n, each in enumerate(free, 1) if each)
         other = qs.solve_set(qs.BearingSet(alone, operation, floating=groups))
         if not other.converged:
             continue
         signs = np.array([row.sign for row in held])
-        slid = np.zeros(3)
+        slid = np.zeros(count)
         slid[list(free)] = other.outcome.q[0, 6:]
         presses = (other.axial_loads * signs >= -1e-6) | free
         if presses.all() and (slid * signs <= 1e-9).all():
@@ -283,6 +287,7 @@ def test_rows_that_a_preload_presses_stand_where_they_touch() -> None:
     found = solved(of)
     assert not any(of.is_two_sided)
     np.testing.assert_allclose(found.axial_loads, 400.0, rtol=1e-9)
+    np.testing.assert_allclose(found.preload_in_operation, 400.0, rtol=1e-9)  # type: ignore[arg-type]
     pressed = [float(row.displacement[0]) for row in found.rows]
     loaded = solved(replace(of, operation=qs.Operation(axial_load=150.0, radial_load_z=200.0, moment_y=4.0)))
     needed = load_of_springs(of, pressed, loaded.displacement)
