@@ -11,7 +11,7 @@ import qsbearing as qs
 from qsbearing.systems.sets.row import Direction
 
 B218 = qs.load_scene("b218").bearing
-PLUS, MINUS = Direction
+PLUS, MINUS = Direction.PLUS, Direction.MINUS
 BOTH: dict[str, Any] = {"ball_effects": (qs.CentrifugalForce(), qs.GyroscopicMoment()), "raceway_control": "outer"}
 HARRIS = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
 FREE: dict[str, Any] = {"moment_y": 0.0, "moment_z": 0.0}

@@ -17,7 +17,14 @@ from fem_check.independent import quasi_static
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.equilibrium import BalanceTerms, BallRow
 from fem_check.independent.quasi_static import CHANNELS, BalanceProblem, Placed, alone
-from fem_check.product.scenes import axial_growth, ball_count, drawing_at_rest, drawing_of, heat_strains
+from fem_check.product.scenes import (
+    SceneProblemError,
+    axial_growth,
+    ball_count,
+    drawing_at_rest,
+    drawing_of,
+    heat_strains,
+)
 
 LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 DISPLACEMENTS = ("axial_displacement", "radial_displacement_y", "radial_displacement_z", "tilt_y", "tilt_z")
@@ -60,9 +67,13 @@ def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
     what presses a row while the shaft is at its zero is a length of the shaft.
 
     Raises:
-        SceneProblemError: a field holds several values.
+        SceneProblemError: a field holds several values; outer rings that slide, each by itself.
         NoReferenceError: a side of it has no equilibrium under its preload at rest.
     """
+    sliding = [number for number, row in enumerate(of.rows, 1) if of.is_two_sided[number - 1] and row.carries != "both"]
+    if sliding:
+        problem = f"the outer ring of row {sliding[0]} slides, which the reference does not move"
+        raise SceneProblemError(f'scene {name}: {problem}; judge the set with carries = "both"')
     load, held, shaft = _channels(of.operation)
     turning = {each: getattr(of.operation, each) for each in ("speed", "outer_speed", "first_ball_azimuth")}
     scenes = [of.row_scene(number, qsbearing.Operation(**turning)) for number in range(len(of.rows))]
@@ -79,15 +90,18 @@ def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
         for sign in pressed:  # without offsets, which add to what the preload takes
             side = tuple(
                 Placed(row_of(as_preloaded(scene, preload), name), place * sign)
-                for scene, place, row in zip(scenes, places, of.rows, strict=True)
-                if row.sign == sign
+                for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True))
+                if row.sign == sign and not of.is_two_sided[number]
             )
             pressed[sign] = _pressed(side, _force(preload))
     rows = []
     for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True)):
         apart = moved["shaft"][number] - moved["housing"][number]
-        length = (_number(row.offset) + pressed[row.sign]) * (1.0 + strains[number]["shaft"])
-        rows.append(Placed(row_of(scene, name), place, length + row.sign * apart))
+        balls = row_of(scene, name)
+        both = of.is_two_sided[number]
+        length = (_number(row.offset) + (0.0 if both else pressed[row.sign])) * (1.0 + strains[number]["shaft"])
+        # Such a row is placed with its grooves in one plane.
+        rows.append(Placed(balls, place, length + row.sign * apart - both * balls.touching_offset))
     return BalanceProblem(tuple(rows), load, held, shaft)
 
 
@@ -184,7 +198,7 @@ def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: 
     """
     drawing, row = drawing_at_rest(scene, name), of.rows[number]
     sign, arm = row.sign, _number(row.position) - _number(of.reference) + moved
-    if scene.tilt_lever is not qsbearing.TiltLever.PITCH_CIRCLE:
+    if scene.tilt_lever is not qsbearing.TiltLever.PITCH_CIRCLE and not of.is_two_sided[number]:
         beyond = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
         arm += sign * (beyond + axial_growth(scene, name)[0])
     at = np.array([arm, 0.0, 0.0])

@@ -31,6 +31,7 @@ from qsbearing.systems.heat.heat_groups import groups_of_heat, names_of
 from qsbearing.systems.heat.state import ThermalState
 from qsbearing.systems.sets.set_groups import (
     OF_SHAFT,
+    PLAY,
     SLIDE,
     SYSTEM,
     OfAllRows,
@@ -70,7 +71,7 @@ def _known(of_shaft: Iterable[Group] | None, heat: Iterable[Group], rows: int, i
 def known_in(document: Mapping[str, Any]) -> PossibleResults:
     """Of the file of a scene or set."""
     rows, is_all = document.get("rows"), "thermal" not in document and "shaft" not in document
-    return _known([*OF_SHAFT, SLIDE] if isinstance(rows, list) else None, (), len(rows or ()), is_all)
+    return _known([*OF_SHAFT, SLIDE, PLAY] if isinstance(rows, list) else None, (), len(rows or ()), is_all)
 
 
 def known_of(of: Any, heat: ThermalState | None = None) -> PossibleResults:

@@ -219,7 +219,7 @@ def _rules() -> list[Schema]:
             "operation": {"not": {"anyOf": both}, "allOf": tilts},
             "preload": one_of,
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
-            "rows": {"items": {"required": ["position_mm", "carries"]}},
+            "rows": {"items": {"required": ["position_mm"]}},
         },
         # Beside a bearing of all rows, a row's own may be single keys.
         "if": {"not": {"required": ["bearing"]}},

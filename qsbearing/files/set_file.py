@@ -30,6 +30,7 @@ from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.stated import Stated, stated_in, with_own_tables
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.described import choices_of
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -180,11 +181,6 @@ def _row(
     if "position_mm" not in good and "position_mm" not in unusable:
         cause = "Give the position of the balls' centres along the shaft; it sets the distances between rows"
         errors.append(FileErrorDetail(f"{path}.position_mm", "missing", cause=cause))
-    carries = good.get("carries")
-    if carries not in tuple(Direction) and "carries" not in unusable:
-        cause = did_you_mean(carries, list(Direction)) or 'The axial load on the shaft that presses it: "+x" or "-x"'
-        problem = "missing" if carries is None else "is none of the choices"
-        errors.append(FileErrorDetail(f"{path}.carries", problem, carries, cause=cause))
     numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(_NUMBERS, good)
     errors += map(translate, placement_errors(path, **numbers))
     sprung = good.get("sprung", False)
@@ -203,14 +199,34 @@ def _row(
     elif not has_common:
         cause = "Give [bearing], which all rows share, or a table [rows.bearing] below each [[rows]]"
         within.append(FileErrorDetail("bearing", "missing", cause=cause))
+    carries = good.get("carries")
+    if "carries" not in unusable and not (carries is None and is_deep_groove(bearing, table.get("bearing"))):
+        errors += _direction_errors(carries, path)
     errors += _below(path, within)
-    if errors or bearing is None or carries is None:
+    if errors or bearing is None:
         return None
     ring_effects = tuple(effect for effect in effects if effect is not None)
     return Row(
-        bearing, **numbers, carries=Direction(carries), sprung=sprung,
+        bearing, **numbers, carries=None if carries is None else Direction(carries), sprung=sprung,
         ring_effects=ring_effects or None, readings=readings,
     )  # fmt: skip
+
+
+def is_deep_groove(bearing: BallBearing | None, table: Any) -> bool:
+    """Whether a row may leave out its direction; of a bearing with errors, whether its own table says its kind."""
+    if bearing is not None:
+        return bearing.kind is BearingKind.DEEP_GROOVE
+    return isinstance(table, dict) and table.get("kind") == BearingKind.DEEP_GROOVE
+
+
+def _direction_errors(carries: Any, path: str) -> Errors:
+    if carries in tuple(Direction):
+        return []
+    cause = did_you_mean(carries, list(Direction)) or (
+        'The axial load on the shaft that presses it: "+x" or "-x"; of a deep-groove row also "both" or "none"'
+    )
+    problem = "missing" if carries is None else "is none of the choices"
+    return [FileErrorDetail(f"{path}.carries", problem, carries, cause=cause)]
 
 
 def _below(path: str, errors: Iterable[FileErrorDetail]) -> Errors:

@@ -69,15 +69,16 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
     """
     length = UNITS[units]
     if hasattr(solution, "rows"):
-        listed = [(row.bearing, float(row.position), row.sign, solved)
-                  for row, solved in zip(solution.set.rows, solution.rows, strict=True)]  # fmt: skip
+        listed = [(row.bearing, float(row.position), row.sign, solved, by_middle)
+                  for row, solved, by_middle
+                  in zip(solution.set.rows, solution.rows, solution.set.is_two_sided, strict=True)]  # fmt: skip
         speed = solution.set.operation.speed
     else:
-        listed = [(solution.scene.bearing, 0.0, -1.0 if mirrored else 1.0, solution)]
+        listed = [(solution.scene.bearing, 0.0, -1.0 if mirrored else 1.0, solution, False)]
         speed = solution.scene.operation.speed
     seats = []
-    for bearing, position, sign, solved in listed:
-        lever = from_shaft(solved, sign)
+    for bearing, position, sign, solved, by_middle in listed:
+        lever = from_shaft(solved, sign, by_middle=by_middle)
         scale = np.array([length, length, length, 1.0, 1.0])  # from displacements of the program to metres, radians
         turned = matrix_without_rounding(lever.T @ solved.stiffness @ lever)
         radius = 0.5 * float(np.asarray(bearing.pitch_diameter)) * (np.arange(5) > 2) + (np.arange(5) < 3)

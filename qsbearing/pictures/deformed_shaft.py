@@ -115,6 +115,7 @@ def _bearing(axes: Any, solution: SetSolution, place: CasePlace, number: int, fa
         axes.plot(
             (at + 0.5 * ball * np.cos(turn)) / mm, (centre + 0.5 * ball * np.sin(turn)) / mm, color="black", lw=0.9
         )
+        angle = 0.0 if solution.set.is_two_sided[number - 1] else angle
         along = 0.75 * ball * np.array([row.sign * np.sin(angle), side * np.cos(angle)])
         ends = np.array([-along, along])
         axes.plot((at + ends[:, 0]) / mm, (centre + ends[:, 1]) / mm, color="black", lw=0.9)

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.described import given_in, inputs_of
 from qsbearing.model.solution.result_keys import Result
+from qsbearing.model.solution.rounding import rounding_of_load, without_rounding
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import Nmm, deg, mm, rpm
 from qsbearing.model.validation import (
@@ -306,8 +307,11 @@ def palmgren_torque(
 
 
 def _loads(solution: Solution) -> tuple[NDArray, NDArray, NDArray]:
-    """Radial and axial load [N], and the speed of one ring against the other [rpm]; shape (*cases)."""
-    load = solution.load
+    """Radial and axial load [N], and the speed of one ring against the other [rpm]; shape (*cases).
+
+    What is rounding is none: SKF's torque of a deep-groove bearing jumps where the thrust ends.
+    """
+    load = without_rounding(solution.load, rounding_of_load(solution.load, solution.scene.bearing)[..., None])
     inner, outer = ring_speeds(solution)
     speed = np.broadcast_to(np.abs(inner - outer)[..., 0] / rpm, solution.shape)
     return np.hypot(load[..., 1], load[..., 2]), np.abs(load[..., 0]), speed

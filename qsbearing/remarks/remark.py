@@ -34,6 +34,10 @@ class Cases:
         return f"{self.count} of {self.of} cases, the first {self.first[0] if len(self.first) == 1 else self.first}"
 
 
+EITHER_WAY = {"both": "carries both ways", "none": "floats"}
+"""Of rows that do not carry one way."""
+
+
 @dataclass(frozen=True)
 class Of:
     """Whom a remark is about; empty where there is nothing to tell apart."""
@@ -57,7 +61,8 @@ class Of:
     @property
     def row(self) -> str:
         """The rows as sentences name them."""
-        beside = ", ".join(filter(None, (self.bearing, self.carries and f"carries {self.carries}")))
+        way = EITHER_WAY.get(self.carries, self.carries and f"carries {self.carries}")
+        beside = ", ".join(filter(None, (self.bearing, way)))
         return numbered("row", self.rows) + (f" ({beside})" if beside else "")
 
     def about(self, axis: str, places: tuple[Any, ...]) -> Of:

@@ -26,7 +26,7 @@ from qsbearing.results.readings_record import Readings, all_columns, number
 from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.remarks import with_rows
-from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PRELOAD, SHARE, SYSTEM
+from qsbearing.systems.sets.set_groups import AXIAL_LOAD, OF_SHAFT, PLAY, PRELOAD, SHARE, SYSTEM
 from qsbearing.systems.sets.set_solution import SetSolution
 
 OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out", "accuracy", "thermal")
@@ -58,6 +58,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
         **remarks_record(with_rows(solution, of_rows)),
         "preload": None if of.preload is None else {"kind": of.preload.kind, **_slide(solution)},
         **motion_and_stiffness(solution, np.full(5, _load_noise(solution, rows))),
+        "axial_play": numbers_or_none(PLAY, solution, ()) if any(of.is_two_sided) else None,
         "shaft": shaft_record(solution) if solved else None,
         **(numbers_or_none(SYSTEM, solution, (), 0, readings) if solved else no_numbers(SYSTEM)),
         "thermal": thermal(solution),

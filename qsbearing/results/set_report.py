@@ -69,6 +69,7 @@ def _tables(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     tables: list[Block] = [
         channels_table("Shaft", solution, record),
         *rows_tables(record),
+        *play_of(record),
         *shaft_tables(record["shaft"]),
         stiffness_table(solution, record),
     ]
@@ -113,6 +114,24 @@ def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     return [Paragraph(what, name), *preload, *ending(record)]
 
 
+def play_of(record: dict[str, Any]) -> list[Block]:
+    """How far the shaft goes along x until rows carry it, where some row has two sides."""
+    play = record["axial_play"]
+    if play is None:
+        return []
+    low, high = (None if play[end] is None else digits(play[end], 1e-9) for end in ("from_um", "to_um"))
+    if low is None and high is None:
+        said = "no row holds the shaft in +x or -x"
+    elif low is None or high is None:
+        ends = (f"to {high} µm in +x", "-x") if low is None else (f"to {low} µm in -x", "+x")
+        said = f"{ends[0]}; no row holds the shaft in {ends[1]}"
+    elif play["from_um"] <= play["to_um"]:
+        said = f"from {low} to {high} µm"
+    else:
+        said = f"none; rows are pressed against each other by {digits(play['from_um'] - play['to_um'], 1e-9)} µm"
+    return [Paragraph(f"Axial play: {said} (straight and centred, counted as its displacement)", is_apart=True)]
+
+
 def rows_tables(record: dict[str, Any]) -> list[Table]:
     """What each row of a record carries; and where rows press each other, what has become of the preload."""
     heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
@@ -123,7 +142,9 @@ def rows_tables(record: dict[str, Any]) -> list[Table]:
         loads.append(max(ball[side]["load_N"] for ball in row["balls"] for side in ("inner", "outer")))
         place = (str(number), row["bearing"], f"{row['position_mm']:.6g}", row["carries"])
         cells.append((*place, *(digits(load, noise) for load in loads)))
-    tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each")]
+    is_either = any(row["carries"] in ("both", "none") for row in record["rows"])
+    notes = [("axial:", "in the direction that the row carries; in +x where that is both or none")] * is_either
+    tables = [Table(heading, cells, "llrlrrrr", "Rows: load on each", notes=notes)]
     if all(row["preload_unmounted_N"] is None for row in record["rows"]):
         return tables
     heads = ("before\nfitting N", "mounted\nN", "in operation\nN", "of what\nis given", "with the\nloads N")

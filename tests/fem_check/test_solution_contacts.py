@@ -421,3 +421,36 @@ def test_a_contact_over_the_groove_is_refused(tmp_path):
     )
     with pytest.raises(SceneProblemError, match="leaves its groove"):
         scenes.solved(str(path))
+
+
+LOCATED = """
+rows = [{position_mm = 0}, {position_mm = 90, offset_um = 12}]
+operation = {axial_load_N = -700, radial_load_y_N = 1500, radial_load_z_N = -400, moment_y_Nm = 8, moment_z_Nm = -5}
+[bearing]
+kind = "deep_groove"
+ball_count = 9
+ball_diameter_mm = 11.90625
+pitch_diameter_mm = 60
+groove_radius_coefficient = 0.52
+diametral_clearance_mm = 0.02
+ball_material = "steel"
+ring_material = "steel"
+"""
+
+
+def test_located_rows_are_judged_by_their_middle_planes(tmp_path, monkeypatch):
+    """Pushed to either side; and a lever of tilts that is not theirs is seen."""
+    path = tmp_path / "located.toml"
+    path.write_text(LOCATED)
+    rows = list(set_rows("located", scenes.solve_set(str(path), scenes.load(str(path))), str(path)))
+    assert failing(rows) == set()
+    assert passing(rows) >= BALANCE | {"load of each row", "stiffness, tilts at the lever"}
+    monkeypatch.setattr("qsbearing.systems.sets.rigid_shaft.own_lever", lambda of, row: 1e-4)
+    assert failing(set_rows("located", scenes.solve_set(str(path), scenes.load(str(path))), str(path)))
+
+
+def test_rings_that_slide_by_themselves_are_refused(tmp_path):
+    path = tmp_path / "floating.toml"
+    path.write_text(LOCATED.replace("offset_um = 12", 'carries = "none"'))
+    with pytest.raises(scenes.SceneProblemError, match="the outer ring of row 2 slides"):
+        list(set_rows("floating", scenes.solve_set(str(path), scenes.load(str(path))), str(path)))

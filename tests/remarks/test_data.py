@@ -178,7 +178,9 @@ def of_solutions() -> Iterator[Any]:
     yield from (in_housing(interference, radial_load_y=10e3) for interference in (-1 * qs.um, -18 * qs.um))
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
     across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
-    yield qs.solve_set(qs.BearingSet(rows("DB", grooved_both_ways(10 * qs.um), distance=0.2), across))
+    located = tuple(replace(row, carries="both") for row in rows("DB", grooved_both_ways(10 * qs.um), distance=0.2))  # type: ignore[arg-type]
+    yield qs.solve_set(qs.BearingSet(located, across, shaft=qs.Shaft((qs.ShaftSection(0.4, 0.03),), -0.2)))
+    yield qs.solve_set(qs.BearingSet(located))
     gear = qs.Gear(0.1, 0.0, 0.06, torque=9.0, drives=True)
     yield qs.solve_set(qs.BearingSet(rows("DB", B218, distance=0.2), shaft=qs.Shaft(gears=(gear,))))
     operation = qs.Operation(

@@ -73,6 +73,8 @@ class BearingRow:
     """Of the axial load on the shaft that it carries, along the shaft's u: 1 or -1; None: not told."""
     floats: bool
     """Whether the outer ring carries no axial load."""
+    located: str
+    """How the outer ring of a deep-groove row is held, as `carries` has it; empty: not told, or of another row."""
     position: float | None
     """Of the balls' centres along the shaft [m]."""
     effects: NotedTable
@@ -109,11 +111,22 @@ def rows_of(reader: AttributeReader, bearing: Component, shaft: Component | None
         rows.append(
             BearingRow(
                 bearing, table, turn, 1.0 if is_either else None if direction is None else direction * turn[0, 0],
-                absorbs == NO_DIRECTION, None if middle is None else middle + along, effects,
-                _first_azimuth(reader, part, turn, table),
+                absorbs == NO_DIRECTION, _located(absorbs, turn[0, 0]) if is_either else "",
+                None if middle is None else middle + along, effects, _first_azimuth(reader, part, turn, table),
             )
         )  # fmt: skip
     return rows
+
+
+def _located(absorbs: str, along: float) -> str:
+    """Of a deep-groove row; empty: the model does not say.
+
+    Args:
+        along: 1, or -1 where its own axis points along -u of the shaft.
+    """
+    if absorbs in ("positive", "negative"):
+        return "+x" if _DIRECTIONS[absorbs] * along > 0.0 else "-x"
+    return {"both_directions": "both", NO_DIRECTION: "none"}.get(absorbs, "")
 
 
 def elements_of(reader: AttributeReader, part: Component | None) -> list[Component]:

@@ -273,8 +273,11 @@ def _row(row: BearingRow) -> NotedTable:
     table = NotedTable()
     table.note("", str(row.bearing))
     table.put(_ROW["position"], row.position, "the middle of the bearing: assumed that its balls are there")
-    if row.direction is not None:
-        said = "assumed: the direction of the shaft's force that it carries" * (row.table["kind"] != "deep_groove")
+    if row.table["kind"] == "deep_groove":
+        said = "" if row.located else f"{ASSUMED} how its outer ring is held"
+        table.set("carries", row.located or "both", said)
+    elif row.direction is not None:
+        said = "assumed: the direction of the shaft's force that it carries"
         table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
     table["bearing"] = row.table
     table.update(row.effects)
@@ -299,7 +302,7 @@ def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneTex
     if len({each for row in rows if (each := row.first_azimuth) is not None}) == 1:
         operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
     _preload(document, [force for each in bearings if (force := reader.positive(each, "preload_force")) is not None])
-    floating = [number for number, row in enumerate(rows, 1) if row.floats]
+    floating = [number for number, row in enumerate(rows, 1) if row.floats and row.table["kind"] != "deep_groove"]
     document |= {"floating": [NotedTable(rows=[number]) for number in floating]} if floating else {}
     document["effects"] = _effects(turns, NotedTable())
     casing = shaft_mapping.sides(reader, bearings[0]).get("outer_part")

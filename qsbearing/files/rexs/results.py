@@ -39,6 +39,13 @@ class RowResult(NamedTuple):
     """1, or -1 where its x points along -u of the shaft."""
     arm: float
     """Of the balls' centres, from the middle of the bearing along the shaft [m]."""
+    by_middle: bool = False
+    """Whether those are in the plane of both grooves."""
+
+    @property
+    def lever(self) -> NDArray:
+        """From the shaft's displacement in the middle of the bearing to the row's."""
+        return from_shaft(self.solution, self.sign, self.arm, by_middle=self.by_middle)
 
 
 def bearing_values(reader: AttributeReader, bearing: Component, rows: list[RowResult], moved: NDArray | None) -> Values:
@@ -52,12 +59,12 @@ def bearing_values(reader: AttributeReader, bearing: Component, rows: list[RowRe
     turn = turned(reader, bearing, sides(reader, bearing).get("inner_part"))
     stiffness, load = np.zeros((5, 5)), np.zeros(5)
     for row in rows:
-        lever = from_shaft(row.solution, row.sign, row.arm)
+        lever = row.lever
         stiffness += lever.T @ row.solution.stiffness @ lever
         load += lever.T @ row.solution.load
     if moved is None:
         only = rows[0]
-        moved = np.linalg.solve(from_shaft(only.solution, only.sign, only.arm), only.solution.displacement)
+        moved = np.linalg.solve(only.lever, only.solution.displacement)
     values: Values = {}
     matrix = turn @ stiffness @ turn.T
     for force, line in zip(_FORCES, matrix, strict=True):

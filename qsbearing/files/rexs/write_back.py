@@ -93,6 +93,7 @@ class WriteBack:
         solved = solution.rows if is_set else [solution]
         read = readings if is_set else [readings]
         signs = [row.sign for row in solution.set.rows] if is_set else [1.0 if self._along == "+u" else -1.0]
+        by_middle = solution.set.is_two_sided if is_set else (False,)
         by_bearing: dict[int, list[int]] = {}
         for number, each in enumerate(self.bearings):
             by_bearing.setdefault(each.number, []).append(number)
@@ -100,7 +101,7 @@ class WriteBack:
             bearing = self.bearings[numbers[0]]
             at = [float(solution.set.rows[each].position) if is_set else 0.0 for each in numbers]
             middle = sum(at) / len(at)
-            rows = [RowResult(solved[each], read[each], signs[each], place - middle)
+            rows = [RowResult(solved[each], read[each], signs[each], place - middle, by_middle[each])
                     for each, place in zip(numbers, at, strict=True)]  # fmt: skip
             moved = solution.deflection([middle])[0] if is_set else None
             self._values(bearing, bearing_values(self.reader, bearing, rows, moved))

@@ -17,7 +17,7 @@ from qsbearing.model.solution.rounding import NOISE
 from qsbearing.model.solution.solution import Solution
 
 
-def from_shaft(solution: Solution, sign: float, arm: float = 0.0) -> NDArray:
+def from_shaft(solution: Solution, sign: float, arm: float = 0.0, *, by_middle: bool = False) -> NDArray:
     """G, which takes a displacement of the shaft to that of a bearing on it, as the solution counts it; shape (5, 5).
 
     Stiffness and loads about the place on the shaft are G^T K G and G^T F.
@@ -25,9 +25,11 @@ def from_shaft(solution: Solution, sign: float, arm: float = 0.0) -> NDArray:
     Args:
         sign: -1 where the bearing carries in -x of the shaft.
         arm: of its balls' centres, from the place on the shaft [m].
+        by_middle: the place is that of the plane of both grooves.
     """
     scene = solution.scene
-    own = scene.operating_bearing.groove_centre_offsets[0] if scene.tilt_lever is TiltLever.GROOVE_CENTRE else 0.0
+    is_beyond = scene.tilt_lever is TiltLever.GROOVE_CENTRE and not by_middle
+    own = scene.operating_bearing.groove_centre_offsets[0] if is_beyond else 0.0
     transform = np.diag([sign, 1.0, 1.0, sign, sign])
     transform[1, 4] = arm + sign * float(own)
     transform[2, 3] = -transform[1, 4]

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.above import InNotebooks
-from qsbearing.model.bearing import BallBearing
+from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.contact.hertz import HertzForm
 from qsbearing.model.described import given_in
 from qsbearing.model.effects import BallEffect, RingEffect, RingExpansion
@@ -23,12 +23,14 @@ from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.elastic_seats import clearance_errors
-from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
+from qsbearing.model.scene.preload import Preload
 from qsbearing.model.scene.requirement import Requirement, read_requirements
 from qsbearing.model.scene.scene import CHOICES, Scene, tolerance_errors
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Sentence, raise_if_any, within
+from qsbearing.systems.sets import location
 from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_strains
 from qsbearing.systems.sets.drives import drive_errors, drive_loads
+from qsbearing.systems.sets.preload_errors import preload_errors
 from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
 from qsbearing.systems.sets.shaft import FloatingGroup, Housing, Shaft, ShaftLoad, Spacer, outside
 
@@ -53,6 +55,8 @@ class BearingSet(InNotebooks):
 
     A row that carries load in -x is solved as its mirror image in a plane across the shaft: the same azimuths and
     speeds, axial displacement and tilts reversed.
+
+    A deep-groove row that no preload presses carries on either side of its middle plane (`location`).
 
     A preload presses the rows that carry in +x against those that carry in -x:
         rigid: the axial load of the rows of either direction together at rest and cold, before fitting; the rings are
@@ -104,12 +108,12 @@ class BearingSet(InNotebooks):
             raise SceneError([ErrorDetail("rows", "is not a tuple of rows", cause="Write (qs.Row(...), qs.Row(...))")])
         numbers = _number_errors(self)
         # Whether a preload has rows to press against is known only once groups name rows that there are.
-        preload = [] if numbers else _preload_errors(self)
+        preload = [] if numbers else preload_errors(self)
         errors = [*row_errors(self.rows), *numbers, *_place_errors(self), *preload, *tolerance_errors(self)]
         errors += [*_friction_errors(self), *_motion_errors(self.ball_motion)]
         raise_if_any(errors + read_requirements(self))
         rows = (
-            row if isinstance(row.carries, Direction) else replace(row, carries=Direction(row.carries))
+            row if isinstance(row.carries, Direction) else replace(row, carries=location.usual(row))
             for row in self.rows
         )
         object.__setattr__(self, "rows", tuple(rows))
@@ -195,16 +199,32 @@ class BearingSet(InNotebooks):
         """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
 
         What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
-        the reference position.
+        the reference position. A row that stands by its middle is as far from touching as its grooves then are.
         """
         along, outside = (growth(row.position) for growth in self.growth)
-        return np.asarray(offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside))
+        moved = offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside)
+        number = next(number for number, each in enumerate(self.rows) if each is row)
+        if self.is_two_sided[number]:
+            scene = self.turning_scene(self.alike[number])
+            moved = moved - (scene.operating_bearing.touching_offset - scene.axial_datum_shift)
+        return np.asarray(moved)
+
+    @cached_property
+    def is_two_sided(self) -> tuple[bool, ...]:
+        """Of each row, whether it stands by the plane of both grooves and carries on either side of it."""
+        return location.two_sided(self)
+
+    @cached_property
+    def sleeves(self) -> tuple[tuple[int, ...], ...]:
+        """Numbers of rows, from 0, whose outer rings slide along the housing together; floating groups first."""
+        return location.sleeves(self)
 
     @cached_property
     def axial_datum(self) -> int:
         """Number, from 0, of the row that spacers leave in its place on the shaft and in the housing: the one of least
         x that carries in +x and does not float; without such a row, the first in +x, or the first of all."""
         floating = {number - 1 for group in self.floating for number in group.rows}
+        floating |= {number for number, row in enumerate(self.rows) if row.carries == Direction.NONE}
 
         def rank(number: int) -> tuple[bool, bool, float]:
             row = self.rows[number]
@@ -248,13 +268,13 @@ class BearingSet(InNotebooks):
         return ((fixed, self.preload), *zip(floating, own, strict=True))
 
     def opposes(self, group: tuple[int, ...]) -> bool:
-        """Whether rows of a group carry in both directions."""
-        return len({str(self.rows[number].carries) for number in group}) == 2
+        """Whether rows of a group that are pressed to one side carry in both directions."""
+        return len({self.rows[number].sign for number in group if not self.is_two_sided[number]}) == 2
 
     @property
     def is_opposed(self) -> bool:
-        """Whether some rows carry in +x and some in -x."""
-        return len({row.carries for row in self.rows}) == 2
+        """Whether some rows that are pressed to one side carry in +x and some in -x."""
+        return self.opposes(tuple(range(len(self.rows))))
 
     @property
     def has_shared_places(self) -> bool:
@@ -263,15 +283,15 @@ class BearingSet(InNotebooks):
 
     @property
     def arrangement(self) -> str:
-        """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest."""
+        """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest; of rows that
+        stand by their middle planes, how they are held."""
+        if any(self.is_two_sided):
+            return location.in_words(self)
         if self.has_shared_places and len(self.rows) == 2:
             return "four-point contact (two opposed rows at one place)"
         order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
-        pair = tuple(row.carries for row in order)
-        names = {
-            (Direction.PLUS, Direction.MINUS): "DB (back to back)",
-            (Direction.MINUS, Direction.PLUS): "DF (face to face)",
-        }
+        pair = tuple(str(row.carries) for row in order)
+        names = {("+x", "-x"): "DB (back to back)", ("-x", "+x"): "DF (face to face)"}
         if len(pair) == 2:
             return names.get(pair, "DT (tandem)")
         return " ".join(pair)
@@ -349,10 +369,11 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
     turns = any(np.any(each) for each in (of.operation.speed, of.operation.outer_speed) if each is not None)
     beyond = {"are ball effects": of.ball_effects, "is a speed": turns, "are elastic rings": "elastic_rings" in effects}
     problem = f"is the position of row {before} too"
-    if {row.carries, other.carries} != set(Direction):
+    is_deep = BearingKind.DEEP_GROOVE in (row.bearing.kind, other.bearing.kind)
+    if is_deep or {row.carries, other.carries} != {Direction.PLUS, Direction.MINUS}:
         cause = (
-            "Give the position of the balls of each row along the shaft. Only two rows that carry opposite directions "
-            "may share one: they are a four-point bearing at rest"
+            "Give the position of the balls of each row along the shaft. Only two angular-contact rows that carry "
+            "opposite directions may share one: they are a four-point bearing at rest"
         )
     elif given := [what for what, there in beyond.items() if there]:
         problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
@@ -363,33 +384,6 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
     else:
         return []
     return [ErrorDetail(f"row {number}.position", problem, float(row.position), LENGTH, cause=cause)]  # type: ignore[arg-type]
-
-
-def _preload_errors(of: BearingSet) -> list[ErrorDetail]:
-    sprung = [row for row in of.rows if row.sprung]
-    if of.preload is not None and not isinstance(of.preload, Preload):
-        return [ErrorDetail("preload", "is not a preload", of.preload, cause=NOT_A_PRELOAD)]
-    kind = None if of.preload is None else of.preload.kind
-    errors = []
-    if kind == "spring" and not sprung:
-        cause = "Give sprung = true to each row whose outer ring slides and is preloaded"
-        errors.append(ErrorDetail("preload.spring", "is given, but no row is sprung", cause=cause))
-    if kind != "spring" and sprung:
-        cause = Sentence("Give {spring}, or leave sprung out", spring=Field("preload.spring"))
-        errors.append(ErrorDetail("preload.spring", "missing", cause=cause, detail="a row is sprung"))
-    if len({str(row.carries) for row in sprung}) > 1:
-        cause = "Spring only rows that carry in one direction; the other rows react against them"
-        errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
-    directions = {str(row.carries) for row in of.rows}
-    if kind is not None and kind != "spring" and len(directions) == 2 and not any(map(of.opposes, dict(of.groups))):
-        cause = (
-            "No group of rows, in the housing or floating, carries in both directions: give the floating group a force"
-        )
-        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
-    if kind is not None and len(directions) == 1:
-        cause = f"All rows carry in {directions.pop()}: let some carry in the other direction, or give an axial load"
-        errors.append(ErrorDetail(f"preload.{kind}", "has no row to press against", cause=cause))
-    return errors
 
 
 def _temperature_errors(of: BearingSet) -> list[ErrorDetail]:

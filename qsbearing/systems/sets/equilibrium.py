@@ -250,7 +250,8 @@ def is_beyond_springs(s: Stretch, which: NDArray) -> NDArray:
     is_beyond = np.zeros(which.size, bool)
     rigid = np.s_[: s.rigid]
     load, held = s.load[which, rigid], s.held[which, rigid]
-    for sign in product((1.0, -1.0), (0.0, 1.0), *[(0.0, 1.0)] * (s.rigid - UNKNOWNS)):
+    sleeves = [(0.0,) if s.held[which, column].all() else (0.0, 1.0) for column in range(UNKNOWNS, s.rigid)]
+    for sign in product((1.0, -1.0), (0.0, 1.0), *sleeves):
         motion = np.zeros(s.rigid)
         motion[0], motion[SLIDE], motion[UNKNOWNS:] = sign[0], -sign[1], sign[0] * np.array(sign[2:])
         stays = (held & (motion != 0.0)).any(axis=1)

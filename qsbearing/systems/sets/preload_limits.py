@@ -164,6 +164,8 @@ def preload_summary(solution: SetSolution, known_limits: Limits | None = None) -
         known_limits: the set's `limits`, where they are known already.
     """
     of = solution.set
+    if not of.is_opposed and any(of.is_two_sided):
+        return [f"No preload presses the rows ({of.arrangement})."]
     if not of.is_opposed:
         return [f"All rows carry in {of.rows[0].carries}: no row presses another, the axial load alone presses them."]
     is_pressed = solution.preload_at_rest is not None and bool((solution.preload_at_rest > 0.0).any())

@@ -49,7 +49,8 @@ def opposed_errors(of: BearingSet) -> list[ErrorDetail]:
     if of.is_opposed:
         return []
     cause = "Rows that carry in opposite directions press each other"
-    return [ErrorDetail("rows", "have no preload: all carry in one direction", cause=cause)]
+    ways = "none is pressed to one side" if all(of.is_two_sided) else "all carry in one direction"
+    return [ErrorDetail("rows", f"have no preload: {ways}", cause=cause)]
 
 
 def changes(at: Callable[[NDArray], BearingSet], high: float, threads: int | None) -> list[StateChange]:

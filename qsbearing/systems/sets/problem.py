@@ -22,7 +22,8 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
-from qsbearing.systems.sets.rigid_shaft import SLIDE
+from qsbearing.systems.sets.location import play
+from qsbearing.systems.sets.rigid_shaft import SLIDE, one_way_rings
 from qsbearing.systems.sets.row import Row
 from qsbearing.systems.sets.row_cases import RowCases, RowStates, empty
 from qsbearing.systems.sets.start import begin
@@ -47,6 +48,10 @@ class Outcome:
     """Load of each row in the direction that it carries; shape (row, case) [N]."""
     largest: NDArray
     """Of the forces on rows, in any direction; shape (case,) [N]."""
+    held: NDArray
+    """Which unknowns are given: values that are prescribed, and rings at what holds them; shape (case, unknown)."""
+    play: NDArray
+    """`location.play` of a set with rows that stand by their middles; shape (case, 2) [m]."""
 
     @classmethod
     def of(cls, count: int, rows: int, unknowns: int) -> Outcome:
@@ -55,6 +60,7 @@ class Outcome:
         return cls(
             np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
             np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)), np.zeros(count),
+            np.zeros((count, unknowns), bool), np.full((count, 2), np.nan),
         )  # fmt: skip
 
 
@@ -130,18 +136,20 @@ class Problem:
     def _set_unknowns(self, spring: Any) -> None:
         """Loads, and which unknowns have their values given or vanish by symmetry."""
         self._load, self._place = self.structure.load.copy(), np.zeros_like(self.structure.load)
-        self._held = np.zeros(self._load.shape, bool)
-        self._held[:, self.structure.given :] = True
+        self.held = np.zeros(self._load.shape, bool)
+        self.held[:, self.structure.given :] = True
         self._place[:, self.structure.given :] = 1.0
         for i, channel in enumerate(CHANNELS):
             load = getattr(self.of.operation, channel.load)
             displacement = getattr(self.of.operation, channel.displacement)
             if load is not None:
                 self._load[:, i] += self._flat(load)
-            self._held[:, i] = displacement is not None
+            self.held[:, i] = displacement is not None
             if displacement is not None:
                 self._place[:, i] = self._flat(displacement)
-        self._held[:, SLIDE] = spring is None
+        for column in one_way_rings(self.of):  # at what holds them, until they are found to draw away
+            self.held[:, column] = True
+        self.held[:, SLIDE] = spring is None
         if spring is not None:
             self._load[:, SLIDE] = self._flat(spring)
         given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
@@ -152,7 +160,7 @@ class Problem:
         is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
         for plane, vanish in ((2, is_thrust | in_xy), (1, is_thrust | (in_xz & ~in_xy))):
-            self._held[:, [*PLANES[plane], *self.structure.unknowns_in(plane)]] |= vanish[:, None]
+            self.held[:, [*PLANES[plane], *self.structure.unknowns_in(plane)]] |= vanish[:, None]
 
     @property
     def _has_unequal_balls(self) -> NDArray:
@@ -167,7 +175,10 @@ class Problem:
         return np.asarray((np.abs(turns - np.round(turns)) <= 1e-9).all(axis=0))
 
     def solve(self, part: slice, carried: NDArray) -> None:
-        """A stretch of the flattened cases, but for those whose preload at rest is not carried."""
+        """A stretch of the flattened cases, but for those whose preload at rest is not carried.
+
+        Rings that are held one way are held or free as `held` has it: see `one_way.settle`.
+        """
         count = part.stop - part.start
         alike = self.of.alike
         made = {number: maker.make(part.start, part.stop) for number, maker in self.makers.items()}
@@ -183,10 +194,12 @@ class Problem:
             for r in range(len(alike))
         ]
         o = self.outcome
-        given = self._load[part], self._held[part], self._place[part], self._lever[part]
+        if any(self.of.is_two_sided):
+            o.play[part] = play(self.of, cases, offsets - shift)
+        given = self._load[part], self.held[part], self._place[part], self._lever[part], o.play[part]
         place, loose = begin(self.structure, part, cases, offsets - shift, *given)
         s = Stretch(
-            rows, self._load[part], self._held[part], place, self.structure.elasticity[part],
+            rows, self._load[part], self.held[part], place, self.structure.elasticity[part],
             self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
             o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
             np.zeros_like(o.q[part]), np.zeros(count, bool),
@@ -213,6 +226,7 @@ class Problem:
             refused = np.array([s.fault[k] >= 0 and s.refused[int(k)]["status"] == NO_EQUILIBRIUM for k in rest])
             o.status[part][rest[refused | o.unsupported[part][rest].any(axis=1)]] = NO_EQUILIBRIUM
             o.reached[part][rest] = reached[rest]
+        o.held[part] = self.held[part]
         forces = states.results["load"][..., :3] * cases["force"][..., None]
         o.axial[:, part], o.largest[part] = forces[..., 0], np.abs(forces).max(axis=(0, 2))
         failed = o.status[part] != CONVERGED

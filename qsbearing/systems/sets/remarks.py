@@ -21,6 +21,7 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
+from qsbearing.model.units import um
 from qsbearing.remarks.case_range import CaseRange, Subject, in_case
 from qsbearing.remarks.expansion import far_from_room_temperature
 from qsbearing.remarks.hypotheses import hypotheses
@@ -33,6 +34,7 @@ from qsbearing.remarks.wording import Audience, Words, capital
 from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.drives import torque_scale
+from qsbearing.systems.sets.location import carried, sliding
 from qsbearing.systems.sets.set_solution import SetSolution
 
 NOTICEABLE = 1e-3
@@ -67,6 +69,7 @@ def _why(solution: SetSolution, k: int) -> str:
     outcome = solution.outcome
     names = [*(channel.label for channel in CHANNELS), "axial of the sprung rings"]
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
+    names += [f"axial of the outer ring of row {number + 1}" for number in sliding(solution.set)]
     where = ""
     if 0.0 < outcome.reached[k] < 1.0:
         reached = f"{plain(100.0 * outcome.reached[k], '.3g')} %"
@@ -96,13 +99,14 @@ def _overloaded(solution: SetSolution, k: int) -> str:
 
     value = 0.0 if load is None else of_case(load)
     direction = "+x" if value > 0.0 else "-x"
-    if value != 0.0 and np.sign(value) not in {row.sign for row in solution.set.rows}:
+    ways = {n: carried(row) for n, row in enumerate(solution.set.rows)}
+    if value != 0.0 and not any(np.sign(value) in each for each in ways.values()):
         return f" The axial load acts in {direction}, which no row carries."
     against = [row for row in solution.set.rows if row.sprung and row.sign * value > 0.0]
     if against and preload is not None and preload.spring is not None and abs(value) > of_case(preload.spring):
         return f" The axial load in {direction} is more than the spring's {of_case(preload.spring):.4g} N."
     floating = {number - 1 for group in solution.set.floating for number in group.rows}
-    if value != 0.0 and floating.issuperset(n for n, row in enumerate(solution.set.rows) if row.sign * value > 0.0):
+    if value != 0.0 and floating.issuperset(n for n, each in ways.items() if np.sign(value) in each):
         return f" All rows that carry in {direction} float, and their springs give no more than their own force."
     return ""
 
@@ -169,26 +173,22 @@ def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
 def _pressing(fields: Mapping[str, Any], words: Words) -> str:
     """Rows that press each other, and what to write so that one of them slides."""
     said = ROWS_PRESS.sentence.format_map(fields)
-    row = f"{fields['slides']:.0f}"
-    written = {
-        Audience.PYTHON: f": floating=(qs.FloatingGroup(({row},)),)",
-        Audience.FILE: f": floating = [{{rows = [{row}]}}]",
-    }
+    written = {Audience.PYTHON: ': carries="none"', Audience.FILE: ': carries = "none"'}
     return f"{said}{written.get(words.reader, '')}."
 
 
 ROWS_PRESS = Kind(
     "rows_press", CHECK, "sets#deep-groove-rows",
-    "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: each is "
-    "held where its balls touch in the direction that it carries. State a preload, or let row {slides} slide",
+    "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: the outer "
+    "ring of each is held on the side to which it is pushed. Let row {slides} slide",
     say=_pressing,
-    setting="floating=[{{rows = [{slides:.0f}]}}]",
+    setting="rows.{slides:.0f}.carries=none",
 )  # fmt: skip
 
 
 @SUBJECTS.tells
 def _pressing_rows(cases: CaseRange) -> Iterator[Holding]:
-    """Deep-groove rows that others of their housing or sleeve press without having been told to."""
+    """Deep-groove rows that others of their housing or sleeve press without having been told to; all are held there."""
     solution, part, of = cases.solution, cases.part, cases.solution.set
     signs = np.array([row.sign for row in of.rows])
     along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
@@ -208,10 +208,31 @@ def _pressing_rows(cases: CaseRange) -> Iterator[Holding]:
 
             def make(i: int, both: NDArray = pushed + against, pressed: NDArray = pressed) -> Remark:
                 rows = np.flatnonzero(both[:, i] > least[i])
-                said = remark(ROWS_PRESS, pressed_N=pressed[i], slides=int(rows[-1]) + 1)
+                said = remark(ROWS_PRESS, pressed_N=pressed[i], slides=int(rows[deep[rows]][-1]) + 1)
                 return replace(said, of=replace(said.of, rows=tuple(int(n) + 1 for n in rows)))
 
             yield once & (pressed > least), make
+
+
+AXIALLY_FREE = Kind(
+    "axially_free", CHECK, "sets#deep-groove-rows",
+    "Nothing holds the shaft along x where it is.",
+    " It lies amid its play of {play_um:.4g} µm.",
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _free_shaft(of: CaseRange) -> Iterator[Holding]:
+    """A shaft that nothing holds along x where it is."""
+    play = of.solution.axial_play
+    if play is None:
+        return
+    width = of.cases(np.diff(play, axis=-1)[..., 0] / um)
+
+    def make(i: int) -> Remark:
+        return remark(AXIALLY_FREE, play_um=float(width[i])) if np.isfinite(width[i]) else remark(AXIALLY_FREE)
+
+    yield of.cases(of.solution.is_axially_free, bool), make
 
 
 TORQUES_DIFFER = Kind(

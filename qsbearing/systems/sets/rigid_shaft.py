@@ -16,11 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.systems.sets.axial_growth import SHAFT, expansion
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.row import Row
+from qsbearing.systems.sets.location import sliding
+from qsbearing.systems.sets.row import ONE_WAY, Row
 
 UNKNOWNS = 6
 """Of a case: five channels of the shaft, and the slide of the sprung rings towards their balls."""
 SLIDE = 5
+
+
+def one_way_rings(of: Any) -> dict[int, int]:
+    """The number of the row, from 0, of each unknown that is a ring held against one side."""
+    first = UNKNOWNS + len(of.floating)
+    return {first + i: number for i, number in enumerate(sliding(of)) if of.rows[number].carries in ONE_WAY}
 
 
 def arms_along(of: BearingSet, positions: Sequence[ArrayLike], shape: tuple[int, ...]) -> NDArray:
@@ -34,8 +41,10 @@ def arms_along(of: BearingSet, positions: Sequence[ArrayLike], shape: tuple[int,
 
 
 def own_lever(of: BearingSet, row: Row) -> Any:
-    """From the balls' centres of a row to the plane in which its own load and displacement are meant [m]."""
-    if of.tilt_lever is not TiltLever.GROOVE_CENTRE:
+    """From the position of a row to the plane in which its own load and displacement are meant [m]: none of a row that
+    stands by its middle, where its inner groove centres are."""
+    is_two_sided = next(both for each, both in zip(of.rows, of.is_two_sided, strict=True) if each is row)
+    if of.tilt_lever is not TiltLever.GROOVE_CENTRE or is_two_sided:
         return 0.0
     rings = expansion(of, row)
     moved = 0.0 if rings is None else rings.axial_growth(row.bearing)[0]
@@ -44,7 +53,7 @@ def own_lever(of: BearingSet, row: Row) -> Any:
 
 def row_matrices(of: BearingSet, shape: tuple[int, ...]) -> NDArray:
     """G of the rows over the flattened cases; shape (row, case, 5, unknown): after the first ones, how far in +x each
-    floating group's sleeve slides.
+    sleeve slides.
 
     A row's own load and displacement are meant in the plane of its inner groove centres, (fi - 1/2) D sin a0 past the
     balls' centres (19.3 has its origin there); with the pitch circle's tilt lever, which leaves the groove centres out,
@@ -52,7 +61,7 @@ def row_matrices(of: BearingSet, shape: tuple[int, ...]) -> NDArray:
     """
     count = math.prod(shape)
     arms = np.broadcast_to(arms_along(of, [row.position for row in of.rows], shape), (count, len(of.rows)))
-    matrices = np.zeros((len(of.rows), count, 5, UNKNOWNS + len(of.floating)))
+    matrices = np.zeros((len(of.rows), count, 5, UNKNOWNS + len(of.sleeves)))
     matrices[..., 1, 1] = matrices[..., 2, 2] = 1.0
     for number, row in enumerate(of.rows):
         matrix, own = matrices[number], np.asarray(own_lever(of, row))
@@ -61,7 +70,7 @@ def row_matrices(of: BearingSet, shape: tuple[int, ...]) -> NDArray:
         matrix[:, 1, 4], matrix[:, 2, 3] = arm, -arm
         if row.sprung:
             matrix[:, 0, SLIDE] = 1.0
-        for column, group in enumerate(of.floating, UNKNOWNS):
-            if number + 1 in group.rows:
+        for column, sleeve in enumerate(of.sleeves, UNKNOWNS):
+            if number in sleeve:
                 matrix[:, 0, column] = -row.sign
     return matrices

@@ -13,6 +13,7 @@ from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.systems.rotor_dynamics import ross_rotor
 from qsbearing.systems.rotor_dynamics.ross_rotor import Holder, RotorSection
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
 
 def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
@@ -46,22 +47,27 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     return ross_rotor.rotor(sections, holders, speed, places, [*masses, *disks], longest)
 
 
-def held_by(of: BearingSet, own: NDArray, turned: NDArray) -> NDArray:
+def held_by(of: BearingSet, own: NDArray, turned: NDArray, at_rest: NDArray) -> NDArray:
     """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5).
 
     Args:
         own: stiffness of the rows; shape (row, case, 5, 5).
         turned: the matrices that turn the shaft's axes into the row's.
+        at_rest: which unknowns are given, rings at what holds them among them; shape (case, unknown).
     """
     held: NDArray = turned.swapaxes(2, 3) @ own @ turned
     for number, row in enumerate(of.rows):
         if row.housing_stiffness is not None:
             softening = np.eye(5) + row.housing_stiffness.compliance @ held[number]
             held[number] = held[number] @ np.linalg.inv(softening)
-    sleeves = [[number - 1 for number in group.rows] for group in of.floating]
-    sleeves += [[number for number, row in enumerate(of.rows) if row.sprung]]
-    for sleeve in filter(None, sleeves):
+    sleeves = [(list(sleeve), ~at_rest[:, column]) for column, sleeve in enumerate(of.sleeves, UNKNOWNS)]
+    sleeves += [([number for number, row in enumerate(of.rows) if row.sprung], ~at_rest[:, SLIDE])]
+    for sleeve, slides in sleeves:
+        if not sleeve:
+            continue
         along = held[sleeve][..., 0]
         total = along[..., 0].sum(axis=0)
-        held[sleeve] -= along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
+        with np.errstate(invalid="ignore"):  # an unloaded row of a sleeve that slides
+            less = along[..., :, None] * held[sleeve][..., 0, None, :] / total[..., None, None]
+        held[sleeve] -= np.where(slides[:, None, None], less, 0.0)
     return held

@@ -30,10 +30,18 @@ OUT_OF_LINE = (
 
 
 class Direction(StrEnum):
-    """Which axial load on the shaft a row carries; it presses the row's balls."""
+    """Which axial load on the shaft a row carries: the one that presses the balls of an angular-contact row, the one
+    against which the outer ring of a deep-groove row is held."""
 
     PLUS = "+x"
     MINUS = "-x"
+    BOTH = "both"
+    """A deep-groove row that is located: its outer ring is held on both sides."""
+    NONE = "none"
+    """A deep-groove row that floats: its outer ring slides along the housing."""
+
+
+ONE_WAY = (Direction.PLUS, Direction.MINUS)
 
 
 @dataclass(frozen=True)
@@ -43,12 +51,14 @@ class Row:
     bearing: BallBearing
     position: ArrayLike = field(default=0.0, metadata=given_in("mm"))
     """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
-    reference temperature [m]."""
-    carries: Direction = field(default=Direction.PLUS, metadata=one_of(Direction))
-    """As a member or as its word."""
+    reference temperature [m]; of a deep-groove row that no preload presses, of the plane of both grooves."""
+    carries: Direction | None = field(default=None, metadata=one_of(Direction))
+    """As a member or as its word. None: a deep-groove row both ways, any other in +x."""
     offset: ArrayLike = field(default=0.0, metadata=given_in("um"))
     """How much further than by the preload the row is pressed together while the shaft is at its zero [m]: what ring
-    faces are ground off, or a spacer is longer. Below zero it is a gap."""
+    faces are ground off, or a spacer is longer. Below zero it is a gap. Of a row placed by the plane of both grooves,
+    how far the inner groove stands beyond it in the direction that the row carries, in +x where that is both or none;
+    below zero, of a row that carries one way, the gap between its outer ring and what holds it."""
     sprung: bool = field(default=False, metadata=one_of(bool))
     """Whether its outer ring slides in the housing and a spring presses it; see `Preload.spring`."""
     housing_stiffness: HousingStiffness | None = field(default=None, metadata=made_of(HousingStiffness))
@@ -65,11 +75,14 @@ class Row:
     """Its own; None: those of the set."""
     readings: Mapping[str, Mapping[str, Any]] | None = field(default=None, compare=False)
     """Its own; None: those of the set."""
+    is_from_contact: bool | None = None
+    """Whether position and offset count from where the balls touch in the direction carried, not from the plane of both
+    grooves. None: of an angular-contact row, and of a deep-groove row that a preload presses."""
 
     @property
     def sign(self) -> float:
-        """1 for a row that carries load in +x, -1 for one that carries it in -x."""
-        return 1.0 if self.carries == Direction.PLUS else -1.0
+        """Direction in which its loads and displacements count: -1 for a row that carries load in -x, else 1."""
+        return -1.0 if self.carries == Direction.MINUS else 1.0
 
     @property
     def out_of_line(self) -> tuple[ArrayLike, ...]:
@@ -90,7 +103,7 @@ def row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
         path = f"row {number}"
         if not isinstance(row.bearing, BallBearing):
             errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
-        errors += choose(f"{path}.carries", row.carries, Direction)[1]
+        errors += [] if row.carries is None else choose(f"{path}.carries", row.carries, Direction)[1]
         errors += placement_errors(path, **{name: getattr(row, name) for name in placed})
     return errors
 

@@ -76,6 +76,31 @@ def _slides(of: BearingSet) -> bool:
 SLIDE = Group((Result("slide", "um", is_usual=False),), prefix="preload", table=("preload",), is_requested=_slides)
 
 
+def _has_two_sides(of: BearingSet) -> bool:
+    return any(of.is_two_sided)
+
+
+class EndOfPlay(NamedTuple):
+    """Where the shaft's axial play begins or ends; not a number where no row ends it."""
+
+    end: int
+
+    def __call__(self, solution: SetSolution) -> NDArray | None:
+        """Of the cases; None without rows that stand by their middles."""
+        play = solution.axial_play
+        return None if play is None else np.where(np.isfinite(play), play, np.nan)[..., self.end]
+
+
+PLAY = Group(
+    (
+        Result("from", "um", "least axial displacement of a play", path=EndOfPlay(0), is_signed=True, is_usual=False),
+        Result("to", "um", "largest axial displacement of a play", path=EndOfPlay(1), is_signed=True, is_usual=False),
+    ),
+    prefix="axial_play", table=("axial_play",), is_requested=_has_two_sides,
+)  # fmt: skip
+"""From where to where a straight, centred shaft goes until rows carry it, counted as its axial displacement."""
+
+
 class OfAllRows(NamedTuple):
     """The life that all rows survive together [h], from the readings of each; None unless each has its own."""
 
@@ -157,7 +182,7 @@ def groups_of_set(of: BearingSet) -> list[Group]:
     """Of a set's shaft, the points and supports of this, and places along it; the lives of all rows are `SYSTEM`."""
     shaft = of.shaft
     if shaft is None:
-        return [*OF_SHAFT, SLIDE]
+        return [*OF_SHAFT, SLIDE, PLAY]
     parts = parts_of(of)
     points = [group for name in shaft.points for group in _of_point(name, parts)]
     line = [group for name in places_on_shaft(of) for group in _of_line(name)]
@@ -165,7 +190,7 @@ def groups_of_set(of: BearingSet) -> list[Group]:
     drives = [
         group for kind in ("gear", "belt") for n in range(len(shaft.standing[kind])) for group in _of_drive(kind, n)
     ]
-    return [*OF_SHAFT, *points, SLIDE, *line, *supports, *drives, *([TORQUES] if drives else [])]
+    return [*OF_SHAFT, *points, SLIDE, PLAY, *line, *supports, *drives, *([TORQUES] if drives else [])]
 
 
 def _of_point(name: str, parts: Iterable[str]) -> list[Group]:

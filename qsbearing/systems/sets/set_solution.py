@@ -27,6 +27,7 @@ from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
 from qsbearing.systems.sets.deflection import Deflection, ShaftPoint, solve_known
 from qsbearing.systems.sets.drives import torque_sum
 from qsbearing.systems.sets.elastic_shaft import Structure
+from qsbearing.systems.sets.one_way import nothing_holds, without_idle_rings
 from qsbearing.systems.sets.problem import Outcome
 from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS
 
@@ -201,9 +202,21 @@ class SetSolution(SolutionOfCases):
 
     @cached_property
     def axial_loads(self) -> NDArray:
-        """Of each row in the direction that it carries, what is rounding as zero; shape (*cases, row) [N]."""
+        """Of each row in the direction that it carries, in +x where that is both or none; what is rounding as zero;
+        shape (*cases, row) [N]."""
         loads = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
         return without_rounding(loads, self.rounding[..., None])
+
+    @property
+    def axial_play(self) -> NDArray | None:
+        """`location.play`, shape (*cases, 2) [m]; None without rows that stand by their middle planes."""
+        return self._shaped(self._known(self.outcome.play), 2) if any(self.set.is_two_sided) else None
+
+    @cached_property
+    def is_axially_free(self) -> Any:
+        """Whether nothing holds the shaft along x where it is, within its play; shape (*cases)."""
+        is_free = nothing_holds(self.stiffness, [row.stiffness for row in self.rows])
+        return np.asarray(self.converged) & is_free & (self.set.operation.axial_displacement is None)
 
     @cached_property
     def stiffness(self) -> NDArray:
@@ -230,7 +243,7 @@ class SetSolution(SolutionOfCases):
         if self._structure.elasticity.size:
             total = total + self._structure.elasticity
         total[~np.reshape(self.control_is_consistent, -1)] = np.nan
-        return total
+        return without_idle_rings(self.set, total, self.outcome.held)
 
     @cached_property
     def _deflection(self) -> Deflection:
@@ -436,7 +449,7 @@ class SetSolution(SolutionOfCases):
         if not np.all(self.converged):
             raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
         own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        held = rotor.held_by(self.set, own, self._deflection.turned)
+        held = rotor.held_by(self.set, own, self._deflection.turned, self.outcome.held)
         return rotor.rotor(self.set, held.reshape(len(self.rows), *self.shape, 5, 5), disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:

@@ -21,6 +21,7 @@ from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what there is to say of sets
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import axial_deflection
+from qsbearing.systems.sets.one_way import settle
 from qsbearing.systems.sets.problem import Problem
 from qsbearing.systems.sets.row import OUT_OF_LINE
 from qsbearing.systems.sets.set_solution import AtRest, SetSolution
@@ -76,7 +77,7 @@ def solve_at_given_temperatures(of: BearingSet, threads: int | None, tolerance: 
     mounted = [np.broadcast_to(side.converged, problem.shape).reshape(-1) for side in sides.values()]
     carried = np.logical_and.reduce(mounted) if mounted else np.ones(problem.count, bool)
 
-    in_threads(lambda part: problem.solve(part, carried), problem.count, workers)
+    in_threads(lambda part: settle(problem, part, carried), problem.count, workers)
 
     unloaded = partial(_unloaded, of, offsets, threads, tolerance)
     seconds = time.perf_counter() - began
@@ -100,8 +101,8 @@ def without_load(of: BearingSet, offsets: list[NDArray], effects_at_rest: AtRest
         effects_at_rest: `as_made` or `as_fitted`, for the set at rest and cold; None: in operation.
     """
     rows = tuple(
-        replace(row, offset=np.nan_to_num(offset)[()], readings=None)
-        for row, offset in zip(of.rows, offsets, strict=True)
+        replace(row, offset=np.nan_to_num(offset)[()], readings=None, is_from_contact=not both)
+        for row, offset, both in zip(of.rows, offsets, of.is_two_sided, strict=True)
     )
     preload = of.preload if of.preload is not None and of.preload.kind == "spring" else None
     shaft = None if of.shaft is None else replace(of.shaft, loads=(), gears=(), belts=(), gravity=None)
@@ -127,12 +128,13 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
         force = np.asarray(getattr(preload, preload.kind), float)
         effects_at_rest = as_fitted if preload.is_given_mounted else as_made
         for sign in (1.0, -1.0):
-            numbers = tuple(number for number in group if of.rows[number].sign == sign)
+            numbers = tuple(n for n in group if of.rows[n].sign == sign and not of.is_two_sided[n])
             alike = (id(preload), *(of.alike[number] for number in numbers))
             if alike in known and np.all(known[alike].converged):
                 sides[numbers] = known[alike]
                 continue
             bare: dict[str, Any] = {"offset": 0.0, "housing_stiffness": None, "readings": None}
+            bare["is_from_contact"] = True
             bare |= {name: None for name, *_ in OUT_OF_LINE}
             rows = tuple(
                 replace(row, ring_effects=effects_at_rest(of.effects_of(row)), **bare)
@@ -152,7 +154,8 @@ def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
     for group, preload in of.groups:
         if preload is not None and preload.kind == "axial_displacement" and of.opposes(group):
             for number in group:
-                pressed[number] = 0.5 * np.asarray(preload.axial_displacement, float)
+                if not of.is_two_sided[number]:
+                    pressed[number] = 0.5 * np.asarray(preload.axial_displacement, float)
     deflections = _deflections(of, sides)
     return [
         np.asarray(row.offset, float) + by + deflection

@@ -19,7 +19,7 @@ SOFTER = 1e-3
 
 def begin(
     structure: Structure, part: slice, cases: NDArray, offsets: NDArray, load: NDArray, held: NDArray, place: NDArray,
-    lever: NDArray,
+    lever: NDArray, play: NDArray,
 ) -> tuple[NDArray, NDArray]:  # fmt: skip
     """Values of what is held, and a start of the rest, (case, unknown); and which cases have gaps to be closed.
 
@@ -28,7 +28,9 @@ def begin(
         cases, offsets: (row, case), offsets counting from where a row touches in operation [m].
         load, held, place: of the unknowns, (case, unknown); places of those that are not held are zero.
         lever: makes forces of moments [m].
+        play: from where to where rows let the shaft go, (case, 2); not a number where none has two sides [m].
     """
+    place = _in_play(load, held, place, play)
     matrices, is_bent = structure.matrices[:, part], structure.given < place.shape[1]
     moved, gaps = _along(structure.rigid, cases, matrices, offsets, load, held, place)
     across = (load[:, 1:5] != 0.0).any(axis=1)
@@ -48,7 +50,7 @@ def begin(
     def moved_by(force: NDArray, rest: NDArray) -> NDArray:
         """On such rows, by these forces beside those where the shaft rests."""
         matrix = np.einsum("rkia,rki,rkib->kab", matrices, springs, matrices)
-        matrix = matrix + structure.elasticity[part] if is_bent else matrix
+        matrix = matrix + structure.elasticity[part] if structure.elasticity.size else matrix
         force = np.where(held, 0.0, force - np.einsum("kij,kj->ki", matrix, rest))
         matrix[held[:, :, None] | held[:, None, :]] = 0.0
         matrix[:, range(held.shape[1]), range(held.shape[1])] += np.where(held, 1.0, 0.0)
@@ -62,6 +64,17 @@ def begin(
         pushed = np.einsum("rkia,rki->ka", matrices[:, :, 1:3], springs[..., 1:3] * closed)
         bent = np.where(gapped[:, None], bent * is_bent + moved_by(pushed, np.zeros_like(place)), bent)
     return np.where((gapped | is_bent)[:, None], place + bent, place), loose
+
+
+def _in_play(load: NDArray, held: NDArray, place: NDArray, play: NDArray) -> NDArray:
+    """A shaft without any load amid its play, or as near its zero as rows on one side of it allow."""
+    low, high = play.T
+    with np.errstate(invalid="ignore"):
+        amid = np.where(np.isfinite(low + high), 0.5 * (low + high), np.clip(0.0, low, high))
+        rests = ~held[:, 0] & (load[:, :SLIDE] == 0.0).all(axis=1) & (low <= high)
+    place = place.copy()
+    place[:, 0] += np.where(rests, amid, 0.0)
+    return place
 
 
 def _closing(cases: NDArray, way: NDArray, load: NDArray, gaps: NDArray) -> NDArray:
@@ -88,12 +101,14 @@ def _along(
     place, loose = place.copy(), np.zeros(offsets.shape, bool)
     for column in (0, *range(UNKNOWNS, rigid)):
         way = along[..., column]
-        later = (along[..., max(column + 1, SLIDE) : rigid] != 0.0).any(axis=-1)
+        after = np.s_[max(column + 1, SLIDE) : rigid]
+        later = ((along[..., after] != 0.0) & ~held[:, after]).any(axis=-1)
         own = (way != 0.0) & ~later
         free = ~held[:, column] & (load[:, column] == 0.0)
         base = offsets + np.einsum("rkj,kj->rk", along, place)
-        most = np.where(own & (way > 0.0), -base, np.inf).min(axis=0)
-        least = np.where(own & (way < 0.0), base, -np.inf).max(axis=0)
+        back = np.where(cases["one_sided"], np.inf, base + 2.0 * touching)  # to the other side of both grooves
+        most = np.where(own, np.where(way > 0.0, -base, back), np.inf).min(axis=0)
+        least = np.where(own, np.where(way < 0.0, base, -back), -np.inf).max(axis=0)
         count = np.maximum(own.sum(axis=0), 1)
         middle = -(np.where(own, way * (base + touching), 0.0)).sum(axis=0) / count
         place[:, column] += np.where(free & (least <= most), np.clip(middle, least, np.maximum(least, most)), 0.0)

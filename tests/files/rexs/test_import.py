@@ -391,9 +391,26 @@ def test_a_bearing_of_two_rows_is_a_set(imported: Any) -> None:
         assert tables(found, name)["rexs"]["bearings"] == [6, 6]
 
 
-def test_a_bearing_that_carries_no_axial_load_floats(imported: Any) -> None:
+@pytest.mark.parametrize(
+    ("absorbs", "carries"),
+    [("no_direction", "none"), ("both_directions", "both"), ("positive", "+x"), ("negative", "-x"), (None, "both")],
+)
+def test_how_a_deep_groove_bearing_is_held(imported: Any, absorbs: str | None, carries: str) -> None:
+    """As the model says it; where it does not, located, which is said."""
     model = spindle()
-    model["components"][5]["attributes"] |= {
-        "bearing_type": ("none", "radial_grooved_ball_bearing"), "axial_force_absorption": ("none", "no_direction"),
-    }  # fmt: skip
+    own = model["components"][5]["attributes"]
+    own["bearing_type"] = ("none", "radial_grooved_ball_bearing")
+    own.pop("axial_force_absorption")
+    if absorbs is not None:
+        own["axial_force_absorption"] = ("none", absorbs)
+    found = imported(xml(model))
+    assert tables(found, "shaft_2.toml")["rows"][1]["carries"] == carries
+    assert "floating" not in tables(found, "shaft_2.toml")
+    text = next(each.text for each in found.files if each.name == "shaft_2.toml")
+    assert ("assumed: the model does not say how its outer ring is held" in text) == (absorbs is None)
+
+
+def test_an_angular_contact_bearing_that_carries_no_axial_load_floats(imported: Any) -> None:
+    model = spindle()
+    model["components"][5]["attributes"]["axial_force_absorption"] = ("none", "no_direction")
     assert tables(imported(xml(model)), "shaft_2.toml")["floating"] == [{"rows": [2]}]

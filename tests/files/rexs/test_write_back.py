@@ -245,6 +245,41 @@ def test_a_set_writes_each_bearing_and_the_deflection_of_its_shaft(tmp_path: Pat
     assert abs(tilt or 0.0) < deg
 
 
+DEEP_GROOVE = {
+    "kind": "deep_groove", "ball_count": 9, "ball_diameter_mm": 11.90625, "pitch_diameter_mm": 60.0,
+    "groove_radius_coefficient": 0.52, "diametral_clearance_mm": 0.02, "ball_material": "steel",
+    "ring_material": "steel", "bore_diameter_mm": 40, "outside_diameter_mm": 80,
+}  # fmt: skip
+
+
+def test_deep_groove_bearings_write_loads_and_moments_in_their_middle_planes(tmp_path: Path) -> None:
+    """Forces and moments on both bearings balance those of the shaft; the one that floats has no axial force."""
+    file = tmp_path / "model.rexs"
+    file.write_bytes(xml(spindle()))
+    (text,) = (each.text for each in import_model(file).files if each.name == "shaft_2.toml")
+    tables = tomllib.loads(text)
+    for row, carries in zip(tables["rows"], ("both", "none"), strict=True):
+        row |= {"bearing": DEEP_GROOVE, "carries": carries}
+    tables["operation"]["axial_load_N"] = -900.0
+    tables.pop("preload", None)
+    solution = qs.solve_set(scene_or_set_of(tables, ""))  # type: ignore[arg-type]
+    assert solution.converged
+    written(file, (tables, solution, [taken(row) for row in solution.rows]))
+    found = model_in(opened(file))
+    reader = AttributeReader(found, None, [])
+
+    def of(name: str, axes: str) -> Any:
+        return np.array([[reader.number(found.components[at], f"{name}_{axis}") for axis in axes] for at in (5, 6)])
+
+    forces, moments = of("force_acting_on_inner_component", "uvw"), of("torque_acting_on_inner_component", "vw")
+    assert forces[:, 0] == pytest.approx([900.0, 0.0], abs=1e-6)
+    at = np.array([float(row.position) for row in solution.set.rows])  # type: ignore[arg-type]
+    arms = at - float(solution.set.reference) + solution.set.growth[0](at)
+    about = np.stack([moments[:, 0] - arms * forces[:, 2], moments[:, 1] + arms * forces[:, 1]], axis=-1)
+    shares = solution.row_loads[:, 3:]
+    assert -about == pytest.approx(shares, abs=1e-6 * np.abs(shares).max())
+
+
 def test_the_rows_of_a_bearing_add_up_in_its_middle(tmp_path: Path) -> None:
     file = tmp_path / "model.rexs"
     file.write_bytes(xml(double_row()))

@@ -42,14 +42,15 @@ def load_of_springs(of: qs.BearingSet, offsets: list[float], displacement: NDArr
     reference = np.array([float(of.reference), 0.0, 0.0])
     moved, turned = displacement[:3], np.array([0.0, *displacement[3:]])
     total = np.zeros(6)
-    for row, offset in zip(of.rows, offsets, strict=True):
+    for row, offset, both in zip(of.rows, offsets, of.is_two_sided, strict=True):
         bearing, K = row.bearing, contact_stiffness(row.bearing)
         span, angle, side = bearing.groove_centre_distance, bearing.free_contact_angle, row.sign
+        begins = 0.0 if both else side * np.sin(angle)  # of a row that stands by its middle, grooves in one plane
         inner_reach = bearing.inner_groove_radius - 0.5 * bearing.ball_diameter  # type: ignore[operator]
         for j in range(int(bearing.ball_count)):  # type: ignore[arg-type]
             psi = 2.0 * np.pi * j / bearing.ball_count  # type: ignore[operator]
             radial = np.array([0.0, np.cos(psi), np.sin(psi)])
-            line = np.array([side * np.sin(angle), 0.0, 0.0]) + np.cos(angle) * radial
+            line = np.array([begins, 0.0, 0.0]) + np.cos(angle) * radial
             ball = np.array([row.position, 0.0, 0.0]) + 0.5 * bearing.pitch_diameter * radial  # type: ignore[operator]
             inner = ball + inner_reach * line
             outer = inner - span * line - np.array([side * offset, 0.0, 0.0])
