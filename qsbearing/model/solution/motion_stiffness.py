@@ -163,14 +163,14 @@ def _blocks(motion: FrictionMotion) -> list[Blocks]:
     cases, places = inside.cases, inside.places
     count, balls = places.shape[:2]
     of_balls, of_ring = np.full((count, balls, 6, 14), np.nan), np.full((count, balls, 4, 9), np.nan)
-    memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
+    memory = np.zeros(4 if inside.shims.size else 2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
     solved = np.flatnonzero(inside.results["status"] == CONVERGED)
     parts = of_balls[solved], of_ring[solved]
     displacements = np.ascontiguousarray(inside.results["displacement"][solved])
     arrays = inside.points, np.empty(balls)
-    read_blocks(
-        cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, displacements, places[solved], *parts
-    )
+    found = displacements, places[solved]
+    shims = np.ascontiguousarray(inside.shims[solved])
+    read_blocks(cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, shims, *found, *parts)
     of_balls[solved], of_ring[solved] = parts
     made = []
     for k in range(count):
