@@ -34,6 +34,11 @@ from qsbearing.model.kernel.traction_balance import (
 from qsbearing.model.kernel.traction_ball import COSINE, GROOVE, LAW, LOAD, MOVED_BALL, X1, X2, moved_ball
 from qsbearing.model.kernel.traction_ring import MOTION
 
+HIGHEST_LOAD = 4.0
+"""Of that of the case, from which it is approached where nothing else leads there."""
+FIRST_STEP, LEAST_STEP = 0.2, 1e-4
+"""Of load, over the load."""
+
 
 @kernel
 def place_between(case: recarray, shims: ndarray, motion: recarray, balls: ndarray) -> None:
@@ -121,19 +126,88 @@ def run(
     case: recarray, law: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray
 ) -> bool:
     """Solve the balance of friction from where ring and balls lie; whether it converged."""
-    if not set_rolling(case, grooves, arrays, motion, balls):
-        return False
-    if balance(case, law, grooves, arrays, motion, balls):
+    is_carried = motion.is_carried
+    if set_rolling(case, grooves, arrays, motion, balls) and balance(case, law, grooves, arrays, motion, balls):
         return True
-    motion.is_carried, is_carried = False, motion.is_carried
+    if start_again(case, grooves, arrays, motion, balls, is_carried) and balance_through_slips(
+        case, law, grooves, arrays, motion, balls
+    ):
+        return True
+    return balance_through_loads(case, law, grooves, arrays, motion, balls, is_carried)
+
+
+@kernel
+def start_again(
+    case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray, is_carried: bool
+) -> bool:
+    """Put ring and balls where they lie and roll by themselves; whether there is such a place."""
+    motion.is_carried = False
+    set_frozen_orbits(case, motion, balls)
+    is_found = settle(case, grooves, arrays, motion, balls) and set_rolling(case, grooves, arrays, motion, balls)
+    motion.is_carried = is_carried
+    return is_found
+
+
+@kernel
+def balance_through_loads(
+    case: recarray,
+    law: recarray,
+    grooves: ndarray,
+    arrays: tuple[ndarray, ...],
+    motion: recarray,
+    balls: ndarray,
+    is_carried: bool,
+) -> bool:
+    """The balance from one under higher loads, where fewer arcs touch, down to those of the case; whether it converged.
+
+    A contact that opens or closes leaves Newton's method no slope to go by: there steps in load become small.
+    """
+    factor, step = HIGHEST_LOAD, FIRST_STEP
+    scale_loads(case, factor)
+    is_balanced = start_again(case, grooves, arrays, motion, balls, is_carried) and balance(
+        case, law, grooves, arrays, motion, balls
+    )
+    scale_loads(case, 1.0 / factor)
+    while is_balanced and factor > 1.0 and step > LEAST_STEP:
+        lower = max(1.0, factor * (1.0 - step))
+        keep_solved(motion, balls)
+        scale_loads(case, lower)
+        has_gone = balance(case, law, grooves, arrays, motion, balls)
+        scale_loads(case, 1.0 / lower)
+        if has_gone:
+            factor, step = lower, min(FIRST_STEP, 1.5 * step)
+        else:
+            restore(motion, balls)
+            step *= 0.4
+    return is_balanced and factor == 1.0
+
+
+@kernel
+def scale_loads(case: recarray, factor: float) -> None:
+    """Of channels whose load is given."""
     for i in range(3):
         if not case.displacement_given[i]:
-            motion.displacement[i] = 0.0
-    set_frozen_orbits(case, motion, balls)
-    if not settle(case, grooves, arrays, motion, balls) or not set_rolling(case, grooves, arrays, motion, balls):
-        return False
-    motion.is_carried = is_carried
-    return balance_through_slips(case, law, grooves, arrays, motion, balls)
+            case.prescribed[i] *= factor
+
+
+@kernel
+def keep_solved(motion: recarray, balls: ndarray) -> None:
+    """Put aside ring and balls as they are, where the ring's tilts and a ball's blocks are not needed."""
+    for i in range(3):
+        motion.kept[i] = motion.displacement[i]
+    for j in range(motion.ball_count):
+        for k in range(6):
+            balls[j].kept[k] = balls[j].unknown[k]
+
+
+@kernel
+def restore(motion: recarray, balls: ndarray) -> None:
+    """Put them back."""
+    for i in range(3):
+        motion.displacement[i] = motion.kept[i]
+    for j in range(motion.ball_count):
+        for k in range(6):
+            balls[j].unknown[k] = balls[j].kept[k]
 
 
 @kernel
