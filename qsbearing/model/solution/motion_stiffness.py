@@ -139,6 +139,8 @@ def _static(motion: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     turns = np.array([[one, zero, zero], [zero, c, s], [zero, s, -c]]).transpose(2, 0, 1)  # (ball, channel, force)
     weight = motion.inside.places[k, :count, 6]
     turns = turns * weight[:, None, None]
+    if motion.inside.shims.size and case["inner_speed"] == case["outer_speed"]:
+        return _at_rest(blocks, turns, levers)
     by_unknown = np.zeros((count, 6, count, 6))
     each = np.arange(count)
     by_unknown[each, :, each] = blocks.by_unknown
@@ -155,6 +157,17 @@ def _static(motion: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     by_ring = (blocks.by_ring @ levers).reshape(6 * count, 3)
     follow = -np.linalg.solve(by_unknown.reshape(6 * count, -1), by_ring).reshape(count, 6, 3)
     return -(force_by_unknown @ follow + turns @ blocks.force_by_ring @ levers).sum(axis=0)
+
+
+def _at_rest(blocks: Blocks, turns: NDArray, levers: NDArray) -> NDArray:
+    """K where friction has nothing to do: by the balls' places alone, of which a ball that nothing touches has none."""
+    total = np.zeros((3, 3))
+    for own, by_ring, force, of_ring, turn, lever in zip(
+        blocks.by_unknown, blocks.by_ring, blocks.force_by_unknown, blocks.force_by_ring, turns, levers, strict=True
+    ):
+        follow = -np.linalg.pinv(own[:2, :2]) @ by_ring[:2]
+        total -= turn @ (force[:, :2] @ follow + of_ring) @ lever
+    return total
 
 
 def _blocks(motion: FrictionMotion) -> list[Blocks]:

@@ -32,7 +32,14 @@ class Moved:
         self.is_at_rest = not turns.any()
         self.known = _read_off(motion)
         """Arrays (*cases, ball) by the kernel's row and number."""
-        if self._still.any():
+        self.opposite = None if motion.opposite is None else tuple(map(_named, motion.opposite))
+        """Of arched rings, arrays of the contacts of the inner and the outer ring's other arcs by name."""
+        if motion.start is None:
+            still = self._still.reshape(*motion.status.shape, 1) & (motion.status == "converged")[..., None]
+            for name in _OF_MOTION:
+                values = self.known[kernel.OF_BALL, CODES[name]]
+                self.known[kernel.OF_BALL, CODES[name]] = np.where(still & there(motion), 0.0, values)
+        elif self._still.any():
             motion.start.solved.read_all(self.known)
             for place, values in self.known.items():
                 self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
@@ -41,7 +48,7 @@ class Moved:
         """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held; NaN for tilts, whose moments are not worked out."""
         out = np.full((*self.motion.status.shape, 5, 5), np.nan)
         out[..., :3, :3] = motion_stiffness(self.motion)
-        return self._with_static(out, self.motion.start.stiffness, 2) if self._still.any() else out
+        return self._with_static(out, self.motion.start.stiffness, 2) if self._has_static else out
 
     def compliance(self, stiffness: NDArray, free: NDArray) -> NDArray:
         """Inverse of it over the free channels (*cases, 5, 5); NaN elsewhere, and for those that tilts without a number
@@ -51,7 +58,12 @@ class Moved:
         if among.size:
             rows = among[:, None]
             out[..., rows, among] = inverse(stiffness[..., rows, among])
-        return self._with_static(out, self.motion.start.compliance, 2) if self._still.any() else out
+        return self._with_static(out, self.motion.start.compliance, 2) if self._has_static else out
+
+    @property
+    def _has_static(self) -> bool:
+        """Whether some cases are those of a solution without friction."""
+        return bool(self._still.any()) and self.motion.start is not None
 
     def _with_static(self, out: NDArray, of_start: NDArray, axes: int) -> NDArray:
         """With what the static solution has in cases at rest; arrays (*cases, ...) of so many axes beyond."""
@@ -59,6 +71,23 @@ class Moved:
         of_start = of_start.reshape(-1, *of_start.shape[of_start.ndim - axes :])
         flat[self._still] = of_start[self._which][self._still]
         return flat.reshape(out.shape)
+
+
+_OF_MOTION = (
+    *("centrifugal_force", "gyroscopic_moment", "orbital_speed", "rotation_speed", "axial_rotation"),
+    *("radial_rotation", "attitude_angle"),
+)
+"""Of a ball; nothing of it at rest."""
+
+
+def there(motion: FrictionMotion) -> NDArray:
+    """Which balls a case has."""
+    counts = motion.inside.cases["ball_count"].reshape(*motion.status.shape, 1)
+    return np.asarray(np.arange(motion.weight.shape[-1]) < counts)
+
+
+def _named(of: ContactFriction | None) -> dict[str, NDArray] | None:
+    return None if of is None else _of_contacts(of)
 
 
 def _read_off(motion: FrictionMotion) -> dict[tuple[int, int], NDArray]:

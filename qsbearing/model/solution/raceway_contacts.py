@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 from numpy.typing import NDArray
 
@@ -42,6 +42,13 @@ class Lazy(Generic[T]):
     def __get__(self, holder: Any, owner: type) -> T:
         value: Any = self if holder is None else holder._array(self._name)
         return value
+
+
+class OppositeContacts(NamedTuple):
+    """Of a four-point bearing, the contacts of those arcs that carry angles below zero; None of a ring with one arc."""
+
+    inner: RacewayContacts | None
+    outer: RacewayContacts | None
 
 
 class RacewayContacts:

@@ -22,7 +22,13 @@ from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.preload_state import PreloadLoads
-from qsbearing.model.solution.raceway_contacts import CALLED_FOR_BY, CODES, Lazy, RacewayContacts
+from qsbearing.model.solution.raceway_contacts import (
+    CALLED_FOR_BY,
+    CODES,
+    Lazy,
+    OppositeContacts,
+    RacewayContacts,
+)
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
@@ -103,6 +109,14 @@ class Solution(SolutionOfCases):
     def outer(self) -> RacewayContacts:
         """Contacts with the outer raceway."""
         return RacewayContacts(partial(self._array, row=results.AT_OUTER))
+
+    @property
+    def opposite(self) -> OppositeContacts | None:
+        """Of a four-point bearing, the contacts of its other arcs; then `inner` and `outer` are those of the arcs for
+        angles above zero, or of a ring's one arc. None of other bearings."""
+        if self._moved is None or self._moved.opposite is None:
+            return None
+        return OppositeContacts(*(None if each is None else RacewayContacts(each.get) for each in self._moved.opposite))
 
     @cached_property
     def operating_point(self) -> OperatingPoint:
@@ -195,10 +209,12 @@ class Solution(SolutionOfCases):
     def axial_from_middle(self) -> Any:
         """Axial displacement from where the grooves of both rings lie in one plane; shape (*cases) [m].
 
-        Of a deep-groove bearing, whose `displacement` counts from where its balls just touch one side. None of an
-        angular-contact bearing, which has no middle.
+        Of a deep-groove or four-point bearing, whose `displacement` counts from where its balls just touch one side.
+        None of an angular-contact bearing, which has no middle.
         """
         scene = self.scene
+        if scene.bearing.is_arched:
+            return (self.displacement[..., 0] + 0.5 * scene.bearing.axial_clearance)[()]
         if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
             return None
         to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift
