@@ -1,7 +1,7 @@
-"""Arched grooves: what a shim g between the centres of a groove's two arcs makes of a bearing, and what is wrong with it.
+"""Arched grooves: what a shim g between the centres of a groove's two arcs makes of a bearing, and what is wrong with
+it.
 
-Source        plane geometry of two circles of the groove's radius, derived here; Harris & Kotzalas 2006, 2.6 and 6.4,
-              have the shim angle of a split inner ring
+Source        plane geometry of two circles of the groove's radius, derived here
 Equation      resting angle sin(gamma) = g/(2 L), L = r - D/2; axial clearance Pa = 2 BD sin(alpha0) - gi - go;
               diametral clearance Pd = 2 (Li cos(gamma_i) + Lo cos(gamma_o) - BD cos(alpha0)), gamma = 0 for one arc
 Limits        gamma -> alpha0 in both rings: Pa, Pd -> 0 and Pd/Pa -> tan(alpha0)
@@ -106,11 +106,10 @@ def _resting_errors(bearing: Any, name: str) -> list[ErrorDetail]:
         return []
     wrong, high = first(bad, shim, most)
     detail = "the ball would rest on both arcs at more than 85 degrees, or pass between them"
-    cause = "Was the width between the ring's halves given? A shim is the distance of the arcs' centres, g = 2 (r - D/2)"
-    cause += " sin(resting angle)"
-    return [
-        ErrorDetail(f"bearing.{name}", "is too large for this groove", wrong, LENGTH, (SHIMS[0], high), cause, bad, detail)
-    ]
+    cause = "Was the width between the ring's halves given? A shim is the distance of the arcs' centres, "
+    cause += "g = 2 (r - D/2) sin(resting angle)"
+    problem = "is too large for this groove"
+    return [ErrorDetail(f"bearing.{name}", problem, wrong, LENGTH, (SHIMS[0], high), cause, bad, detail)]
 
 
 def _wedge_errors(bearing: Any, name: str) -> list[ErrorDetail]:
@@ -124,6 +123,6 @@ def _wedge_errors(bearing: Any, name: str) -> list[ErrorDetail]:
         return []
     low, along, shim = first(bad, diametral, axial, np.asarray(getattr(bearing, name), float))
     detail = f"axial clearance {1e6 * along:.4g} um, but diametral clearance {1e6 * low:.4g} um"
-    cause = "A ring whose balls rest on both arcs at more than the free contact angle holds them before the other does: "
-    cause += "make this shim smaller, or share it between both rings"
+    cause = "A ring whose balls rest on both arcs at more than the free contact angle holds them before the other "
+    cause += "does: make this shim smaller, or share it between both rings"
     return [ErrorDetail(f"bearing.{name}", "wedges the balls", shim, LENGTH, cause=cause, where=bad, detail=detail)]

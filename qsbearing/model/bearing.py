@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.arches import SHIMS, arch_errors, resting_sine, shims_given_errors, wedging
 from qsbearing.model.bearing_errors import (
     BALL_COUNT_RANGE,
     FREE_ANGLES,
@@ -17,7 +18,6 @@ from qsbearing.model.bearing_errors import (
     bearing_errors,
     clearance_errors,
 )
-from qsbearing.model.arches import SHIMS, arch_errors, resting_sine, shims_given_errors, wedging
 from qsbearing.model.contact.hertz import effective_modulus
 from qsbearing.model.described import A_MATERIAL, Input, given_in, number
 from qsbearing.model.material import STEEL, Material

@@ -45,7 +45,9 @@ def ball_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     """Raceway control that contradicts itself, balls without load."""
     yield ~np.reshape(solution.control_is_consistent, -1)[part], remark("control_inconsistent")
     exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[part])
-    inner, outer = rows(solution.inner.load, part), rows(solution.outer.load, part)
+    inner, outer = rows(solution.inner_load, part), rows(solution.outer.load, part)
+    if solution.opposite is not None and solution.opposite.outer is not None:
+        outer = np.maximum(outer, rows(solution.opposite.outer.load, part))
     least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
     off_inner, off_outer = exists & (inner <= least), outer <= least
     unloaded, off = off_inner & off_outer, off_inner & ~off_outer
@@ -98,10 +100,10 @@ def _moved(solution: Solution, part: slice) -> Iterator[Found]:
     if law is None or law.is_assumed:
         assumed = remark("friction_assumed", assumed=FRICTION_COEFFICIENT)
         yield np.isfinite(motion.displacement[..., 0]).reshape(-1)[part], assumed
-    gyroscopic, skid = (
-        np.nan_to_num(1.0 / margin.reshape(-1)[part])
-        for margin in (motion.least_gyroscopic_margin, motion.least_skid_margin)
-    )
+    margins = [each for each in (motion.least_gyroscopic_margin, motion.least_skid_margin) if each is not None]
+    if not margins:  # between arched rings there is neither
+        return
+    gyroscopic, skid = (np.nan_to_num(1.0 / margin.reshape(-1)[part]) for margin in margins)
     yield gyroscopic > HALF, lambda i: remark("axis_creeps", asked_percent=100.0 * gyroscopic[i])
     yield skid > HALF, lambda i: remark("balls_near_skidding", used_percent=100.0 * skid[i])
 

@@ -20,7 +20,7 @@ from qsbearing.model.solution.judgement import estimated, settings_to_add
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
-from qsbearing.model.units import MPa, mrad, um
+from qsbearing.model.units import MPa, mm, mrad, um
 from qsbearing.remarks.balls import ball_remarks, friction_remarks, momentum_remarks, rows
 from qsbearing.remarks.expansion import bending_remarks, expansion_remarks
 from qsbearing.remarks.hypotheses import hypotheses
@@ -180,17 +180,34 @@ def found(solution: Solution, part: slice, may_solve: bool = True) -> Iterator[F
     yield from ball_remarks(solution, part)
     yield from friction_remarks(solution, part)
     yield from momentum_remarks(solution, part)
-    yield from missing_effects(solution, part, may_solve)
-    yield from hypotheses(solution, part, may_solve)
+    if solution.opposite is None:  # a four-point bearing knows no further effect, and no hypothesis
+        yield from missing_effects(solution, part, may_solve)
+        yield from hypotheses(solution, part, may_solve)
+    yield from _apex_remarks(solution, part)
     if solution.scene.is_reshaped:
         yield from expansion_remarks(solution, part)
     yield from bending_remarks(solution, part)
-    pressure = np.maximum(*(rows(side.max_pressure, part) for side in (solution.inner, solution.outer))).max(axis=-1)
+    pressure = np.max([rows(side.max_pressure, part).max(axis=-1) for side in solution.arcs], axis=0)
     yield from _pressure_remarks(solution, pressure, part)
     bearing = solution.scene.bearing
     share = np.asarray(bearing.ball_count) * bearing.ball_diameter / (np.pi * np.asarray(bearing.pitch_diameter, float))
     filled = np.broadcast_to(share, solution.shape).reshape(-1)[part]
     yield filled < SPARSE, lambda i: remark("balls_sparse", filled_percent=100.0 * filled[i])
+
+
+def _apex_remarks(solution: Solution, part: slice) -> Iterator[Found]:
+    """Ellipses that would pass the apex between the arcs of a groove."""
+    for name, arcs in solution.arcs_of_rings:
+        margins = [each.apex_margin for each in arcs]
+        known = [each.reshape(-1, each.shape[-1])[part] for each in margins if each is not None]
+        if not known:
+            continue
+        least = np.fmin.reduce(np.fmin.reduce(known), axis=-1)
+
+        def passed(i: int, name: str = name, least: NDArray = least) -> Remark:
+            return remark("apex_passed", name, beyond_mm=-least[i] / mm)
+
+        yield least < 0.0, passed
 
 
 def _pressure_remarks(solution: Solution, pressure: NDArray, part: slice) -> Iterator[Found]:

@@ -284,6 +284,9 @@ _ALL = (
          "100 % they slip, and hypotheses of raceway control err."),
     Kind("balls_near_skidding", CHECK, AXIS,
          "Drag is {used_percent:.0f} % of what drives the balls: at half the load they may skid."),
+    Kind("apex_passed", WRONG, "ball_axis",
+         "Ellipses on the {raceway} raceway would pass the apex between the arcs of its groove by {beyond_mm:.2g} mm, "
+         "where there is no groove: loads and pressures are not those of the bearing. A larger shim keeps them apart."),
     Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
          "expect permanent dents.", _YIELDING),
@@ -359,6 +362,8 @@ _ALL = (
          "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"),
     Kind("life_viscosity_low", WRONG, CHOICES, "aISO is not defined below kappa = {limit:g}"),
     Kind("life_viscosity_high", NOTE, CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"),
+    Kind("life_of_arcs", NOTE, CHOICES,
+         "each arc of a groove is rated as a raceway of its own, with C as that of one row; ISO 281's P is not given"),
     Kind("life_thrust_uncovered", WRONG, CHOICES,
          "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"),
     Kind("life_factor_large", NOTE, CHOICES, f"fatigue will not end this bearing: aISO is beyond {{limit:g}}{_ENDED}"),

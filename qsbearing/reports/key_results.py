@@ -184,7 +184,7 @@ def contact_lines(solution: Solution) -> list[KeyResult]:
     ]
     lines = [each for each in lines if each.parts]
     is_ball = np.isfinite(solution.azimuth)
-    empty = int((is_ball & (solution.inner.load == 0.0)).sum())
+    empty = int((is_ball & (solution.inner_load == 0.0)).sum())
     if empty:
         count = KeyNumber("", (empty,), f"of {is_ball.sum()}")
         lines.append(KeyResult("balls without load on the inner raceway", (count,)))

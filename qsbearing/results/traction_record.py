@@ -14,6 +14,7 @@ from qsbearing.model.solution.friction_band import Band, friction_band
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
+from qsbearing.results.json_record import within
 from qsbearing.results.readings_record import number
 from qsbearing.results.readings_report import per_contact
 from qsbearing.results.tables import digits_of
@@ -28,13 +29,15 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
     whole: dict[str, Any] = {}
     balls: list[dict[str, Any]] = [{} for _ in exists]
     for group in TRACTION_GROUPS:
+        if group.is_requested is not None and not group.is_requested(solution.scene):
+            continue
         for each in group.results:
             values = Place(group, each).of(solution)
             if not group.axis:
                 whole[each.key] = None if values is None else number(values[index])
                 continue
             for row, ball in zip(balls, exists, strict=True):
-                holder = row.setdefault(group.raceway, {}) if group.raceway else row
+                holder = within(row, group, "balls")
                 holder[each.key] = None if values is None else number(values[index][ball])
     mu = (
         solution.balance.friction_coefficient

@@ -62,7 +62,7 @@ def set_frozen_orbits(case: recarray, motion: recarray, balls: ndarray) -> None:
 def press_ball(case: recarray, grooves: ndarray, ball: recarray, a1: float, a2: float) -> float:
     """Fill a ball's forces in its plane, their slopes and its force on the ring, without friction; its energy."""
     matrix, by_ring, orbit = ball.matrix, ball.by_ring, ball.unknown[ORBIT]
-    push = BALL_MASS * orbit * orbit * 0.5 * case.pitch_diameter
+    push: float = BALL_MASS * orbit * orbit * 0.5 * case.pitch_diameter
     ball.largest_load = push
     ball.residual[FX], ball.residual[FZ] = 0.0, push
     for row in (FX, FZ):
@@ -165,9 +165,7 @@ def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray
 
 
 @kernel
-def settle(
-    case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray
-) -> bool:
+def settle(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray) -> bool:
     """Find the least of Pi from where ring and balls are; whether it was found."""
     energy = press(case, grooves, motion, balls)
     for _ in range(MOST_ITERATIONS):
@@ -190,7 +188,9 @@ def settle(
 
 
 @kernel
-def set_rolling(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray) -> bool:
+def set_rolling(
+    case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray
+) -> bool:
     """Give balls, where they lie, the motion of the linear law; whether each has one."""
     for j in range(motion.ball_count):
         ball: recarray = balls[j]

@@ -1,4 +1,4 @@
-"""What is not known yet of a four-point bearing, by the scene's fields: nothing is solved as if it had one arc a ring."""
+"""What is not known yet of a four-point bearing, by the scene's fields: nothing is solved as if rings had one arc."""
 
 from __future__ import annotations
 

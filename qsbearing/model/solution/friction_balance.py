@@ -166,6 +166,12 @@ class FrictionMotion:
         return (self.inner, self.outer, *filter(None, self.opposite or ()))
 
     @property
+    def on_outer(self) -> tuple[ContactFriction, ...]:
+        """Of the outer ring's arcs."""
+        other = None if self.opposite is None else self.opposite.outer
+        return (self.outer,) if other is None else (self.outer, other)
+
+    @property
     def skid_margin(self) -> NDArray | None:
         """`most_drag` of each ball over that which it has; infinite without drag; None between arched rings."""
         if self.opposite is not None:
@@ -279,7 +285,14 @@ def balanced(
     in_threads(solve_stretch, count, threads)
     inside = Inside(shape, cases, laws, points, carried, results, places, shims)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
-    return _read(start, maker.scene.operating_bearing, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
+    return _read(
+        start,
+        maker.scene.operating_bearing,
+        inside,
+        contacts,
+        torques,
+        np.broadcast_to(np.asarray(bound, float), shape),
+    )
 
 
 def spanned(shape: tuple[int, ...], both: tuple[int, ...]) -> NDArray:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.kernel import results as kernel
 from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
 from qsbearing.model.solution.motion_stiffness import motion_stiffness
@@ -24,16 +25,18 @@ class Moved:
         motion: the balance.
         turns: which of the flattened cases do; the others have the static solution.
         which: of the flattened cases of the solution under outer control each is.
+        bearing: in operation.
     """
 
-    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray) -> None:
+    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray, bearing: BallBearing) -> None:
         self.motion = motion
         self._still, self._which = ~turns, which
         self.is_at_rest = not turns.any()
         self.known = _read_off(motion)
         """Arrays (*cases, ball) by the kernel's row and number."""
-        self.opposite = None if motion.opposite is None else tuple(map(_named, motion.opposite))
-        """Of arched rings, arrays of the contacts of the inner and the outer ring's other arcs by name."""
+        self.apex, self.opposite = _of_arches(motion, bearing)
+        """Of arched rings: apex margins by the kernel's row; arrays of the contacts of the inner and the outer ring's
+        other arcs by name, None for a ring with one arc."""
         if motion.start is None:
             still = self._still.reshape(*motion.status.shape, 1) & (motion.status == "converged")[..., None]
             for name in _OF_MOTION:
@@ -86,8 +89,32 @@ def there(motion: FrictionMotion) -> NDArray:
     return np.asarray(np.arange(motion.weight.shape[-1]) < counts)
 
 
-def _named(of: ContactFriction | None) -> dict[str, NDArray] | None:
-    return None if of is None else _of_contacts(of)
+Named = dict[str, NDArray]
+"""Arrays (*cases, ball)."""
+
+
+def _of_arches(
+    motion: FrictionMotion, bearing: BallBearing
+) -> tuple[dict[int, NDArray], tuple[Named | None, ...] | None]:
+    """(apex margins of the arcs for angles above zero, contacts of the others); nothing of rings with one arc."""
+    if motion.opposite is None:
+        return {}, None
+    of_first = ("inner", kernel.AT_INNER, motion.inner), ("outer", kernel.AT_OUTER, motion.outer)
+    first = {row: each for side, row, of in of_first if (each := _apex_margin(bearing, side, 1.0, of)) is not None}
+    others: list[Named | None] = []
+    for side, of in zip(("inner", "outer"), motion.opposite, strict=True):
+        margin = None if of is None else _apex_margin(bearing, side, -1.0, of)
+        others.append(None if of is None or margin is None else _of_contacts(of) | {"apex_margin": margin})
+    return first, tuple(others)
+
+
+def _apex_margin(bearing: BallBearing, side: str, sign: float, of: ContactFriction) -> NDArray | None:
+    """r (|alpha| - asin(g/(2 r))) - a of the arc that carries angles of this sign; None where the ring has one arc."""
+    apex = bearing.apex_angle(side)
+    if apex is None:
+        return None
+    radius = np.asarray(getattr(bearing, f"{side}_groove_radius"), float)[..., None]
+    return np.where(of.load > 0.0, radius * (sign * of.angle - apex[..., None]) - of.semi_major_axis, np.nan)
 
 
 def _read_off(motion: FrictionMotion) -> dict[tuple[int, int], NDArray]:

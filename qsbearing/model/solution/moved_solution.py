@@ -47,7 +47,7 @@ def solve_moved(
     turns = _turns(motion)
     results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
-    moved = Moved(motion, turns, which)
+    moved = Moved(motion, turns, which, scene.operating_bearing)
     return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)
 
 
@@ -66,5 +66,5 @@ def _between_arches(scene: Scene, law: Traction, workers: int, began: float, aga
     turns = _turns(motion)
     balls = maker.count, maker.ball_axis
     states = motion.inside.cases, motion.inside.results, np.full((*balls, 3), np.nan), np.zeros(balls, np.int8)
-    moved = Moved(motion, turns, np.arange(maker.count))
+    moved = Moved(motion, turns, np.arange(maker.count), scene.bearing)
     return Solution(maker, *states, time.perf_counter() - began, workers, None, again, moved)

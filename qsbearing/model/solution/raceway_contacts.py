@@ -84,3 +84,9 @@ class RacewayContacts:
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
         """
     )
+    apex_margin = Lazy[NDArray | None](
+        """From the end of the ellipse to the apex of an arched groove, along the groove [m].
+
+        Below zero the ellipse would pass it; NaN without load; None where the groove has one arc.
+        """
+    )

@@ -118,6 +118,24 @@ class Solution(SolutionOfCases):
             return None
         return OppositeContacts(*(None if each is None else RacewayContacts(each.get) for each in self._moved.opposite))
 
+    @property
+    def arcs(self) -> tuple[RacewayContacts, ...]:
+        """Contacts of every arc: those of both raceways, and of a four-point bearing the opposite ones."""
+        return (self.inner, self.outer, *filter(None, self.opposite or ()))
+
+    @property
+    def arcs_of_rings(self) -> tuple[tuple[str, tuple[RacewayContacts, ...]], ...]:
+        """The same of each ring, by its name."""
+        others = self.opposite or (None, None)
+        both = ("inner", self.inner, others[0]), ("outer", self.outer, others[1])
+        return tuple((name, (first,) if other is None else (first, other)) for name, first, other in both)
+
+    @property
+    def inner_load(self) -> NDArray:
+        """On each ball of the inner raceway: of a four-point bearing, the sum of its two contacts [N]."""
+        other = None if self.opposite is None else self.opposite.inner
+        return self.inner.load if other is None else self.inner.load + np.nan_to_num(other.load)
+
     @cached_property
     def operating_point(self) -> OperatingPoint:
         """The solution as the indicators of effects read it."""
@@ -130,7 +148,9 @@ class Solution(SolutionOfCases):
         if not self.converged:
             return f"{name}: {self._summary()}{', ' if self.reason else ''}{self.reason}"
         lines = [f"{name}: {self._summary()}", *self._channels()]
-        for side, contacts in (("inner", self.inner), ("outer", self.outer)):
+        others = [] if self.opposite is None else zip(("inner", "outer"), self.opposite, strict=True)
+        beside = [(f"{side}, opposite", each) for side, each in others if each is not None]
+        for side, contacts in (("inner", self.inner), ("outer", self.outer), *beside):
             angles = contacts.angle[contacts.load > 0.0] / deg
             if angles.size:
                 span = " to ".join(dict.fromkeys(f"{angle:.5g}" for angle in (angles.min(), angles.max())))
@@ -153,6 +173,8 @@ class Solution(SolutionOfCases):
         return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
+        if name not in CODES:
+            return self._moved.apex.get(row) if self._moved is not None else None
         return self.solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
