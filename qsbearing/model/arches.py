@@ -57,6 +57,21 @@ def shims_given_errors(fields: dict[str, Any]) -> list[ErrorDetail]:
     ]
 
 
+def axial_clearance_given_errors(axial_clearance: Any) -> list[ErrorDetail]:
+    """Of an axial clearance of a bearing with one arc in each ring."""
+    problem, cause = "is given, but no groove has two arcs", 'Leave it out, or give kind = "four_point"'
+    return [ErrorDetail("bearing.axial_clearance", problem, axial_clearance, LENGTH, cause=cause)]
+
+
+def clearance_given_errors(kind: Any, diametral_clearance: Any) -> list[ErrorDetail]:
+    """Of a diametral clearance in place of the free contact angle of a four-point bearing."""
+    if kind != "four_point":
+        return []
+    problem = "is given of a four-point bearing, whose free contact angle does not follow from it"
+    cause = "Give the free contact angle, and the shims or the axial clearance"
+    return [ErrorDetail("bearing.diametral_clearance", problem, diametral_clearance, LENGTH, cause=cause)]
+
+
 def wedging(bearing: Any) -> NDArray:
     """Pd of arched rings [m]."""
     room = -bearing.groove_centre_distance * np.cos(np.asarray(bearing.free_contact_angle, float))

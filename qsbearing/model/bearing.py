@@ -10,7 +10,15 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qsbearing.model.arches import SHIMS, arch_errors, resting_sine, shims_given_errors, wedging
+from qsbearing.model.arches import (
+    SHIMS,
+    arch_errors,
+    axial_clearance_given_errors,
+    clearance_given_errors,
+    resting_sine,
+    shims_given_errors,
+    wedging,
+)
 from qsbearing.model.bearing_errors import (
     BALL_COUNT_RANGE,
     FREE_ANGLES,
@@ -103,16 +111,19 @@ class BallBearing:
             numeric("", fields[name], LENGTH)[0]
             for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
         )
-        errors = []
+        errors = clearance_given_errors(fields.get("kind"), diametral_clearance)
         angle: ArrayLike = 0.0  # stands in, as no interference does, while the other fields are checked
         interference: ArrayLike = 0.0
-        if inner is not None and outer is not None and ball is not None:
+        if not errors and inner is not None and outer is not None and ball is not None:
             distance = inner + outer - ball
             errors = clearance_errors(diametral_clearance, distance, ball)
             if not errors and (distance > 0.0).all():
                 clearance = np.asarray(diametral_clearance, float)
                 angle = free_angle_from_clearance(np.maximum(clearance, 0.0), distance)
                 interference = np.maximum(-0.5 * clearance, 0.0)
+        fields = {"kind": BearingKind.ANGULAR_CONTACT} | fields
+        if errors and fields["kind"] == BearingKind.FOUR_POINT:
+            fields = stand_in(fields)
         try:
             bearing = cls(free_contact_angle=angle, **fields | {"radial_interference": interference})
         except SceneError as error:
@@ -131,6 +142,9 @@ class BallBearing:
         given = [numeric("", fields[name], LENGTH)[0] for name in names]
         shims: dict[str, Any] = {"inner_shim": None, "outer_shim": None}
         errors = shims_given_errors(fields)
+        kind = fields.get("kind", BearingKind.FOUR_POINT)
+        if kind != BearingKind.FOUR_POINT:
+            errors += axial_clearance_given_errors(axial_clearance)
         if not any(each is None for each in given):
             inner, outer, ball, angle = (np.asarray(each, float) for each in given)
             wrong, sine = resting_sine(axial_clearance, inner + outer - ball, angle, ball)
@@ -139,14 +153,13 @@ class BallBearing:
                 for name, radius in (("inner_shim", inner), ("outer_shim", outer)):
                     shims[name] = np.asarray((2.0 * radius - ball) * sine)[()]
         if errors:
-            shims, fields = {}, {name: value for name, value in fields.items() if name not in shims}
-            kind = {"kind": BearingKind.DEEP_GROOVE}  # stands in, while the other fields are checked
+            fields = stand_in(fields) if kind == BearingKind.FOUR_POINT else fields
             try:
-                cls(**fields | kind)
+                cls(**fields)
             except SceneError as error:
                 raise SceneError([*error.errors, *errors]) from None
             raise SceneError(errors)
-        return cls(**fields | {"kind": BearingKind.FOUR_POINT} | shims)
+        return cls(**fields | {"kind": kind} | shims)
 
     def _array(self, name: str) -> NDArray:
         return np.asarray(getattr(self, name), float)
@@ -176,8 +189,11 @@ class BallBearing:
         return None if shim is None else np.asarray(np.arcsin(shim / (2.0 * self._array(f"{side}_groove_radius"))))
 
     @property
-    def axial_clearance(self) -> NDArray:
-        """Pa = 2 BD sin(alpha0) - gi - go, by which the rings move until balls touch both on the other side [m]."""
+    def axial_clearance(self) -> NDArray | None:
+        """Pa = 2 BD sin(alpha0) - gi - go, by which the rings move until balls touch both on the other side [m]; None
+        where no groove has two arcs."""
+        if not self.is_arched:
+            return None
         shims = [each for each in map(self.shim, ("inner", "outer")) if each is not None]
         return np.asarray(2.0 * self.touching_offset - sum(shims))
 
@@ -289,6 +305,12 @@ class BallBearing:
             for number in (material.elastic_modulus, material.poisson_ratio)
         ]
         return np.asarray(effective_modulus(*numbers))  # type: ignore[arg-type]
+
+
+def stand_in(fields: dict[str, Any]) -> dict[str, Any]:
+    """Fields of a bearing with one arc in each ring, to check those that have nothing to do with shims."""
+    others = {name: value for name, value in fields.items() if name not in ("inner_shim", "outer_shim")}
+    return others | {"kind": BearingKind.DEEP_GROOVE}
 
 
 def ball_mass(density: Any, ball_diameter: Any) -> Any:

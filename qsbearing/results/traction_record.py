@@ -13,7 +13,7 @@ from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.friction_band import Band, friction_band
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
+from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
 from qsbearing.results.json_record import within
 from qsbearing.results.readings_record import number
 from qsbearing.results.readings_report import per_contact
@@ -89,9 +89,12 @@ def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]
         for place, values in placed
         if not place.is_per_ball and values is not None and np.isfinite(values)
     ]
+    opposite = [each for each in placed if OPPOSITE in (each[0].group.table or ())]
+    others = [each for each in placed if OPPOSITE not in (each[0].group.table or ())]
     tables = [
         Table(("quantity", "value", "unit"), rows, "lrl", "Friction moves the balls"),
-        per_contact("Friction moves the balls: contacts and axes", placed),
+        per_contact("Friction moves the balls: contacts and axes", others),
+        per_contact("Friction moves the balls: contacts of the opposite arcs", opposite),
         _band_table(balance["band"]),
     ]
     return [*filter(None, tables), Paragraph(_how(balance))]

@@ -21,7 +21,7 @@ from qsbearing.model.solution.result_keys import (
     Group,
     Result,
 )
-from qsbearing.model.solution.traction_groups import TRACTION_GROUPS, is_arched
+from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION_GROUPS, is_arched
 
 
 class SolvedScene(Solved, Protocol):
@@ -117,8 +117,9 @@ RING_SHAPE = (
 
 
 APEX = (
-    Result("apex_margin", "mm", "from the end of the ellipse to the groove's apex", is_signed=True, is_usual=False),
-)
+    Result("apex_margin", "mm", "from the end of the ellipse to the groove's apex", is_signed=True, is_usual=False,
+           heading="apex"),
+)  # fmt: skip
 """Of a contact of a four-point bearing, along its groove; negative where the ellipse would pass the apex."""
 
 
@@ -243,7 +244,7 @@ CONTACTS = _of_sides(CONTACT, "", "", "balls", BALL)
 ARCS = (
     *(Group(APEX, "", side, holder=side, axis=BALL, table=("balls", side), is_requested=is_arched) for side in SIDES),
     *(
-        Group((*CONTACT, *APEX), "", side, "opposite", f"opposite.{side}", BALL, ("balls", "opposite", side),
+        Group((*CONTACT, *APEX), "", side, OPPOSITE, f"{OPPOSITE}.{side}", BALL, ("balls", OPPOSITE, side),
               is_requested=is_arched)
         for side in SIDES
     ),

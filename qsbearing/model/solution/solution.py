@@ -235,8 +235,9 @@ class Solution(SolutionOfCases):
         None of an angular-contact bearing, which has no middle.
         """
         scene = self.scene
-        if scene.bearing.is_arched:
-            return (self.displacement[..., 0] + 0.5 * scene.bearing.axial_clearance)[()]
+        clearance = scene.bearing.axial_clearance
+        if clearance is not None:
+            return (self.displacement[..., 0] + 0.5 * clearance)[()]
         if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
             return None
         to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift

@@ -9,6 +9,8 @@ from qsbearing.model.solution.result_keys import BALL, Group, Result
 TRACTION = "traction"
 """What their names begin with, and their table."""
 SIDES = "inner", "outer"
+OPPOSITE = "opposite"
+"""Of a four-point bearing, the table of those arcs that carry angles below zero."""
 BALANCE = "balance of friction on each ball, derived here"
 
 
@@ -65,9 +67,9 @@ TRACTION_GROUPS = (
         _BALLS._replace(
             results=OF_CONTACT,
             raceway=side,
-            prefix=f"opposite_{TRACTION}",
+            prefix=f"{OPPOSITE}_{TRACTION}",
             holder=f"balance.opposite.{side}",
-            table=(TRACTION, "balls", "opposite", side),
+            table=(TRACTION, "balls", OPPOSITE, side),
             is_requested=is_arched,
         )
         for side in SIDES
