@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from math import nan
 from typing import Any
 
@@ -251,7 +251,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     by_clearance = has_clearance and (is_arched or not has_angle)  # of arched rings it is refused
     left_out = "free_contact_angle" if by_clearance else "diametral_clearance"
     fields = {name: value for name, value in fields.items() if name != left_out}
-    make = BallBearing.from_diametral_clearance if by_clearance else BallBearing
+    make: Callable[..., BallBearing] = BallBearing.from_diametral_clearance if by_clearance else BallBearing
     if has_play and not by_clearance:
         make = BallBearing.from_axial_clearance
     fields = fields if has_play else {name: value for name, value in fields.items() if name != "axial_clearance"}

@@ -144,8 +144,8 @@ class BallBearing:
         errors = shims_given_errors(fields)
         kind = fields.get("kind", BearingKind.FOUR_POINT)
         if kind != BearingKind.FOUR_POINT:
-            errors += axial_clearance_given_errors(axial_clearance)
-        if not any(each is None for each in given):
+            errors = axial_clearance_given_errors(axial_clearance)
+        elif not any(each is None for each in given):
             inner, outer, ball, angle = (np.asarray(each, float) for each in given)
             wrong, sine = resting_sine(axial_clearance, inner + outer - ball, angle, ball)
             errors += wrong

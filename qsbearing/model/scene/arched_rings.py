@@ -5,10 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.validation import ErrorDetail
+from qsbearing.model.validation import ErrorDetail, raise_if_any
 
 READINGS = ("life", "lubricant")
 """Readings that know contacts of all arcs; the lubricant is none by itself."""
+NOTHING_TO_COMPARE = "Nothing can be compared: only friction moves its balls, and no further effect is known"
+"""Why there is no comparison of effects and hypotheses."""
+IN_RUN = "All of its contacts are in the tables of `qsbearing run`, its JSON, and the solution's arrays"
+"""Where what is refused elsewhere can be read."""
 NAMED = "is not known to a four-point bearing"
 
 
@@ -43,3 +47,18 @@ def reading_errors(names: Any) -> list[ErrorDetail]:
         for name in names
         if name not in READINGS
     ]
+
+
+def refuse_arched(bearing: Any, what: str, cause: str) -> None:
+    """Refuse by name what has no four-point bearings.
+
+    Args:
+        bearing: of a scene; None of a set, which has none.
+        what: is refused, as a subject.
+
+    Raises:
+        SceneError: it is one.
+    """
+    if bearing is not None and bearing.is_arched:
+        problem = f"is a kind that {what} does not know: two contacts with one ring"
+        raise_if_any([ErrorDetail("bearing.kind", problem, str(bearing.kind), cause=cause)])

@@ -13,6 +13,7 @@ from qsbearing.files.file_keys import IN_FILE, line
 from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.kernel.solve_case import solve_cases
+from qsbearing.model.scene.arched_rings import NOTHING_TO_COMPARE, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import Change, alternatives, changes, has_size_for, requested
 from qsbearing.model.solution.comparison import by_quantity, moved
@@ -140,6 +141,7 @@ def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Sol
     Raises:
         ValueError: the scene has array fields.
     """
+    refuse_arched(scene.bearing, "`explain`", NOTHING_TO_COMPARE)
     solution = choose.solve(scene)
     if solution.shape:
         raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")
