@@ -246,7 +246,7 @@ def _ring_remarks(solution: Solution, part: slice) -> Iterator[Found]:
     free = solution.free_channels
     unloaded = np.reshape(solution.ring_is_unloaded, -1)[part]
     yield unloaded, remark("ring_unloaded")
-    if solution.friction is None:
+    if solution.friction is None and solution.opposite is None:
         yield from _soft_directions(solution, part, unloaded)
     bearing = solution.scene.bearing
     moved = rows(solution.displacement, part)

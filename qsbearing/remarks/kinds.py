@@ -48,9 +48,9 @@ class Severity(IntEnum):
 WRONG, INCOMPLETE, CHECK, NOTE = Severity
 
 _NO_FIELD = Field()
-STATUSES, HEAT = "how_to#meaning-of-each-status", "how_to#heat-fits-and-rotation"
-HYPOTHESES, AXIS, CHOICES = "limits#hypotheses", "ball_axis", "readings#choices-that-change-the-numbers"
-PRELOAD, RINGS = "sets#preload", "elastic_rings"
+PRELOAD, RINGS, HEAT, AXIS = "sets#preload", "elastic_rings", "how_to#heat-fits-and-rotation", "ball_axis"
+STATUSES, HYPOTHESES = "how_to#meaning-of-each-status", "limits#hypotheses"
+CHOICES = "readings#choices-that-change-the-numbers"
 
 
 @dataclass(frozen=True)
@@ -284,9 +284,8 @@ _ALL = (
          "100 % they slip, and hypotheses of raceway control err."),
     Kind("balls_near_skidding", CHECK, AXIS,
          "Drag is {used_percent:.0f} % of what drives the balls: at half the load they may skid."),
-    Kind("apex_passed", WRONG, "ball_axis",
-         "Ellipses on the {raceway} raceway would pass the apex between the arcs of its groove by {beyond_mm:.2g} mm, "
-         "where there is no groove: loads and pressures are not those of the bearing. A larger shim keeps them apart."),
+    Kind("apex_passed", WRONG, AXIS, "Ellipses on the {raceway} raceway would pass the apex of its groove by "
+         "{beyond_mm:.2g} mm: loads and pressures are not those of the bearing. A larger shim keeps them apart."),
     Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
          "expect permanent dents.", _YIELDING),
@@ -297,9 +296,8 @@ _ALL = (
          "The balls fill {filled_percent:.2g} % of the pitch circle; 59 to 90 % is usual. Are ball count, ball "
          "diameter and pitch diameter right?"),
     # Rings that grow or bend
-    Kind("balls_wedged", CHECK, HEAT,
-         "The expansion is larger than the diametral clearance by {interference_um:.4g} µm: the balls are wedged "
-         "between the rings."),
+    Kind("balls_wedged", CHECK, HEAT, "The expansion is larger than the diametral clearance by {interference_um:.4g} "
+         "µm: the balls are wedged between the rings."),
     Kind("clearance_negative", CHECK, HEAT,
          "The clearance is negative by {interference_um:.4g} µm: the balls are wedged between the rings."),
     Kind("ring_yields", WRONG, HEAT,
@@ -358,12 +356,10 @@ _ALL = (
     Kind("life_grooves_uncovered", WRONG, CHOICES,
          f'{_GROOVES}: a wider groove carries less ({{field}} takes the grooves into account)',
          field=Setting("rating", "lundberg_palmgren")),
-    Kind("life_size_uncovered", WRONG, CHOICES,
-         "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"),
+    Kind("life_size_uncovered", WRONG, CHOICES, "ISO 281's table of fc covers D cos(alpha)/dm from 0.01 to 0.40"),
     Kind("life_viscosity_low", WRONG, CHOICES, "aISO is not defined below kappa = {limit:g}"),
     Kind("life_viscosity_high", NOTE, CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"),
-    Kind("life_of_arcs", NOTE, CHOICES,
-         "each arc of a groove is rated as a raceway of its own, with C as that of one row; ISO 281's P is not given"),
+    Kind("life_of_arcs", NOTE, CHOICES, "each arc is rated as a raceway, with C as that of one row; ISO 281 has no P"),
     Kind("life_thrust_uncovered", WRONG, CHOICES,
          "ISO 281 has no P of a thrust bearing with less axial load than 1.25 tan(alpha) of the radial one: no L10"),
     Kind("life_factor_large", NOTE, CHOICES, f"fatigue will not end this bearing: aISO is beyond {{limit:g}}{_ENDED}"),
@@ -372,9 +368,8 @@ _ALL = (
     Kind("life_long", NOTE, CHOICES,
          f"fatigue will not end this bearing: {{life_h:,.0f}} h is beyond {{limit_h:,.0f}} h{_ENDED}"),
     # Readings: static safety, stress, overrun
-    Kind("static_dents", WRONG, "limits",
-         "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, and the contact is no longer "
-         "elastic"),
+    Kind("static_dents", WRONG, "limits", "the pressure of a contact is above {limit_MPa:.0f} MPa: permanent dents, "
+         "and the contact is no longer elastic"),
     Kind("static_moment", WRONG, CHOICES,
          "the ring carries a moment, which P0 of ISO 76 does not include; contact_safety does"),
     Kind("static_thrust_uncovered", WRONG, CHOICES,

@@ -24,6 +24,8 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 
 INNER, OUTER = range(2)
+NO_FORCE = 1e-12
+"""Of a case's largest contact load: less is what rounding leaves."""
 
 _OF_CONTACT = {
     "load": (kernel.LOAD, "force"),
@@ -318,6 +320,17 @@ def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> 
     return laws
 
 
+def _lose_free_balls(cases: NDArray, contacts: NDArray) -> None:
+    """Balls at rest that carry no load but what rounding leaves: they have no place, and no contacts."""
+    load = np.nan_to_num(contacts[..., kernel.LOAD])
+    still = cases["inner_speed"] == cases["outer_speed"]
+    is_free = still[:, None] & (load.max(axis=2) <= NO_FORCE * load.max(axis=(1, 2))[:, None])
+    is_free &= np.isfinite(contacts[:, :, INNER, kernel.LOAD])
+    own = np.zeros((int(is_free.sum()), *contacts.shape[2:]))
+    own[..., [kernel.SINE, kernel.COSINE, kernel.APPROACH]] = np.nan
+    contacts[is_free] = own
+
+
 def _read(
     start: Any, bearing: BallBearing, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray
 ) -> FrictionMotion:
@@ -325,6 +338,8 @@ def _read(
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
+    if inside.shims.size:
+        _lose_free_balls(cases, contacts)
     force, length, speed = (cases[name][:, None] for name in ("force", "length", "speed"))
     moments = force * length
     turning = np.where((cases["inner_speed"] != 0.0) | (cases["outer_speed"] != 0.0), 1.0, np.nan)[:, None]

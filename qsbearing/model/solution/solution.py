@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
@@ -20,13 +19,12 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import ring_stiffness
 from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
-from qsbearing.model.solution.of_cases import SolutionOfCases
+from qsbearing.model.solution.of_arcs import SolutionOfArcs
 from qsbearing.model.solution.preload_state import PreloadLoads
 from qsbearing.model.solution.raceway_contacts import (
     CALLED_FOR_BY,
     CODES,
     Lazy,
-    OppositeContacts,
     RacewayContacts,
 )
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
@@ -43,7 +41,7 @@ if TYPE_CHECKING:
     from qsbearing.model.solution.moved import Moved
 
 
-class Solution(SolutionOfCases):
+class Solution(SolutionOfArcs):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
@@ -71,7 +69,8 @@ class Solution(SolutionOfCases):
         """At rest and cold under the preload, as it is given; None without one that holds the rings."""
         self.solve_alike = solve
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
-        self._moved = moved
+        self.moved = moved
+        """Arrays and stiffness where friction moves the balls; None by a hypothesis."""
         self.balance: FrictionMotion | None = None if moved is None else moved.motion
         """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
         self.friction = None if moved is None or moved.is_at_rest else moved.motion
@@ -109,32 +108,6 @@ class Solution(SolutionOfCases):
     def outer(self) -> RacewayContacts:
         """Contacts with the outer raceway."""
         return RacewayContacts(partial(self._array, row=results.AT_OUTER))
-
-    @property
-    def opposite(self) -> OppositeContacts | None:
-        """Of a four-point bearing, the contacts of its other arcs; then `inner` and `outer` are those of the arcs for
-        angles above zero, or of a ring's one arc. None of other bearings."""
-        if self._moved is None or self._moved.opposite is None:
-            return None
-        return OppositeContacts(*(None if each is None else RacewayContacts(each.get) for each in self._moved.opposite))
-
-    @property
-    def arcs(self) -> tuple[RacewayContacts, ...]:
-        """Contacts of every arc: those of both raceways, and of a four-point bearing the opposite ones."""
-        return (self.inner, self.outer, *filter(None, self.opposite or ()))
-
-    @property
-    def arcs_of_rings(self) -> tuple[tuple[str, tuple[RacewayContacts, ...]], ...]:
-        """The same of each ring, by its name."""
-        others = self.opposite or (None, None)
-        both = ("inner", self.inner, others[0]), ("outer", self.outer, others[1])
-        return tuple((name, (first,) if other is None else (first, other)) for name, first, other in both)
-
-    @property
-    def inner_load(self) -> NDArray:
-        """On each ball of the inner raceway: of a four-point bearing, the sum of its two contacts [N]."""
-        other = None if self.opposite is None else self.opposite.inner
-        return self.inner.load if other is None else self.inner.load + np.nan_to_num(other.load)
 
     @cached_property
     def operating_point(self) -> OperatingPoint:
@@ -174,7 +147,7 @@ class Solution(SolutionOfCases):
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
         if name not in CODES:
-            return self._moved.apex.get(row) if self._moved is not None else None
+            return self.moved.apex.get(row) if self.moved is not None else None
         return self.solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
@@ -226,22 +199,6 @@ class Solution(SolutionOfCases):
             out[part, :3] *= cases["length"][:, None]
         out[:, 0] += self.maker.axial_datum_shift()
         return self._shaped(out, 5)
-
-    @property
-    def axial_from_middle(self) -> Any:
-        """Axial displacement from where the grooves of both rings lie in one plane; shape (*cases) [m].
-
-        Of a deep-groove or four-point bearing, whose `displacement` counts from where its balls just touch one side.
-        None of an angular-contact bearing, which has no middle.
-        """
-        scene = self.scene
-        clearance = scene.bearing.axial_clearance
-        if clearance is not None:
-            return (self.displacement[..., 0] + 0.5 * clearance)[()]
-        if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
-            return None
-        to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift
-        return (self.displacement[..., 0] + to_middle)[()]
 
     @cached_property
     def load(self) -> NDArray:
@@ -422,8 +379,8 @@ class Solution(SolutionOfCases):
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        if self._moved is not None:
-            return self._moved.stiffness()
+        if self.moved is not None:
+            return self.moved.stiffness()
         return self._shaped(ring_stiffness.tangents_of_all(self.solved), 5, 5)
 
     @cached_property
@@ -433,8 +390,8 @@ class Solution(SolutionOfCases):
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        if self._moved is not None:
-            return self._moved.compliance(self.stiffness, self.free_channels)
+        if self.moved is not None:
+            return self.moved.compliance(self.stiffness, self.free_channels)
         return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
 
     @property

@@ -114,7 +114,8 @@ class RecomputedArches(Recomputed):
         radial = lines[0] * np.cos(inner.angle) + lines[1] * np.cos(outer.angle) - distance * np.cos(free)
         radial = radial - y * np.cos(self.azimuth) - z * np.sin(self.azimuth)
         other = np.maximum(np.abs(axial), np.abs(radial)) / np.maximum(distance, np.maximum(*lines))
-        return np.maximum(gap, np.where(self.there, other, 0.0).max(axis=1))
+        placed = self.there & np.isfinite(self.found.outer.angle)  # but balls that nothing touches at rest
+        return np.fmax(np.nan_to_num(gap), np.where(placed, other, 0.0).max(axis=1))
 
     def hertz(self) -> NDArray:
         """Largest relative error of an ellipse or a load."""
