@@ -26,6 +26,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.toml import check_tables, tables_of
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
+from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.judgement import WORDS, unit_of
@@ -222,7 +223,9 @@ def _read(document: Tables, label: str) -> Scene | BearingSet:
     if "spectrum" in document:
         cause = "`qsbearing run` and `qsbearing report` take it; this page shows one operating point"
         raise SceneFileError(label or "scene", [FileErrorDetail("", "is several operating points", cause=cause)])
-    return scene_or_set_of(_of_its_control(document), label or "scene", label)
+    of = scene_or_set_of(_of_its_control(document), label or "scene", label)
+    refuse_arched(getattr(of, "bearing", None), "this page", IN_RUN)
+    return of
 
 
 def _of_its_control(document: Tables) -> Tables:

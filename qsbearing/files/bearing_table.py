@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from math import nan
 from typing import Any
 
@@ -247,9 +247,14 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     """The bearing of these fields in SI, or what is wrong with it."""
     angle, clearance = fields["free_contact_angle"], fields["diametral_clearance"]
     has_angle, has_clearance = "free_contact_angle_deg" in good, "diametral_clearance_mm" in good
-    left_out = "free_contact_angle" if has_clearance and not has_angle else "diametral_clearance"
+    has_play, is_arched = "axial_clearance_mm" in good, fields["kind"] is BearingKind.FOUR_POINT
+    by_clearance = has_clearance and (is_arched or not has_angle)  # of arched rings it is refused
+    left_out = "free_contact_angle" if by_clearance else "diametral_clearance"
     fields = {name: value for name, value in fields.items() if name != left_out}
-    make = BallBearing.from_diametral_clearance if left_out == "free_contact_angle" else BallBearing
+    make: Callable[..., BallBearing] = BallBearing.from_diametral_clearance if by_clearance else BallBearing
+    if has_play and not by_clearance:
+        make = BallBearing.from_axial_clearance
+    fields = fields if has_play else {name: value for name, value in fields.items() if name != "axial_clearance"}
     try:
         bearing = make(**fields)
     except SceneError as error:

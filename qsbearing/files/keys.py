@@ -94,8 +94,9 @@ def _lengths(*names: str) -> tuple[Key, ...]:
 
 
 BEARING = keys_of(BallBearing)
-FREE_ANGLE, CLEARANCE = (
-    next(key for key in BEARING if key.field == field) for field in ("free_contact_angle", "diametral_clearance")
+FREE_ANGLE, CLEARANCE, PLAY = (
+    next(key for key in BEARING if key.field == field)
+    for field in ("free_contact_angle", "diametral_clearance", "axial_clearance")
 )
 """Of these a bearing has one."""
 COEFFICIENTS = {

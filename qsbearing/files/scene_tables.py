@@ -25,6 +25,7 @@ from qsbearing.files.keys import (
     MATERIAL,
     MATERIALS,
     OPERATION,
+    PLAY,
     PRELOAD,
     PRINTED,
     RING_COMPLIANCES,
@@ -46,7 +47,7 @@ from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
 
 Tables = dict[str, Any]
-_BEARING = tuple(key for key in BEARING if key not in (FREE_ANGLE, CLEARANCE))
+_BEARING = tuple(key for key in BEARING if key not in (FREE_ANGLE, CLEARANCE, PLAY))
 NEIGHBOURS = 8
 """Floats on either side among which a file's number is looked for: on its way to SI it was rounded once or twice."""
 
@@ -137,6 +138,8 @@ def _angle(bearing: BallBearing, entry: catalogue.CatalogueEntry | None) -> dict
     near = {angle: value / angle.size, clearance: float(bearing.diametral_clearance) / clearance.size}
     read = {angle: angle.si, clearance: lambda given: float(free_angle_from_clearance(clearance.si(given), distance))}
     forms = [clearance, angle] if entry is not None and clearance.name in entry.bearing else [angle, clearance]
+    if bearing.is_arched:
+        forms = [angle]
     if is_in_radians(bearing.kind, near[angle]):
         forms = [clearance]
     for count in (0, NEIGHBOURS):

@@ -24,9 +24,9 @@ _KEYS = {
 _TWO_ROWS = "as a set: two [[rows]], one that carries +x and one that carries -x"
 _OTHER_KINDS = {
     "four point|4 point|three point|split ring|qj": (
-        f"A four-point bearing is described at rest, {_TWO_ROWS}, at the same position_mm, each with half its axial "
-        "clearance as negative offset_um (`qsbearing guide sets#a-four-point-bearing-at-rest`). At speed, with three "
-        "or four contacts on a ball, it is not modelled"
+        'It is kind = "four_point", with inner_shim_mm and outer_shim_mm or axial_clearance_mm, moved by friction '
+        "(`qsbearing guide ball_axis#four-point-bearings`). At rest, under moments and free tilts, it is described "
+        f"{_TWO_ROWS}, at the same position_mm (`qsbearing guide sets#a-four-point-bearing-at-rest`)"
     ),
     "double row|two row": f"A double-row bearing is described {_TWO_ROWS}, at the distance of their ball centres",
     "self aligning|spherical|roller|taper|needle|cylindrical|thrust ball": (

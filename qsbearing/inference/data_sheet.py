@@ -146,6 +146,9 @@ def sheet_errors(sheet: DataSheet) -> list[ErrorDetail]:
     """Everything that is wrong with a data sheet."""
     given: dict[str, Any] = vars(sheet)
     errors = choose("bearing.kind", sheet.kind, BearingKind)[1]
+    if sheet.kind == BearingKind.FOUR_POINT:
+        cause = "Give its balls, grooves, free contact angle and shims"
+        errors.append(ErrorDetail("bearing.kind", "cannot be inferred from a data sheet", str(sheet.kind), cause=cause))
     for name, choices in _CHOICES.items():
         if given[name] is not None:
             errors += choose(f"bearing.{name}", given[name], choices)[1]

@@ -10,6 +10,15 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from qsbearing.model.arches import (
+    SHIMS,
+    arch_errors,
+    axial_clearance_given_errors,
+    clearance_given_errors,
+    resting_sine,
+    shims_given_errors,
+    wedging,
+)
 from qsbearing.model.bearing_errors import (
     BALL_COUNT_RANGE,
     FREE_ANGLES,
@@ -30,6 +39,8 @@ class BearingKind(StrEnum):
     """Axial load in +x only: contact angles below zero would lie on the open side."""
     DEEP_GROOVE = "deep_groove"
     """Shoulders on both sides: contact angles of either sign."""
+    FOUR_POINT = "four_point"
+    """Shoulders on both sides, and two arcs in the groove of one ring or of both: up to four contacts a ball."""
 
 
 @dataclass(frozen=True)
@@ -70,17 +81,24 @@ class BallBearing:
     """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings
     make it. 0 where there is a free contact angle. The pitch circle is then where balls would just touch the outer
     ring."""
+    inner_shim: ArrayLike | None = field(default=None, metadata=given_in("mm", SHIMS))
+    """gi, axially between the centres of the inner groove's two arcs [m]; None for one arc. Of four-point bearings."""
+    outer_shim: ArrayLike | None = field(default=None, metadata=given_in("mm", SHIMS))
+    """go, likewise of the outer groove [m]."""
     outline: Outline | None = field(default=None, compare=False, repr=False)
     """Its rings from outside. No solve looks at it: what elastic or expanding rings would change is told by it."""
     inferred: Any = field(default=None, compare=False, repr=False)
     """Of a bearing given by its data sheet, whose arrays are the sets that it allows: what they were inferred from."""
-    also_given: ClassVar[tuple[Input, ...]] = (number("diametral_clearance", "mm"),)
-    """In place of the free contact angle: `from_diametral_clearance`."""
+    also_given: ClassVar[tuple[Input, ...]] = (number("diametral_clearance", "mm"), number("axial_clearance", "mm"))
+    """In place of the free contact angle, `from_diametral_clearance`; and of the shims, `from_axial_clearance`."""
 
     def __post_init__(self) -> None:
         kind, errors = choose("bearing.kind", self.kind, BearingKind)
         object.__setattr__(self, "kind", kind)
-        raise_if_any(errors + bearing_errors(self))
+        errors += bearing_errors(self)
+        if kind is BearingKind.FOUR_POINT or self.inner_shim is not None or self.outer_shim is not None:
+            errors += arch_errors(self, not errors)
+        raise_if_any(errors)
 
     @classmethod
     def from_diametral_clearance(cls, *, diametral_clearance: ArrayLike, **fields: Any) -> BallBearing:
@@ -93,16 +111,19 @@ class BallBearing:
             numeric("", fields[name], LENGTH)[0]
             for name in ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
         )
-        errors = []
+        errors = clearance_given_errors(fields.get("kind"), diametral_clearance)
         angle: ArrayLike = 0.0  # stands in, as no interference does, while the other fields are checked
         interference: ArrayLike = 0.0
-        if inner is not None and outer is not None and ball is not None:
+        if not errors and inner is not None and outer is not None and ball is not None:
             distance = inner + outer - ball
             errors = clearance_errors(diametral_clearance, distance, ball)
             if not errors and (distance > 0.0).all():
                 clearance = np.asarray(diametral_clearance, float)
                 angle = free_angle_from_clearance(np.maximum(clearance, 0.0), distance)
                 interference = np.maximum(-0.5 * clearance, 0.0)
+        fields = {"kind": BearingKind.ANGULAR_CONTACT} | fields
+        if errors and fields["kind"] == BearingKind.FOUR_POINT:
+            fields = stand_in(fields)
         try:
             bearing = cls(free_contact_angle=angle, **fields | {"radial_interference": interference})
         except SceneError as error:
@@ -110,8 +131,71 @@ class BallBearing:
         raise_if_any(errors)
         return bearing
 
+    @classmethod
+    def from_axial_clearance(cls, *, axial_clearance: ArrayLike, **fields: Any) -> BallBearing:
+        """The four-point bearing whose shims follow from its axial clearance Pa [m], with one resting angle in both
+        rings: sin(gamma) = sin(alpha0) - Pa/(2 BD), g = 2 (r - D/2) sin(gamma).
+
+        The other fields as for `BallBearing`; Pa below zero presses the balls against all four arcs.
+        """
+        names = "inner_groove_radius", "outer_groove_radius", "ball_diameter", "free_contact_angle"
+        given = [numeric("", fields[name], LENGTH)[0] for name in names]
+        shims: dict[str, Any] = {"inner_shim": None, "outer_shim": None}
+        errors = shims_given_errors(fields)
+        kind = fields.get("kind", BearingKind.FOUR_POINT)
+        if kind != BearingKind.FOUR_POINT:
+            errors = axial_clearance_given_errors(axial_clearance)
+        elif not any(each is None for each in given):
+            inner, outer, ball, angle = (np.asarray(each, float) for each in given)
+            wrong, sine = resting_sine(axial_clearance, inner + outer - ball, angle, ball)
+            errors += wrong
+            if not wrong:
+                for name, radius in (("inner_shim", inner), ("outer_shim", outer)):
+                    shims[name] = np.asarray((2.0 * radius - ball) * sine)[()]
+        if errors:
+            fields = stand_in(fields) if kind == BearingKind.FOUR_POINT else fields
+            try:
+                cls(**fields)
+            except SceneError as error:
+                raise SceneError([*error.errors, *errors]) from None
+            raise SceneError(errors)
+        return cls(**fields | {"kind": kind} | shims)
+
     def _array(self, name: str) -> NDArray:
         return np.asarray(getattr(self, name), float)
+
+    @property
+    def is_arched(self) -> bool:
+        """Whether a groove has two arcs."""
+        return self.kind is BearingKind.FOUR_POINT
+
+    def shim(self, side: str) -> NDArray | None:
+        """g of a ring, "inner" or "outer" [m]; None for one arc."""
+        given = getattr(self, f"{side}_shim")
+        return None if given is None else np.asarray(given, float)
+
+    def arc_length(self, side: str) -> NDArray:
+        """L = r - D/2 of a ring, from an arc's centre to that of a ball which touches it [m]."""
+        return self._array(f"{side}_groove_radius") - 0.5 * self._array("ball_diameter")
+
+    def resting_angle(self, side: str) -> NDArray | None:
+        """gamma of a ring, "inner" or "outer", at which a ball rests on both arcs [rad]: sin(gamma) = g/(2 L)."""
+        shim = self.shim(side)
+        return None if shim is None else np.asarray(np.arcsin(shim / (2.0 * self.arc_length(side))))
+
+    def apex_angle(self, side: str) -> NDArray | None:
+        """At which a ring's arcs meet, seen from their centres [rad]: sin = g/(2 r)."""
+        shim = self.shim(side)
+        return None if shim is None else np.asarray(np.arcsin(shim / (2.0 * self._array(f"{side}_groove_radius"))))
+
+    @property
+    def axial_clearance(self) -> NDArray | None:
+        """Pa = 2 BD sin(alpha0) - gi - go, by which the rings move until balls touch both on the other side [m]; None
+        where no groove has two arcs."""
+        if not self.is_arched:
+            return None
+        shims = [each for each in map(self.shim, ("inner", "outer")) if each is not None]
+        return np.asarray(2.0 * self.touching_offset - sum(shims))
 
     @property
     def groove_centre_distance(self) -> NDArray:
@@ -123,7 +207,17 @@ class BallBearing:
 
     @property
     def diametral_clearance(self) -> NDArray:
-        """Pd = 2 BD (1 - cos alpha0) [m]; negative where the balls are wedged."""
+        """Pd = 2 BD (1 - cos alpha0) [m]; negative where the balls are wedged.
+
+        Between arched rings, whose balls rest on two arcs, 2 (Li cos gamma_i + Lo cos gamma_o - BD cos alpha0).
+        """
+        if not self.is_arched:
+            return self._room_of_one_arc
+        return np.asarray(wedging(self))
+
+    @property
+    def _room_of_one_arc(self) -> NDArray:
+        """2 BD (1 - cos alpha0), less an interference, of a ball between one arc of each ring [m]."""
         room = 4.0 * self.groove_centre_distance * np.sin(0.5 * self._array("free_contact_angle")) ** 2
         return room - 2.0 * self._array("radial_interference")
 
@@ -176,7 +270,7 @@ class BallBearing:
             )
         )
         # From the clearance, not from the cosine of the angle, which near zero has no digits to tell a change by.
-        clearance = 0.5 * self.diametral_clearance + inner + outer - ball - (moved_inner - moved_outer)
+        clearance = 0.5 * self._room_of_one_arc + inner + outer - ball - (moved_inner - moved_outer)
         distance = self.groove_centre_distance + inner + outer - ball
         angle = free_angle_from_clearance(2.0 * np.maximum(clearance, 0.0), distance)
         interference = np.maximum(-clearance, 0.0)
@@ -211,6 +305,12 @@ class BallBearing:
             for number in (material.elastic_modulus, material.poisson_ratio)
         ]
         return np.asarray(effective_modulus(*numbers))  # type: ignore[arg-type]
+
+
+def stand_in(fields: dict[str, Any]) -> dict[str, Any]:
+    """Fields of a bearing with one arc in each ring, to check those that have nothing to do with shims."""
+    others = {name: value for name, value in fields.items() if name not in ("inner_shim", "outer_shim")}
+    return others | {"kind": BearingKind.DEEP_GROOVE}
 
 
 def ball_mass(density: Any, ball_diameter: Any) -> Any:

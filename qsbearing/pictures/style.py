@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.operation import CHANNELS, Operation
+from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
@@ -174,7 +175,12 @@ def carry_alike(solution: Solution, place: CasePlace) -> bool:
 
 
 def raceways(solution: Solution) -> tuple[tuple[str, RacewayContacts], ...]:
-    """Both raceways with their names."""
+    """Both raceways with their names.
+
+    Raises:
+        SceneError: a four-point bearing has two contacts with one ring.
+    """
+    refuse_arched(solution.scene.bearing, "this picture", IN_RUN)
     return ("inner", solution.inner), ("outer", solution.outer)
 
 

@@ -33,9 +33,8 @@ from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import check_kind
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.readings.entry import Reading, simply
+from qsbearing.readings.entry import Reading, check_solution, simply
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
@@ -83,7 +82,7 @@ class BallMotion(Remarked):
 
 def kinematics(solution: Solution) -> BallMotion:
     """Rolling, spin and sliding in every contact."""
-    check_kind("kinematics", solution, "Solution")
+    check_solution("kinematics", solution)
     solution.read_at_once(*NEEDS)
     motion = motion_arrays(solution)
     radius = of_cases(solution, 0.5 * BearingNumbers(solution.scene.operating_bearing).ball_diameter)[0]

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import Input, inputs_of
+from qsbearing.model.scene.arched_rings import reading_errors
 from qsbearing.model.solution.result_keys import BALL, Group, Place, Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, Quantity, check_kind, raise_if_any, within
@@ -38,6 +39,18 @@ class NoArguments:
         return []
 
 
+def check_solution(call: str, solution: object) -> None:
+    """See that a reading was given a solution whose contacts it knows.
+
+    Raises:
+        TypeError: it is no solution.
+        SceneError: it is one of a four-point bearing, and the reading knows one contact with each ring.
+    """
+    check_kind(call, solution, "Solution")
+    if solution.scene.bearing.is_arched:  # type: ignore[attr-defined]
+        raise_if_any(reading_errors([call]))
+
+
 P = ParamSpec("P")
 A = TypeVar("A", bound=Checked)
 R = TypeVar("R")
@@ -51,7 +64,7 @@ def with_arguments(
     def of(function: Callable[[Solution, A], R]) -> Callable[Concatenate[Solution, P], R]:
         @functools.wraps(function)
         def take(solution: Solution, *fields: P.args, **named: P.kwargs) -> R:
-            check_kind(function.__name__, solution, "Solution")
+            check_solution(function.__name__, solution)
             given = record(*fields, **named)
             raise_if_any(given.errors(solution.scene.bearing))
             return function(solution, given)

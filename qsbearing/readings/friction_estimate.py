@@ -29,7 +29,6 @@ from qsbearing.model.validation import (
     ErrorDetail,
     Field,
     Quantity,
-    check_kind,
     choose,
     first,
     raise_if_any,
@@ -37,7 +36,7 @@ from qsbearing.model.validation import (
 )
 from qsbearing.readings.ball_motion import ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
+from qsbearing.readings.entry import Reading, ReadingTable, check_solution, simply, with_arguments
 from qsbearing.readings.film_thickness import inlet_shear_heating
 from qsbearing.readings.friction_models import PALMGREN, SKF, FrictionModel
 from qsbearing.readings.lubricant import OilState
@@ -208,7 +207,7 @@ def skf_torque(
     Raises:
         SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
     """
-    check_kind("skf_torque", solution, "Solution")
+    check_solution("skf_torque", solution)
     bearing = solution.scene.bearing
     deep = bearing.kind is BearingKind.DEEP_GROOVE
     size = bore_diameter, outside_diameter, kinematic_viscosity
@@ -289,7 +288,7 @@ def palmgren_torque(
     Raises:
         SceneError: numbers out of range; every error, at once.
     """
-    check_kind("palmgren_torque", solution, "Solution")
+    check_solution("palmgren_torque", solution)
     size = bore_diameter, outside_diameter, kinematic_viscosity
     raise_if_any(EstimateArguments(*size, None, static_load_rating, lubrication_factor).errors(None))
     radial, axial, n = _loads(solution)

@@ -22,7 +22,6 @@ from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import (
     AXIS,
     MOTION,
@@ -33,7 +32,7 @@ from qsbearing.readings.ball_motion import (
     ring_speeds,
 )
 from qsbearing.readings.bearing_numbers import BearingNumbers
-from qsbearing.readings.entry import Reading, simply
+from qsbearing.readings.entry import Reading, check_solution, simply
 from qsbearing.readings.passes import filled, of_balls
 
 NEEDS = ("load", "sine", "cosine"), AXIS
@@ -67,7 +66,7 @@ class Frequencies:
 
 def frequencies(solution: Solution) -> Frequencies:
     """Frequencies of every case from the solved contact angles, and the textbook's."""
-    check_kind("frequencies", solution, "Solution")
+    check_solution("frequencies", solution)
     numbers = BearingNumbers(solution.scene.bearing)
     inner, outer = ring_speeds(solution)
     g = gamma(solution)[..., 0]

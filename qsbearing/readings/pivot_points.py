@@ -22,11 +22,10 @@ from numpy.typing import NDArray
 from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import NEEDS, BallMotion, RacewayMotion, control_remarks, kinematics
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
 from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed
-from qsbearing.readings.entry import Reading
+from qsbearing.readings.entry import Reading, check_solution
 from qsbearing.remarks.remark import Remarked, Remarks
 
 FINE = 18
@@ -61,7 +60,7 @@ class PivotPoints(Remarked):
 
 def pivot_points(solution: Solution) -> PivotPoints:
     """Where nothing slides, in every contact."""
-    check_kind("pivot_points", solution, "Solution")
+    check_solution("pivot_points", solution)
     return _of_motion(solution, kinematics(solution))
 
 

@@ -18,6 +18,7 @@ from qsbearing.model.compiler.compiled import entry
 from qsbearing.model.compiler.kinds import array_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.described import given_in
+from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa
@@ -85,6 +86,9 @@ LIFE_SIZE_UNCOVERED = Kind(
 LIFE_VISCOSITY_LOW = Kind("life_viscosity_low", WRONG, SEE_CHOICES, "aISO is not defined below kappa = {limit:g}")
 LIFE_VISCOSITY_HIGH = Kind(
     "life_viscosity_high", NOTE, SEE_CHOICES, "kappa above {limit:g} counts as {limit:g} in aISO"
+)
+LIFE_OF_ARCS = Kind(
+    "life_of_arcs", NOTE, SEE_CHOICES, "each arc is rated as a raceway, with C as that of one row; ISO 281 has no P"
 )
 LIFE_THRUST_UNCOVERED = Kind(
     "life_thrust_uncovered", WRONG, SEE_CHOICES,
@@ -248,7 +252,8 @@ def life(solution: Solution, given: LifeArguments) -> Life:
         Qei = (mean over all Z balls of Qi^p)^(1/p), p = 3 for a turning ring, 10/3 for one that stands; Qee likewise
         L10r = [(Qci/Qei)^(-10/3) + (Qce/Qee)^(-10/3)]^(-9/10)  million revolutions
 
-    The load stands still in space. Where neither ring turns, the inner one is meant to.
+    The load stands still in space. Where neither ring turns, the inner one is meant to. Each arc of a four-point
+    bearing is a raceway of its own: a ring's (Qc/Qe)^(-10/3) is the sum of its arcs'.
 
     Args:
         dynamic_load_rating: C [N] as a catalogue prints it; None: from the geometry.
@@ -280,6 +285,10 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     inner_turns, outer_turns = _turning(solution)
     inner = _damage(solution, solution.inner.load, inner_rating, inner_turns)
     outer = _damage(solution, solution.outer.load, outer_rating, outer_turns)
+    if solution.opposite is not None:  # each arc is a raceway that must survive
+        others = (INNER, inner_rating, inner_turns), (OUTER, outer_rating, outer_turns)
+        more = [_of_arc(solution, given, arc, *of) for arc, of in zip(solution.opposite, others, strict=True)]
+        inner, outer = inner + more[0], outer + more[1]
     with np.errstate(divide="ignore"):
         # To the power -0.9, in a third of its time.
         inner_life, outer_life, system = (
@@ -298,6 +307,8 @@ def life(solution: Solution, given: LifeArguments) -> Life:
         modified = a1 * factor * system
     load = solution.load
     P = equivalent_load(bearing, np.hypot(load[..., 1], load[..., 2]), load[..., 0])
+    if bearing.is_arched:
+        P = np.full(shape, np.nan)
     with np.errstate(divide="ignore"):
         basic = MILLION * (C / P) ** 3
     operation = solution.scene.operation
@@ -305,7 +316,8 @@ def life(solution: Solution, given: LifeArguments) -> Life:
     speed = np.broadcast_to(np.asarray(operation.speed, float) - outer_speed, shape)
     from_geometry = given.dynamic_load_rating is None and capacity is Capacity.ISO_16281
     holding: list[Holding] = [*_found(solution, rating, from_geometry, kappa)]
-    holding.append((np.isnan(P) & np.isfinite(system), remark(LIFE_THRUST_UNCOVERED)))
+    said = LIFE_OF_ARCS if bearing.is_arched else LIFE_THRUST_UNCOVERED
+    holding.append((np.isnan(P) & np.isfinite(system), remark(said)))
     if factor is not None:
         holding.append(((factor > PRACTICE) & (factor < LARGEST), remark(LIFE_FACTOR_LARGE, limit=PRACTICE)))
         holding.append((factor >= LARGEST, remark(LIFE_FACTOR_CAPPED, limit=LARGEST)))
@@ -329,6 +341,22 @@ def _turning(solution: Solution) -> tuple[NDArray, NDArray]:
     inner = np.asarray(operation.speed, float) != 0.0
     outer = np.asarray(0.0 if operation.outer_speed is None else operation.outer_speed, float) != 0.0
     return inner | ~outer, outer
+
+
+def _of_arc(
+    solution: Solution,
+    given: LifeArguments,
+    arc: RacewayContacts | None,
+    side: float,
+    rating: NDArray,
+    turns: NDArray,
+) -> NDArray:
+    """The same of a ring's other arc, whose contacts endure what those of the first do; 0 where there is none."""
+    if arc is None:
+        return np.zeros(solution.shape)
+    if Capacity(given.capacity) is not Capacity.ISO_16281:
+        rating = contact_load_rating(solution.scene.bearing, arc.angle, side, given.rating_factor)
+    return _damage(solution, arc.load, rating, turns)
 
 
 def _damage(solution: Solution, load: NDArray, rating: NDArray, turns: NDArray) -> NDArray:

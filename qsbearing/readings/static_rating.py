@@ -226,6 +226,8 @@ def largest_pressure(solution: Solution) -> NDArray:
     """The highest contact pressure of each case [Pa]; NaN where a case is not solved."""
     solution.read_at_once(("max_pressure",))
     pressures = of_balls(solution.inner.max_pressure, solution.outer.max_pressure)
+    for arc in filter(None, solution.opposite or ()):
+        pressures[0] = np.fmax(pressures[0], of_balls(arc.max_pressure)[0])
     return np.asarray(filled(solution, 1, _find_largest, *pressures, of_cases=True)[0])
 
 

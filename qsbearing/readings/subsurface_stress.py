@@ -29,10 +29,9 @@ from qsbearing.model.solution.raceway_contacts import RacewayContacts
 from qsbearing.model.solution.result_keys import Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm
-from qsbearing.model.validation import check_kind
 from qsbearing.readings.ball_motion import gamma
 from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers
-from qsbearing.readings.entry import Reading, simply
+from qsbearing.readings.entry import Reading, check_solution, simply
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
 from qsbearing.remarks.kinds import NOTE, SEE_CHOICES, Kind
 from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
@@ -85,7 +84,7 @@ class Stress(Remarked):
 
 def stress(solution: Solution) -> Stress:
     """Shear stresses and dents of every contact."""
-    check_kind("stress", solution, "Solution")
+    check_solution("stress", solution)
     solution.read_at_once(*NEEDS)
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))
     numbers = BearingNumbers(solution.scene.operating_bearing)

@@ -58,7 +58,9 @@ BALLS_OFF_INNER = Kind(
 def _without_load(of: CaseRange) -> Iterator[Holding]:
     solution = of.solution
     exists = np.isfinite(solution.azimuth.reshape(-1, solution.azimuth.shape[-1])[of.part])
-    inner, outer = of.rows(solution.inner.load), of.rows(solution.outer.load)
+    inner, outer = of.rows(solution.inner_load), of.rows(solution.outer.load)
+    if solution.opposite is not None and solution.opposite.outer is not None:
+        outer = np.maximum(outer, of.rows(solution.opposite.outer.load))
     least = NO_FORCE * np.maximum(inner, outer).max(axis=-1, keepdims=True)
     off_inner, off_outer = exists & (inner <= least), outer <= least
     unloaded, off = off_inner & off_outer, off_inner & ~off_outer
@@ -178,9 +180,10 @@ def _moved(of: CaseRange) -> Iterator[Holding]:
     motion = of.solution.friction
     if motion is None:
         return
-    gyroscopic, skid = (
-        np.nan_to_num(1.0 / of.cases(margin)) for margin in (motion.least_gyroscopic_margin, motion.least_skid_margin)
-    )
+    margins = [each for each in (motion.least_gyroscopic_margin, motion.least_skid_margin) if each is not None]
+    if not margins:  # between arched rings there is neither
+        return
+    gyroscopic, skid = (np.nan_to_num(1.0 / of.cases(margin)) for margin in margins)
     yield gyroscopic > HALF, lambda i: remark(AXIS_CREEPS, asked_percent=100.0 * gyroscopic[i])
     yield skid > HALF, lambda i: remark(BALLS_NEAR_SKIDDING, used_percent=100.0 * skid[i])
 

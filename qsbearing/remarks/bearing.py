@@ -18,12 +18,12 @@ from qsbearing.model.solution.case_index import Index
 from qsbearing.model.solution.judgement import estimated, settings_to_add
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
-from qsbearing.model.units import MPa
+from qsbearing.model.units import MPa, mm
 from qsbearing.remarks.balls import BALLS
 from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.expansion import EXPANSION
 from qsbearing.remarks.hypotheses import hypotheses
-from qsbearing.remarks.kinds import CHECK, NOTE, WRONG, Kind
+from qsbearing.remarks.kinds import CHECK, NOTE, SEE_AXIS, WRONG, Kind
 from qsbearing.remarks.missing_effects import missing_effects, to_add
 from qsbearing.remarks.preload import preloads
 from qsbearing.remarks.remark import Holding, Remark, remark
@@ -153,8 +153,38 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
     return said
 
 
-SUBJECTS = Subject(preloads, RING, BALLS, missing_effects, hypotheses, EXPANSION)
+def _of_model(of: CaseRange) -> Iterator[Holding]:
+    """Of effects and hypotheses; a four-point bearing knows no further ones."""
+    if of.solution.opposite is None:
+        yield from missing_effects(of)
+        yield from hypotheses(of)
+
+
+SUBJECTS = Subject(preloads, RING, BALLS, _of_model, EXPANSION)
 """All that there is to say of a bearing."""
+
+APEX_PASSED = Kind(
+    "apex_passed", WRONG, SEE_AXIS,
+    "Ellipses on the {raceway} raceway would pass the apex of its groove by {beyond_mm:.2g} mm: loads and pressures "
+    "are not those of the bearing. A larger shim keeps them apart.",
+)  # fmt: skip
+
+
+@SUBJECTS.tells
+def _apex(of: CaseRange) -> Iterator[Holding]:
+    """Ellipses that would pass the apex between the arcs of a groove."""
+    for name, arcs in of.solution.arcs_of_rings:
+        margins = [each.apex_margin for each in arcs]
+        known = [each.reshape(-1, each.shape[-1])[of.part] for each in margins if each is not None]
+        if not known:
+            continue
+        least = np.fmin.reduce(np.fmin.reduce(known), axis=-1)
+
+        def passed(i: int, name: str = name, least: NDArray = least) -> Remark:
+            return remark(APEX_PASSED, name, beyond_mm=-least[i] / mm)
+
+        yield least < 0.0, passed
+
 
 _YIELDING = (
     " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
@@ -177,7 +207,7 @@ PRESSURE_YIELDS = Kind(
 def _pressure(of: CaseRange) -> Iterator[Holding]:
     """Dents, and first yield where the scene gives a yield strength."""
     solution = of.solution
-    pressure = np.maximum(*(of.rows(side.max_pressure) for side in (solution.inner, solution.outer))).max(axis=-1)
+    pressure = np.max([of.rows(side.max_pressure).max(axis=-1) for side in solution.arcs], axis=0)
     rings = solution.scene.ring_expansion
     strength = of.cases(inf if rings is None else rings.yield_strength)
     first_yield = strength * first_yield_pressure(1.0)

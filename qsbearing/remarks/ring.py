@@ -43,7 +43,7 @@ RING_FREE = Kind(
 @RING.tells
 def _soft_directions(of: CaseRange) -> Iterator[Holding]:
     solution, part = of.solution, of.part
-    if solution.friction is not None:
+    if solution.friction is not None or solution.opposite is not None:
         return
     free = solution.free_channels
     stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))

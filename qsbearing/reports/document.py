@@ -5,6 +5,7 @@ from __future__ import annotations
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Document, Section
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
@@ -32,6 +33,7 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
         command: that makes this report.
     """
     scene = solution.scene
+    refuse_arched(scene.bearing, "`report`", IN_RUN)
     report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
     title, bearing = report_of.get("title", name), report.geometry_text(solution)
     bearing = bearing if title == name else f"{name}: {bearing}"

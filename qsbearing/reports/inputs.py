@@ -126,7 +126,7 @@ def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> l
     lines: list[Line] = [("name", bearing.name or "-", "", ""), ("kind", str(bearing.kind), "", "")]
     computed = _computed(of_file) if isinstance(of_file, dict) else {}
     follows = {name: short for name, short in _what_follows(bearing).items() if computed.get(name, FOLLOWS[name])}
-    computed = {name: FOLLOWS[name] for name in follows} | computed
+    computed = {name: FOLLOWS[name] for name in follows} | computed | _of_arches(bearing, of_file)
     for line in numbers(BEARING, bearing):
         source = origin(line[0], published is not None and line in numbers(BEARING, published))
         if source == given_by:
@@ -145,6 +145,17 @@ def bearing_lines(bearing: BallBearing, given_by: str, of_file: Any = None) -> l
     if entry is not None:
         lines.append(("catalogue entry", entry.name, "", entry.source))
     return lines
+
+
+def _of_arches(bearing: BallBearing, of_file: Any) -> dict[str, str]:
+    """From what shims, or the clearances of arched rings, were computed."""
+    if not bearing.is_arched or not isinstance(of_file, dict):
+        return {}
+    by_play = "axial_clearance_mm" in of_file
+    shims = dict.fromkeys(("inner_shim_mm", "outer_shim_mm"), "computed from the axial clearance") if by_play else {}
+    from_angle = "computed from the free contact angle and the shims"
+    play = {} if by_play else {"axial_clearance_mm": from_angle}
+    return shims | play | {"diametral_clearance_mm": from_angle}
 
 
 def _computed(of_file: dict[str, Any]) -> dict[str, str]:

@@ -283,19 +283,30 @@ OF_BALLS = (
 
 def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
     """What there is to say about each ball of one case, under the keys of `run --json`."""
+    called_for = [each for each in OF_BALLS if each.is_requested is None or each.is_requested(requested(solution))]
     read = [
-        (group, each, each.of(value_at(group.holder, solution), index)) for group in OF_BALLS for each in group.results
+        (group, each, each.of(value_at(group.holder, solution), index))
+        for group in called_for
+        for each in group.results
     ]
     control, slips = solution.raceway_control, solution.slips
     records = []
     for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index]))):
         own: dict[str, Any] = {}
         for group, each, values in read:
-            holder = own.setdefault(group.raceway, {}) if group.raceway else own
+            holder = within(own, group, "balls")
             holder[each.key] = None if values is None else number(values[ball])
         own["raceway_control"] = None if control is None else str(control[index][ball])
         records.append(own | {"slips": None if slips is None else bool(slips[index][ball])})
     return records
+
+
+def within(record: dict[str, Any], group: Group, table: str) -> dict[str, Any]:
+    """The table of a group within one of its record, of this name."""
+    path = group.table or ()
+    for name in path[path.index(table) + 1 :]:
+        record = record.setdefault(name, {})
+    return record
 
 
 def traction_record(solution: Solution, index: CasePlace = ()) -> dict[str, Any]:
@@ -318,7 +329,7 @@ def _load_noise(solution: Solution, index: CasePlace) -> NDArray:
     """Of a bearing: of its largest load, those of its balls and a moment over its radius among them."""
     lever = 0.5 * np.broadcast_to(np.asarray(solution.scene.bearing.pitch_diameter, float), solution.shape)[index]
     levers = np.where([channel.is_rotation for channel in CHANNELS], lever, 1.0)
-    of_balls = [np.nan_to_num(side.load[index]) for side in (solution.inner, solution.outer)]
+    of_balls = [np.nan_to_num(side.load[index]) for side in solution.arcs]
     of_ring = np.nan_to_num(np.abs(solution.load[index]) / levers)
     largest = max(np.max(each, initial=0.0) for each in (*of_balls, of_ring))
     least = np.broadcast_to(least_force(solution.scene.bearing), solution.shape)[index]

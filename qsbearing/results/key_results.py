@@ -123,7 +123,7 @@ class ContactResults(NamedTuple):
 
 def _contact_results(solution: Solution) -> ContactResults:
     is_ball = np.isfinite(solution.azimuth)
-    empty = int((is_ball & (solution.inner.load == 0.0)).sum())
+    empty = int((is_ball & (solution.inner_load == 0.0)).sum())
     count = (KeyNumber("", (empty,), f"of {is_ball.sum()}"),) if empty else ()
     return ContactResults(
         KeyResult("maximum contact pressure", largest_of(solution, MAX_PRESSURE)),

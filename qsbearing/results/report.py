@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.documents.model import Block, Callout, Paragraph, Table
@@ -14,6 +14,7 @@ from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import case_arrays
 from qsbearing.model.solution.groups import (
     ANGLE,
+    APEX,
     CONTACT,
     CONTACT_LOAD,
     DEVIATION,
@@ -29,6 +30,7 @@ from qsbearing.model.solution.groups import (
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.result_keys import STIFFNESS, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.traction_groups import OPPOSITE
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import how_it_ended, record
@@ -110,6 +112,10 @@ def _balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
 def _of_balls(solution: Solution, record: dict[str, Any]) -> list[Table]:
     rows, count = distinct(record["balls"]), len(record["balls"])
     tables = [contacts_table(rows, count), _ellipses(rows, count)]
+    if any(OPPOSITE in row.ball for row in rows):
+        others = [replace(row, ball=row.ball | row.ball[OPPOSITE]) for row in rows]
+        of_arcs = contacts_table(others, count), _ellipses(others, count)
+        tables += [replace(each, caption=f"Opposite arcs: {each.caption}") for each in of_arcs]
     return [*tables, _motion(rows, count, record)] if solution.scene.ball_effects else tables
 
 
@@ -133,11 +139,12 @@ class AlikeBalls:
 
 def distinct(balls: Sequence[dict[str, Any]]) -> list[AlikeBalls]:
     """The balls with equal ones gathered, in the order of their first."""
-    largest = max((ball[side]["load_N"] for ball in balls for side in ("inner", "outer")), default=0.0) or 1.0
+    largest = max((ball[side]["load_N"] for ball in balls for side in SIDES), default=0.0) or 1.0
     rows: dict[Any, AlikeBalls] = {}
     for i, ball in enumerate(balls):
-        loads = (round(ball[side]["load_N"] / largest, SAME) for side in ("inner", "outer"))
-        angles = (ball[side]["angle_deg"] for side in ("inner", "outer"))
+        contacts = [of[side] for of in (ball, ball.get(OPPOSITE, {})) for side in SIDES if side in of]
+        loads = (round((each["load_N"] or 0.0) / largest, SAME) for each in contacts)
+        angles = (each["angle_deg"] for each in contacts)
         alike = (*loads, *(None if angle is None else round(angle, SAME) for angle in angles), ball["raceway_control"])
         row = rows.setdefault(alike, AlikeBalls([], ball, []))
         row.members.append(i)
@@ -165,7 +172,9 @@ def geometry_text(solution: Solution) -> str:
     )
     kind = str(solution.scene.bearing.kind).replace("_", " ")
     balls = f"{count:.0f} balls of {ball / mm:.6g} mm on {pitch / mm:.6g} mm"
-    return f"{kind}, {balls}, free contact angle {angle / deg:.5g} deg"
+    play = solution.scene.bearing.axial_clearance
+    clearance = "" if play is None else f", axial clearance {float(play) / um:.5g} µm"
+    return f"{kind}, {balls}, free contact angle {angle / deg:.5g} deg{clearance}"
 
 
 def speeds_text(solution: Solution) -> str:
@@ -379,6 +388,9 @@ def _ellipses(rows: list[AlikeBalls], count: int) -> Table:
     *axes, approach = (each for name in ELLIPSES for each in CONTACT if each.name == name)
     pairs = [(side, each) for side in SIDES for each in axes] + [(side, approach) for side in SIDES]
     title = "Contact ellipses: a across, b along rolling; δ: approach"
+    if any(APEX[0].key in row.ball[side] for row in rows for side in SIDES):
+        title += "; apex: from the ellipse's end to the groove's apex"
+        pairs += [(side, APEX[0]) for side in SIDES]
     heading = [_head_of(each, side) for side, each in pairs]
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 

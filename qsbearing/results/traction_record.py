@@ -14,7 +14,8 @@ from qsbearing.model.solution.friction_band import Band, friction_band
 from qsbearing.model.solution.point_errors import errors_of_points
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
+from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
+from qsbearing.results.json_record import within
 from qsbearing.results.readings_record import number
 from qsbearing.results.readings_report import per_contact
 from qsbearing.results.tables import digits_of
@@ -29,13 +30,15 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
     whole: dict[str, Any] = {}
     balls: list[dict[str, Any]] = [{} for _ in exists]
     for group in TRACTION_GROUPS:
+        if group.is_requested is not None and not group.is_requested(solution.scene):
+            continue
         for each in group.results:
             values = Place(group, each).of(solution)
             if not group.axis:
                 whole[each.key] = None if values is None else number(values[index])
                 continue
             for row, ball in zip(balls, exists, strict=True):
-                holder = row.setdefault(group.raceway, {}) if group.raceway else row
+                holder = within(row, group, "balls")
                 holder[each.key] = None if values is None else number(values[index][ball])
     mu = (
         solution.balance.friction_coefficient
@@ -90,9 +93,12 @@ def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]
         for place, values in placed
         if not place.is_per_ball and values is not None and np.isfinite(values)
     ]
+    opposite = [each for each in placed if OPPOSITE in (each[0].group.table or ())]
+    others = [each for each in placed if OPPOSITE not in (each[0].group.table or ())]
     tables = [
         Table(("quantity", "value", "unit"), rows, "lrl", "Friction moves the balls"),
-        per_contact("Friction moves the balls: contacts and axes", placed),
+        per_contact("Friction moves the balls: contacts and axes", others),
+        per_contact("Friction moves the balls: contacts of the opposite arcs", opposite),
         _band_table(balance["band"]),
     ]
     return [*filter(None, tables), Paragraph(_how(balance))]

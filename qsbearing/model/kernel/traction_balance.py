@@ -76,6 +76,28 @@ def set_groove(case: recarray, law: recarray, groove: recarray, side: float) -> 
 
 
 @kernel
+def set_grooves(case: recarray, law: recarray, shims: ndarray, grooves: ndarray) -> None:
+    """The inner and the outer ring's grooves, and, of four, the arcs for angles of the other sign as well.
+
+    A ring's shim g parts its arcs' centres. Seen from a ball that touches both rings at the free angle, the arc of the
+    other sign lies 2 L sin(alpha0) - g further than the same angle the other way, L = r - D/2.
+
+    Args:
+        shims: of the inner and the outer ring, in ball diameters; below zero for a ring of one arc.
+    """
+    for k in range(grooves.size):
+        groove: recarray = grooves[k]
+        side = INNER_SIDE if k % 2 == 0 else OUTER_SIDE
+        set_groove(case, law, groove, side)
+        if k >= 2:
+            shim = shims[k - 2]
+            groove.sine = -groove.sine
+            groove.gap1 = side * (2.0 * groove.length * case.sin_free - shim)
+            if shim < 0.0:
+                groove.stiffness = 0.0
+
+
+@kernel
 def set_ring(case: recarray, motion: recarray, result: recarray, is_carried: bool) -> None:
     """Put the ring where it starts; one ball stands for all where nothing is radial."""
     motion.channel_count, is_thrust = 0, True
@@ -302,7 +324,7 @@ def deliver(
 @entry(
     *(array_of(CASE), array_of(LAW), array_of(GROOVE), array_of(MOTION), array_of(MOVED_BALL)),
     (array_of(float, 2), array_of(float)),
-    *(bool, array_of(float, 2), array_of(float, 3), array_of(float, 4), array_of(float, 4)),
+    *(bool, array_of(float, 2), array_of(float, 2), array_of(float, 3), array_of(float, 4), array_of(float, 4)),
 )
 def read_blocks(
     cases: ndarray,
@@ -312,6 +334,7 @@ def read_blocks(
     balls: ndarray,
     arrays: tuple[ndarray, ndarray],
     is_carried: bool,
+    shims: ndarray,
     displacements: ndarray,
     places: ndarray,
     of_balls: ndarray,
@@ -322,6 +345,7 @@ def read_blocks(
     Args:
         laws, grooves, motions, balls: as in `solve_motions`.
         arrays: points of a contact; memory of as many numbers as there are balls.
+        shims: of arched rings, for four grooves (case, 2); empty for two.
         displacements: of the ring, (case, 5).
         places: (case, ball, `PLACES`).
         of_balls: (case, ball, 6, 14): by the unknowns, by their rates along the orbit, by A1 and A2.
@@ -330,8 +354,7 @@ def read_blocks(
     points, derivative = arrays
     for k in range(cases.size):
         case, law, motion = cases[k], laws[k], motions[0]
-        set_groove(case, law, grooves[0], INNER_SIDE)
-        set_groove(case, law, grooves[1], OUTER_SIDE)
+        set_grooves(case, law, shims[k], grooves)
         count = case.ball_count
         for i in range(5):
             motion.displacement[i] = displacements[k, i]

@@ -66,6 +66,7 @@ MOVED_BALL = record(
     ("unknown", np.float64, (6,)),
     ("rate", np.float64, (6,)),  # of wx, wy, wz and omega_m along the orbit
     ("before", np.float64, (6,)),
+    ("kept", np.float64, (6,)),  # of a solution on the way to another
     ("step", np.float64, (6,)),
     ("residual", np.float64, (6,)),
     ("matrix", np.float64, (6, 6)),

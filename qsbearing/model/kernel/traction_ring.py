@@ -29,6 +29,7 @@ MOTION = record(
     ("imbalance", np.float64, (3,)),
     ("before", np.float64, (3,)),
     ("step", np.float64, (3,)),
+    ("kept", np.float64, (3,)),  # of its displacement, of a solution on the way to another
     ("ball_count", np.int64),  # of balls solved
     ("is_carried", np.bool_),  # round, with rates and time weights
     ("mean_time", np.float64),  # mean of 1/omega_m

@@ -37,6 +37,7 @@ from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.operation import STRAIGHT, Operation
+from qsbearing.model.scene.arched_rings import arched_errors
 from qsbearing.model.scene.elastic_seats import seat_errors
 from qsbearing.model.scene.moved_by_friction import friction_errors
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload, axial_channel_errors
@@ -128,6 +129,8 @@ class Scene(InNotebooks):
         errors += tolerance_errors(self)
         if self.traction is not None or self.raceway_control is RacewayControl.FRICTION:
             errors += friction_errors(self)
+        if self.bearing.is_arched:
+            errors += arched_errors(self)
         raise_if_any(errors + speed_errors(self.bearing, self.operation))
         if self.ring_effects:
             self.operating_bearing  # noqa: B018 - made once here, where what is no bearing can still be refused

@@ -222,6 +222,14 @@ class CaseMaker:
         """How many numbers the kernel keeps of a ball's position: with elastic rings, how far they deflect there."""
         return 3 if self._rings is None else 4
 
+    def shims(self) -> NDArray:
+        """Of arched rings, inner and outer (case, 2), over the ball diameter; -1 for one arc. Empty without any."""
+        if not self.scene.bearing.is_arched:
+            return np.empty((self.count, 0))
+        v = self._stretch(0, self.count)
+        parts = [-1.0 if v[name] is None else v[name] / v["ball_diameter"] for name in ("inner_shim", "outer_shim")]
+        return np.stack([np.broadcast_to(each, self.count) for each in parts], axis=-1).astype(float)
+
     def axial_datum_shift(self) -> NDArray | float:
         """By how much further the ring touches than at rest and cold [m], of each flattened case; see `Scene`."""
         shift = self._values["axial_datum_shift"]

@@ -11,16 +11,21 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.threads import in_threads
 from qsbearing.model.effects.traction import LAW_CODES, Traction, TractionLaw, most_drag
 from qsbearing.model.kernel import traction_ball as kernel
-from qsbearing.model.kernel.admissibility import CONVERGED
+from qsbearing.model.kernel.admissibility import CONVERGED, NOT_CONVERGED
+from qsbearing.model.kernel.arched_balance import solve_arched
+from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.kernel.traction import contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 
 INNER, OUTER = range(2)
+NO_FORCE = 1e-12
+"""Of a case's largest contact load: less is what rounding leaves."""
 
 _OF_CONTACT = {
     "load": (kernel.LOAD, "force"),
@@ -74,6 +79,13 @@ class ContactFriction:
     bound, and so no number."""
 
 
+class Opposite(NamedTuple):
+    """Of arched rings, the contacts of the arcs that carry angles below zero; None of a ring with one arc."""
+
+    inner: ContactFriction | None
+    outer: ContactFriction | None
+
+
 class Inside(NamedTuple):
     """What a solution was found from and where, in the kernel's units."""
 
@@ -84,6 +96,8 @@ class Inside(NamedTuple):
     is_carried: bool
     results: NDArray
     places: NDArray
+    shims: NDArray
+    """Of arched rings (case, 2); (case, 0) without."""
 
 
 @dataclass(frozen=True)
@@ -116,10 +130,12 @@ class FrictionMotion:
     torque: NDArray
     """Of the balls on the inner ring, (*cases)."""
     start: Any
-    """The `Solution` under outer control."""
+    """The `Solution` under outer control; None between arched rings, of which it knows nothing."""
     friction_coefficient: NDArray
     """mu, (*cases); no number under the linear law."""
     inside: Inside
+    opposite: Opposite | None = None
+    """Of arched rings alone; `inner` and `outer` are then the arcs for angles above zero, or a ring's one arc."""
 
     @property
     def attitude_angle(self) -> NDArray:
@@ -147,16 +163,32 @@ class FrictionMotion:
         return np.asarray(np.where(count > 0, count, np.nan) / np.where(count > 0, times, np.nan))
 
     @property
-    def skid_margin(self) -> NDArray:
-        """`most_drag` of each ball over that which it has; infinite without drag."""
+    def sides(self) -> tuple[ContactFriction, ...]:
+        """Of all arcs."""
+        return (self.inner, self.outer, *filter(None, self.opposite or ()))
+
+    @property
+    def on_outer(self) -> tuple[ContactFriction, ...]:
+        """Of the outer ring's arcs."""
+        other = None if self.opposite is None else self.opposite.outer
+        return (self.outer,) if other is None else (self.outer, other)
+
+    @property
+    def skid_margin(self) -> NDArray | None:
+        """`most_drag` of each ball over that which it has; infinite without drag; None between arched rings."""
+        if self.opposite is not None:
+            return None
         parallel = np.cos(self.inner.angle - self.outer.angle)
         most = most_drag(self.friction_coefficient[..., None], self.inner.load, parallel)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(most / np.abs(self.drag))
 
     @property
-    def gyroscopic_margin(self) -> NDArray:
-        """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right."""
+    def gyroscopic_margin(self) -> NDArray | None:
+        """mu over what outer control asks of each ball's outer contact, 2 |Mg|/(D Qo): above 2 it is nearly right;
+        None between arched rings."""
+        if self.opposite is not None:
+            return None
         required = self.start.outer.required_friction
         assert required is not None
         which = spanned(self.start.shape, self.inside.shape)
@@ -167,7 +199,9 @@ class FrictionMotion:
     @property
     def skids(self) -> NDArray:
         """Whether a case has no solution and, with outer control's loads and motion, drag is larger than what drives
-        the balls; (*cases)."""
+        the balls; (*cases). Between arched rings this is not known, and False."""
+        if self.opposite is not None:
+            return np.zeros(self.inside.shape, bool)
         start, shape, cases, laws = self.start, self.inside.shape, self.inside.cases, self.inside.laws
         which = spanned(start.shape, shape)
         load, parallel, orbit = (
@@ -181,14 +215,14 @@ class FrictionMotion:
         return np.asarray(~is_solved & (np.nansum(drag - most, axis=-1) > 0.0)).reshape(shape)
 
     @property
-    def least_skid_margin(self) -> NDArray:
+    def least_skid_margin(self) -> NDArray | None:
         """Of all balls, (*cases)."""
-        return np.asarray(np.fmin.reduce(self.skid_margin, axis=-1))
+        return _least(self.skid_margin)
 
     @property
-    def least_gyroscopic_margin(self) -> NDArray:
+    def least_gyroscopic_margin(self) -> NDArray | None:
         """Of all balls, (*cases)."""
-        return np.asarray(np.fmin.reduce(self.gyroscopic_margin, axis=-1))
+        return _least(self.gyroscopic_margin)
 
     @property
     def told_heat(self) -> NDArray | None:
@@ -198,8 +232,13 @@ class FrictionMotion:
     @property
     def heat(self) -> NDArray:
         """Of all contacts [W]."""
-        of_balls = self.weight * (self.inner.heat + self.outer.heat)
+        of_balls = self.weight * sum(np.nan_to_num(each.heat) for each in self.sides[2:])
+        of_balls = of_balls + self.weight * (self.inner.heat + self.outer.heat)
         return np.asarray(np.where(np.isfinite(self.torque), np.nansum(of_balls, axis=-1), np.nan))
+
+
+def _least(of_balls: NDArray | None) -> NDArray | None:
+    return None if of_balls is None else np.asarray(np.fmin.reduce(of_balls, axis=-1))
 
 
 def balanced(
@@ -215,32 +254,47 @@ def balanced(
     """The balance of friction.
 
     Args:
-        start: the `Solution` under outer control.
+        start: the `Solution` under outer control; None between arched rings, where the balance begins with nothing.
         maker: of the case records, whose axes are those of the scene and the law together.
         radii, angles: points of each contact, see `contact_points`.
         carried: balls are carried round with their inertia under radial load; False: each is balanced at its azimuth
             as if it stayed there.
         threads: at most so many.
     """
-    shape, which = maker.shape, spanned(start.maker.shape, maker.shape)
-    cases, results = maker.make(), start.results[which]
-    positions = np.ascontiguousarray(start.positions[which][..., :3])
-    balls, count = maker.ball_axis, cases.size
+    shape, cases = maker.shape, maker.make()
+    balls, count, shims = maker.ball_axis, cases.size, maker.shims()
+    if start is None:
+        results, arcs = np.zeros(count, RESULT), 4
+        results["status"] = NOT_CONVERGED
+    else:
+        which, arcs = spanned(start.maker.shape, shape), 2
+        results, positions = start.results[which], np.ascontiguousarray(start.positions[which][..., :3])
     laws, points = laws_of(cases, traction, shape), contact_points(radii, angles)
     places = np.full((count, balls, len(PLACES)), np.nan)
-    contacts, torques = np.full((count, balls, 2, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
+    contacts, torques = np.full((count, balls, arcs, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)
 
     def solve_stretch(part: slice) -> None:
         size = 4 * balls + 3  # of Newton's step
         arrays = points, np.empty((size, size)), np.empty(size), np.empty(balls)
-        memory = np.zeros(2, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
-        of_part = (each[part] for each in (results, positions, places, contacts, torques))
-        solve_motions(cases[part], laws[part], *memory, arrays, carried, *of_part)
+        memory = np.zeros(arcs, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
+        given = cases[part], laws[part], *memory, arrays, carried
+        found = places[part], contacts[part], torques[part]
+        if start is None:
+            solve_arched(*given, shims[part], results[part], *found)
+        else:
+            solve_motions(*given, results[part], positions[part], *found)
 
     in_threads(solve_stretch, count, threads)
-    inside = Inside(shape, cases, laws, points, carried, results, places)
+    inside = Inside(shape, cases, laws, points, carried, results, places, shims)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
-    return _read(start, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
+    return _read(
+        start,
+        maker.scene.operating_bearing,
+        inside,
+        contacts,
+        torques,
+        np.broadcast_to(np.asarray(bound, float), shape),
+    )
 
 
 def spanned(shape: tuple[int, ...], both: tuple[int, ...]) -> NDArray:
@@ -266,16 +320,30 @@ def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> 
     return laws
 
 
-def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray) -> FrictionMotion:
+def _lose_free_balls(cases: NDArray, contacts: NDArray) -> None:
+    """Balls at rest that carry no load but what rounding leaves: they have no place, and no contacts."""
+    load = np.nan_to_num(contacts[..., kernel.LOAD])
+    still = cases["inner_speed"] == cases["outer_speed"]
+    is_free = still[:, None] & (load.max(axis=2) <= NO_FORCE * load.max(axis=(1, 2))[:, None])
+    is_free &= np.isfinite(contacts[:, :, INNER, kernel.LOAD])
+    own = np.zeros((int(is_free.sum()), *contacts.shape[2:]))
+    own[..., [kernel.SINE, kernel.COSINE, kernel.APPROACH]] = np.nan
+    contacts[is_free] = own
+
+
+def _read(
+    start: Any, bearing: BallBearing, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray
+) -> FrictionMotion:
     shape, cases, results, places = inside.shape, inside.cases, inside.results, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan
+    if inside.shims.size:
+        _lose_free_balls(cases, contacts)
     force, length, speed = (cases[name][:, None] for name in ("force", "length", "speed"))
     moments = force * length
     turning = np.where((cases["inner_speed"] != 0.0) | (cases["outer_speed"] != 0.0), 1.0, np.nan)[:, None]
     w, orbit = places[..., 2:5] * (speed * turning)[..., None], places[..., 5] * (speed * turning)
-    bearing = start.scene.operating_bearing
     inertia, mass = (np.asarray(each)[..., None] for each in (bearing.ball_inertia, bearing.ball_mass))
     radius = 0.5 * cases["pitch_diameter"][:, None] + cases["displaced_orbit"][:, None] * places[..., 1]
     units = {"force": force, "length": length, "moment": moments, "speed": speed}
@@ -285,7 +353,7 @@ def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound
         return array.reshape((*shape, *array.shape[1:]))
 
     def side(which: int) -> ContactFriction:
-        sign = -1.0 if which == INNER else 1.0
+        sign = -1.0 if which % 2 == INNER else 1.0
         of_side = contacts[:, :, which]
         values = {name: shaped(of_side[..., what] * units[unit]) for name, (what, unit) in _OF_CONTACT.items()}
         values["angle"] = shaped(np.arctan2(sign * of_side[..., kernel.SINE], sign * of_side[..., kernel.COSINE]))
@@ -293,6 +361,11 @@ def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound
             use = np.hypot(values["traction"], values["sideways"]) / (bound[..., None] * values["load"])
         told = None if np.isnan(bound).all() else values["heat"]
         return ContactFriction(**values, told_heat=told, friction_use=use)
+
+    def opposite() -> Opposite:
+        has_arc = inside.shims >= 0.0
+        contacts[:, :, 2:][~np.broadcast_to(has_arc[:, None, :, None], contacts[:, :, 2:].shape)] = np.nan
+        return Opposite(*(side(2 + ring) if has_arc[:, ring].any() else None for ring in (INNER, OUTER)))
 
     scale = np.where(np.arange(5) < 3, length, 1.0), np.where(np.arange(5) < 3, force, moments)
     orbits = shaped(orbit)
@@ -315,4 +388,5 @@ def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound
         start=start,
         friction_coefficient=bound,
         inside=inside,
+        opposite=opposite() if inside.shims.size else None,
     )

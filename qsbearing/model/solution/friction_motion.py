@@ -43,5 +43,7 @@ def friction_motion(
         raceway_control=RacewayControl.FRICTION,
         traction=traction,
     )
+    if moved.bearing.is_arched:
+        return balanced(None, CaseMaker(moved), traction, radii, angles, carried=carried)
     start = solve(under_control(moved, RacewayControl.OUTER))
     return balanced(start, CaseMaker(moved, start.maker.axial), traction, radii, angles, carried=carried)

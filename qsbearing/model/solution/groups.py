@@ -21,7 +21,7 @@ from qsbearing.model.solution.result_keys import (
     Group,
     Result,
 )
-from qsbearing.model.solution.traction_groups import TRACTION_GROUPS
+from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION_GROUPS, is_arched
 
 
 class SolvedScene(Solved, Protocol):
@@ -31,6 +31,10 @@ class SolvedScene(Solved, Protocol):
     thermal: Any
     balance: Any
 
+    @property
+    def opposite(self) -> Any: ...
+    @property
+    def inner_load(self) -> NDArray: ...
     @property
     def stiffness(self) -> NDArray: ...
     @property
@@ -112,13 +116,20 @@ RING_SHAPE = (
 """Of a `RingShape`."""
 
 
+APEX = (
+    Result("apex_margin", "mm", "from the end of the ellipse to the groove's apex", is_signed=True, is_usual=False,
+           heading="apex"),
+)  # fmt: skip
+"""Of a contact of a four-point bearing, along its groove; negative where the ellipse would pass the apex."""
+
+
 def _reshaped(solution: SolvedScene) -> Any:
     return solution.scene.operating_bearing if solution.scene.is_reshaped else None
 
 
 def _unloaded(solution: SolvedScene) -> NDArray:
     """Balls that have lost the inner raceway; NaN where not solved."""
-    lost = (solution.inner.load == 0.0).sum(axis=-1)
+    lost = (solution.inner_load == 0.0).sum(axis=-1)
     return np.where(solution.converged, lost, np.nan)
 
 
@@ -133,6 +144,8 @@ def _least_loaded(solution: SolvedScene) -> NDArray:
     NaN where no ball is less loaded than the others, where not solved, and at rest where a ball touches no raceway.
     """
     approach = solution.inner.approach
+    if solution.opposite is not None and solution.opposite.inner is not None:
+        approach = np.fmax(approach, solution.opposite.inner.approach)
     present = ~np.isnan(solution.azimuth)
     known = (np.isfinite(approach) | ~present).all(axis=-1)
     least = np.where(present & known[..., None], approach, np.inf).min(axis=-1)
@@ -199,7 +212,7 @@ MIDDLE = (
     Result("axial_from_middle", "um", "axial displacement from the middle of both grooves", is_signed=True,
            is_usual=False),
 )  # fmt: skip
-"""Of a deep-groove bearing."""
+"""Of a deep-groove or four-point bearing."""
 SHARE = (
     Result(
         "share_of_axial_displacement",
@@ -228,6 +241,15 @@ def _of_sides(results: tuple[Result, ...], prefix: str, holder: str, table: str,
 
 
 CONTACTS = _of_sides(CONTACT, "", "", "balls", BALL)
+ARCS = (
+    *(Group(APEX, "", side, holder=side, axis=BALL, table=("balls", side), is_requested=is_arched) for side in SIDES),
+    *(
+        Group((*CONTACT, *APEX), "", side, OPPOSITE, f"{OPPOSITE}.{side}", BALL, ("balls", OPPOSITE, side),
+              is_requested=is_arched)
+        for side in SIDES
+    ),
+)  # fmt: skip
+"""Of a four-point bearing: the arcs that carry angles below zero, and what the others have besides."""
 BALLS = Group(OF_BALL, axis=BALL, table=("balls",))
 RINGS = tuple(Group(RING_STATE, prefix=f"{side}_ring", holder=f"{side}_ring", table=("rings", side)) for side in SIDES)
 SHAPES = _of_sides(RING_SHAPE, "elastic", "_shape", "elastic_rings")
@@ -245,6 +267,7 @@ OF_MIDDLE = Group(MIDDLE, table=(), by_words=True)
 OF_AZIMUTH = Group(AZIMUTH, axis=BALL, table=("balls",))
 GROUPS = (
     *CONTACTS,
+    *ARCS,
     BALLS,
     Group(CONTROLS, axis=BALL),
     *channels(RING),

@@ -139,6 +139,8 @@ def _static(motion: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     turns = np.array([[one, zero, zero], [zero, c, s], [zero, s, -c]]).transpose(2, 0, 1)  # (ball, channel, force)
     weight = motion.inside.places[k, :count, 6]
     turns = turns * weight[:, None, None]
+    if motion.inside.shims.size and case["inner_speed"] == case["outer_speed"]:
+        return _at_rest(blocks, turns, levers)
     by_unknown = np.zeros((count, 6, count, 6))
     each = np.arange(count)
     by_unknown[each, :, each] = blocks.by_unknown
@@ -157,20 +159,31 @@ def _static(motion: FrictionMotion, k: int, blocks: Blocks) -> NDArray:
     return -(force_by_unknown @ follow + turns @ blocks.force_by_ring @ levers).sum(axis=0)
 
 
+def _at_rest(blocks: Blocks, turns: NDArray, levers: NDArray) -> NDArray:
+    """K where friction has nothing to do: by the balls' places alone, of which a ball that nothing touches has none."""
+    total = np.zeros((3, 3))
+    for own, by_ring, force, of_ring, turn, lever in zip(
+        blocks.by_unknown, blocks.by_ring, blocks.force_by_unknown, blocks.force_by_ring, turns, levers, strict=True
+    ):
+        follow = -np.linalg.pinv(own[:2, :2]) @ by_ring[:2]
+        total -= turn @ (force[:, :2] @ follow + of_ring) @ lever
+    return total
+
+
 def _blocks(motion: FrictionMotion) -> list[Blocks]:
     """Of each case."""
     inside = motion.inside
     cases, places = inside.cases, inside.places
     count, balls = places.shape[:2]
     of_balls, of_ring = np.full((count, balls, 6, 14), np.nan), np.full((count, balls, 4, 9), np.nan)
-    memory = np.zeros(2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
+    memory = np.zeros(4 if inside.shims.size else 2, GROOVE), np.zeros(1, MOTION), np.zeros(balls, MOVED_BALL)
     solved = np.flatnonzero(inside.results["status"] == CONVERGED)
     parts = of_balls[solved], of_ring[solved]
     displacements = np.ascontiguousarray(inside.results["displacement"][solved])
     arrays = inside.points, np.empty(balls)
-    read_blocks(
-        cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, displacements, places[solved], *parts
-    )
+    found = displacements, places[solved]
+    shims = np.ascontiguousarray(inside.shims[solved])
+    read_blocks(cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, shims, *found, *parts)
     of_balls[solved], of_ring[solved] = parts
     made = []
     for k in range(count):

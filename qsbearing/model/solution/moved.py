@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.bearing import BallBearing
 from qsbearing.model.kernel import results as kernel
 from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
 from qsbearing.model.solution.motion_stiffness import motion_stiffness
@@ -24,15 +25,24 @@ class Moved:
         motion: the balance.
         turns: which of the flattened cases do; the others have the static solution.
         which: of the flattened cases of the solution under outer control each is.
+        bearing: in operation.
     """
 
-    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray) -> None:
+    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray, bearing: BallBearing) -> None:
         self.motion = motion
         self._still, self._which = ~turns, which
         self.is_at_rest = not turns.any()
         self.known = _read_off(motion)
         """Arrays (*cases, ball) by the kernel's row and number."""
-        if self._still.any():
+        self.apex, self.opposite = _of_arches(motion, bearing)
+        """Of arched rings: apex margins by the kernel's row; arrays of the contacts of the inner and the outer ring's
+        other arcs by name, None for a ring with one arc."""
+        if motion.start is None:
+            still = self._still.reshape(*motion.status.shape, 1) & (motion.status == "converged")[..., None]
+            for name in _OF_MOTION:
+                values = self.known[kernel.OF_BALL, CODES[name]]
+                self.known[kernel.OF_BALL, CODES[name]] = np.where(still & there(motion), 0.0, values)
+        elif self._still.any():
             motion.start.solved.read_all(self.known)
             for place, values in self.known.items():
                 self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
@@ -41,7 +51,7 @@ class Moved:
         """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held; NaN for tilts, whose moments are not worked out."""
         out = np.full((*self.motion.status.shape, 5, 5), np.nan)
         out[..., :3, :3] = motion_stiffness(self.motion)
-        return self._with_static(out, self.motion.start.stiffness, 2) if self._still.any() else out
+        return self._with_static(out, self.motion.start.stiffness, 2) if self._has_static else out
 
     def compliance(self, stiffness: NDArray, free: NDArray) -> NDArray:
         """Inverse of it over the free channels (*cases, 5, 5); NaN elsewhere, and for those that tilts without a number
@@ -51,7 +61,12 @@ class Moved:
         if among.size:
             rows = among[:, None]
             out[..., rows, among] = inverse(stiffness[..., rows, among])
-        return self._with_static(out, self.motion.start.compliance, 2) if self._still.any() else out
+        return self._with_static(out, self.motion.start.compliance, 2) if self._has_static else out
+
+    @property
+    def _has_static(self) -> bool:
+        """Whether some cases are those of a solution without friction."""
+        return bool(self._still.any()) and self.motion.start is not None
 
     def _with_static(self, out: NDArray, of_start: NDArray, axes: int) -> NDArray:
         """With what the static solution has in cases at rest; arrays (*cases, ...) of so many axes beyond."""
@@ -59,6 +74,47 @@ class Moved:
         of_start = of_start.reshape(-1, *of_start.shape[of_start.ndim - axes :])
         flat[self._still] = of_start[self._which][self._still]
         return flat.reshape(out.shape)
+
+
+_OF_MOTION = (
+    *("centrifugal_force", "gyroscopic_moment", "orbital_speed", "rotation_speed", "axial_rotation"),
+    *("radial_rotation", "attitude_angle"),
+)
+"""Of a ball; nothing of it at rest."""
+
+
+def there(motion: FrictionMotion) -> NDArray:
+    """Which balls a case has."""
+    counts = motion.inside.cases["ball_count"].reshape(*motion.status.shape, 1)
+    return np.asarray(np.arange(motion.weight.shape[-1]) < counts)
+
+
+Named = dict[str, NDArray]
+"""Arrays (*cases, ball)."""
+
+
+def _of_arches(
+    motion: FrictionMotion, bearing: BallBearing
+) -> tuple[dict[int, NDArray], tuple[Named | None, ...] | None]:
+    """(apex margins of the arcs for angles above zero, contacts of the others); nothing of rings with one arc."""
+    if motion.opposite is None:
+        return {}, None
+    of_first = ("inner", kernel.AT_INNER, motion.inner), ("outer", kernel.AT_OUTER, motion.outer)
+    first = {row: each for side, row, of in of_first if (each := _apex_margin(bearing, side, 1.0, of)) is not None}
+    others: list[Named | None] = []
+    for side, of in zip(("inner", "outer"), motion.opposite, strict=True):
+        margin = None if of is None else _apex_margin(bearing, side, -1.0, of)
+        others.append(None if of is None or margin is None else _of_contacts(of) | {"apex_margin": margin})
+    return first, tuple(others)
+
+
+def _apex_margin(bearing: BallBearing, side: str, sign: float, of: ContactFriction) -> NDArray | None:
+    """r (|alpha| - asin(g/(2 r))) - a of the arc that carries angles of this sign; None where the ring has one arc."""
+    apex = bearing.apex_angle(side)
+    if apex is None:
+        return None
+    radius = np.asarray(getattr(bearing, f"{side}_groove_radius"), float)[..., None]
+    return np.where(of.load > 0.0, radius * (sign * of.angle - apex[..., None]) - of.semi_major_axis, np.nan)
 
 
 def _read_off(motion: FrictionMotion) -> dict[tuple[int, int], NDArray]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 from numpy.typing import NDArray
 
@@ -44,6 +44,13 @@ class Lazy(Generic[T]):
         return value
 
 
+class OppositeContacts(NamedTuple):
+    """Of a four-point bearing, the contacts of those arcs that carry angles below zero; None of a ring with one arc."""
+
+    inner: RacewayContacts | None
+    outer: RacewayContacts | None
+
+
 class RacewayContacts:
     """All contacts of one raceway; arrays of shape (*cases, ball), computed when first asked for.
 
@@ -75,5 +82,11 @@ class RacewayContacts:
         """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
+        """
+    )
+    apex_margin = Lazy[NDArray | None](
+        """From the end of the ellipse to the apex of an arched groove, along the groove [m].
+
+        Below zero the ellipse would pass it; NaN without load; None where the groove has one arc.
         """
     )

@@ -21,14 +21,19 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.solution.friction_balance import FrictionMotion
+from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
 from qsbearing.model.solution.rounding import rounding_of_load, without_rounding
 from qsbearing.model.solution.solution import Solution
 
 
 def _on_outer(motion: FrictionMotion, azimuth: NDArray, part: slice) -> NDArray:
     """What the contacts of balls that friction moves press the outer ring with, along y and z (case, 2)."""
-    contacts = motion.outer
+    both = [_on_ring(each, motion, azimuth, part) for each in motion.on_outer]
+    return np.asarray(sum(both))
+
+
+def _on_ring(contacts: ContactFriction, motion: FrictionMotion, azimuth: NDArray, part: slice) -> NDArray:
+    """Of the contacts of one arc."""
     of_balls = contacts.load, contacts.traction, contacts.sideways, contacts.angle, motion.weight
     load, across, along, angle, weight = (each.reshape(-1, each.shape[-1])[part] for each in of_balls)
     outward, ahead = weight * (load * np.cos(angle) + across * np.sin(angle)), weight * along

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import qsbearing as qs
-from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects import OperatingPoint, RingState
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel import results
@@ -20,9 +19,14 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import ring_stiffness
 from qsbearing.model.solution.columns import columns, dataset
 from qsbearing.model.solution.flatten import CaseMaker
-from qsbearing.model.solution.of_cases import SolutionOfCases
+from qsbearing.model.solution.of_arcs import SolutionOfArcs
 from qsbearing.model.solution.preload_state import PreloadLoads
-from qsbearing.model.solution.raceway_contacts import CALLED_FOR_BY, CODES, Lazy, RacewayContacts
+from qsbearing.model.solution.raceway_contacts import (
+    CALLED_FOR_BY,
+    CODES,
+    Lazy,
+    RacewayContacts,
+)
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.rounding import rounding_of_load
 from qsbearing.model.solution.solved_cases import SolvedCases
@@ -37,7 +41,7 @@ if TYPE_CHECKING:
     from qsbearing.model.solution.moved import Moved
 
 
-class Solution(SolutionOfCases):
+class Solution(SolutionOfArcs):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
@@ -65,7 +69,8 @@ class Solution(SolutionOfCases):
         """At rest and cold under the preload, as it is given; None without one that holds the rings."""
         self.solve_alike = solve
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
-        self._moved = moved
+        self.moved = moved
+        """Arrays and stiffness where friction moves the balls; None by a hypothesis."""
         self.balance: FrictionMotion | None = None if moved is None else moved.motion
         """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
         self.friction = None if moved is None or moved.is_at_rest else moved.motion
@@ -116,7 +121,9 @@ class Solution(SolutionOfCases):
         if not self.converged:
             return f"{name}: {self._summary()}{', ' if self.reason else ''}{self.reason}"
         lines = [f"{name}: {self._summary()}", *self._channels()]
-        for side, contacts in (("inner", self.inner), ("outer", self.outer)):
+        others = [] if self.opposite is None else zip(("inner", "outer"), self.opposite, strict=True)
+        beside = [(f"{side}, opposite", each) for side, each in others if each is not None]
+        for side, contacts in (("inner", self.inner), ("outer", self.outer), *beside):
             angles = contacts.angle[contacts.load > 0.0] / deg
             if angles.size:
                 span = " to ".join(dict.fromkeys(f"{angle:.5g}" for angle in (angles.min(), angles.max())))
@@ -139,6 +146,8 @@ class Solution(SolutionOfCases):
         return name not in CALLED_FOR_BY or getattr(self.scene, CALLED_FOR_BY[name]) is not None
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
+        if name not in CODES:
+            return self.moved.apex.get(row) if self.moved is not None else None
         return self.solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
@@ -190,19 +199,6 @@ class Solution(SolutionOfCases):
             out[part, :3] *= cases["length"][:, None]
         out[:, 0] += self.maker.axial_datum_shift()
         return self._shaped(out, 5)
-
-    @property
-    def axial_from_middle(self) -> Any:
-        """Axial displacement from where the grooves of both rings lie in one plane; shape (*cases) [m].
-
-        Of a deep-groove bearing, whose `displacement` counts from where its balls just touch one side. None of an
-        angular-contact bearing, which has no middle.
-        """
-        scene = self.scene
-        if scene.bearing.kind is not BearingKind.DEEP_GROOVE:
-            return None
-        to_middle = scene.operating_bearing.touching_offset - scene.axial_datum_shift
-        return (self.displacement[..., 0] + to_middle)[()]
 
     @cached_property
     def load(self) -> NDArray:
@@ -384,8 +380,8 @@ class Solution(SolutionOfCases):
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        if self._moved is not None:
-            return self._moved.stiffness()
+        if self.moved is not None:
+            return self.moved.stiffness()
         return self._shaped(ring_stiffness.tangents_of_all(self.solved), 5, 5)
 
     @cached_property
@@ -395,8 +391,8 @@ class Solution(SolutionOfCases):
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        if self._moved is not None:
-            return self._moved.compliance(self.stiffness, self.free_channels)
+        if self.moved is not None:
+            return self.moved.compliance(self.stiffness, self.free_channels)
         return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
 
     @property

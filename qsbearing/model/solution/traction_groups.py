@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from qsbearing.model.solution.result_keys import BALL, Group, Result
 
 TRACTION = "traction"
 """What their names begin with, and their table."""
 SIDES = "inner", "outer"
+OPPOSITE = "opposite"
+"""Of a four-point bearing, the table of those arcs that carry angles below zero."""
 BALANCE = "balance of friction on each ball, derived here"
 
 
@@ -46,10 +50,28 @@ OF_CONTACT = (
 
 _WHOLE = Group(OF_BEARING, prefix=TRACTION, holder="balance", table=(TRACTION,), source=BALANCE, by_words=True)
 _BALLS = _WHOLE._replace(results=OF_BALL, axis=BALL, table=(TRACTION, "balls"))
+
+
+def is_arched(scene: Any) -> bool:
+    """Whether it has a four-point bearing: of a set no row is one."""
+    return bool(getattr(getattr(scene, "bearing", None), "is_arched", False))
+
+
 TRACTION_GROUPS = (
     _WHOLE,
     *(
         _BALLS._replace(results=OF_CONTACT, raceway=side, holder=f"balance.{side}", table=(TRACTION, "balls", side))
+        for side in SIDES
+    ),
+    *(
+        _BALLS._replace(
+            results=OF_CONTACT,
+            raceway=side,
+            prefix=f"{OPPOSITE}_{TRACTION}",
+            holder=f"balance.opposite.{side}",
+            table=(TRACTION, "balls", OPPOSITE, side),
+            is_requested=is_arched,
+        )
         for side in SIDES
     ),
     _BALLS,

@@ -14,6 +14,7 @@ from qsbearing.model.compiler.compiled import is_compiled
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.kernel.solve_case import solve_cases
+from qsbearing.model.scene.arched_rings import NOTHING_TO_COMPARE, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import (
     Change,
@@ -151,6 +152,7 @@ def explain(scene: Scene, tolerance: float, words: Words = IN_FILE) -> tuple[Sol
     Raises:
         ValueError: the scene has array fields.
     """
+    refuse_arched(scene.bearing, "`explain`", NOTHING_TO_COMPARE)
     solution = choose.solve(scene)
     if solution.shape:
         raise ValueError(f"the scene has cases {solution.shape}: effects are explained for one case at a time")

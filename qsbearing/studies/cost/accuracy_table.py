@@ -24,6 +24,7 @@ from typing import Any
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.documents.numbers import duration, plain
 from qsbearing.model.effects import EFFECTS, QUANTITIES
+from qsbearing.model.scene.arched_rings import NOTHING_TO_COMPARE, refuse_arched
 from qsbearing.model.solution import comparison
 from qsbearing.model.version import __version__
 from qsbearing.studies.chooser.choose import completed, without
@@ -65,6 +66,7 @@ def measure(scene: Requested, progress: Callable[[str], None] = lambda text: Non
         scene: bearing or set and its operation.
         progress: told what is being measured, before each of `COUNTS`.
     """
+    refuse_arched(getattr(scene, "bearing", None), "`cost`", NOTHING_TO_COMPARE)
     began = measuring.now()
     listed = levels(scene)
     full = solve_one(listed[-1][2])

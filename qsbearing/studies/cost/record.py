@@ -27,6 +27,7 @@ from qsbearing.model.compiler.compiled import always_compiled
 from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.entry import Entry
 from qsbearing.model.operation import CHANNELS
+from qsbearing.model.scene.arched_rings import NOTHING_TO_COMPARE, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution import comparison
 from qsbearing.model.solution.solution import Solution
@@ -145,6 +146,7 @@ def measure(
         scene: bearing and operation; its effects and choices matter for all but the levels, which have their own.
         progress: told what is being measured, before each of `steps`.
     """
+    refuse_arched(getattr(scene, "bearing", None), "`cost`", NOTHING_TO_COMPARE)
     if not isinstance(scene, Scene):
         settings = replace(settings, sizes=tuple(size for size in settings.sizes if size <= MOST_OF_SETS))
     always_compiled()

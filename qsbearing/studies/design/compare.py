@@ -23,6 +23,7 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.material import Material
+from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.limit import Answer
 from qsbearing.model.solution.result_keys import Place
@@ -182,6 +183,8 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
 
 def solved(job: Job) -> Comparison:
     """All of them solved."""
+    for each in job.made:
+        refuse_arched(getattr(each, "bearing", None), "`compare`", IN_RUN)
     solutions = [solve_set(each) if isinstance(each, BearingSet) else choose(each) for each in job.made]
     bearings = [each.rows[0].bearing if isinstance(each, BearingSet) else each.bearing for each in job.made]
     sets = [each for each in job.made if isinstance(each, BearingSet)]

@@ -379,7 +379,7 @@ def _shared_place_errors(of: BearingSet, number: int, before: int) -> list[Error
         problem += f", and there {given[0]}: two opposed rows at one place are a four-point bearing at rest only"
         cause = (
             "Four-point bearings are solved at rest only, without ball effects and elastic rings: set speed_rpm = 0. "
-            "Lives in revolutions need no speed"
+            'Lives in revolutions need no speed. At speed, solve one bearing of kind = "four_point" alone'
         )
     else:
         return []

@@ -96,6 +96,12 @@ class Row:
         return any(getattr(self, name) is not None for name, *_ in OUT_OF_LINE)
 
 
+TWO_ROWS = (
+    "Solve it alone. At rest, two opposed rows with one arc in each ring at one position are a four-point bearing with "
+    "equal shim angles"
+)
+
+
 def row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
     """Errors of each row alone."""
     errors, placed = [], ("position", "offset", *(name for name, *_ in OUT_OF_LINE))
@@ -103,6 +109,8 @@ def row_errors(rows: tuple[Row, ...]) -> list[ErrorDetail]:
         path = f"row {number}"
         if not isinstance(row.bearing, BallBearing):
             errors.append(ErrorDetail(f"{path}.bearing", "is not a bearing", row.bearing))
+        elif row.bearing.is_arched:
+            errors.append(ErrorDetail(f"{path}.bearing", "is a four-point bearing, and no row", cause=TWO_ROWS))
         errors += [] if row.carries is None else choose(f"{path}.carries", row.carries, Direction)[1]
         errors += placement_errors(path, **{name: getattr(row, name) for name in placed})
     return errors

@@ -164,7 +164,10 @@ class Recomputed:
 
     def contact(self, side: str) -> AtContacts:
         """Friction over the ellipses of one ring's contacts, from the velocities of ball and ring."""
-        of: ContactFriction = getattr(self.found, side)
+        return self.at(side, getattr(self.found, side))
+
+    def at(self, side: str, of: ContactFriction) -> AtContacts:
+        """The same of these contacts."""
         outward, against = self.axes
         sign = 1.0 if side == "outer" else -1.0
         normal = sign * (np.sin(of.angle)[..., None] * E_X + np.cos(of.angle)[..., None] * outward)
@@ -265,6 +268,12 @@ class Recomputed:
         carried = np.cross(self.orbit[..., None] * E_X, self.rotation)
         return momentum, inertia[..., None] * (turned + carried)
 
+    @cached_property
+    def largest(self) -> NDArray:
+        """Load of a contact, (case,)."""
+        largest = np.maximum(np.nan_to_num(self.found.inner.load), np.nan_to_num(self.found.outer.load)).max(axis=1)
+        return np.where(largest > 0.0, largest, 1.0)
+
     def errors(self) -> dict[str, NDArray]:
         """By name, (case,): of the largest load, of that times D, of the power that friction and drag take."""
         inner, outer = self.contact("inner"), self.contact("outer")
@@ -272,8 +281,7 @@ class Recomputed:
         momentum, angular = self.changes()
         held_back = self.drag[..., None] * against
         there = self.there[..., None]
-        largest = np.maximum(np.nan_to_num(self.found.inner.load), np.nan_to_num(self.found.outer.load)).max(axis=1)
-        largest = np.where(largest > 0.0, largest, 1.0)
+        largest = self.largest
         of_balls = np.where(there, inner.force + outer.force + held_back - momentum, 0.0)
         moments = np.where(there, inner.moment + outer.moment - angular, 0.0)
         weight = np.where(self.there, self.weight, 0.0)
