@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from math import nan
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,8 +30,19 @@ from qsbearing.files.keys import (
     required_of,
 )
 from qsbearing.files.sheet_by_name import clearance_by_name, designation_of, said_by_name, sheets_by_name
-from qsbearing.files.table_checks import Errors, as_word, checked, choice_fields, judged, material, si, table_model
+from qsbearing.files.table_checks import (
+    Errors,
+    as_it_is,
+    as_word,
+    checked,
+    choice_fields,
+    judged,
+    material,
+    si,
+    table_model,
+)
 from qsbearing.inference import iso15
+from qsbearing.inference.practice import RatingPractice
 from qsbearing.model.bearing import (
     BallBearing,
     BearingKind,
@@ -53,42 +65,108 @@ _OUTSIDE = {key.name for key in PRINTED}
 _EITHER = {"free_contact_angle_deg", "diametral_clearance_mm"}
 """One given replaces the other of a catalogue's entry."""
 
-_WORDS = {"name": as_word, "maker": as_word} | choice_fields("kind", *SHEET_CHOICES)
-_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), _WORDS)
+_OTHERS = {"name": as_word, "maker": as_word, **dict.fromkeys(MATERIALS, as_it_is)}
+_BEARING = table_model("bearing", (*BEARING, *IN_PLACE), _OTHERS | choice_fields("kind", *SHEET_CHOICES))
+_RATED = RATINGS[0].name
+_GUESSED = (
+    "Its balls are guessed by proportions, from which lives are up to 8 times off: give dynamic_load_rating_N and "
+    "static_load_rating_N in [bearing], as printed"
+)
+_DIFFER = "Makers rate it differently: write whose it is before the number"
+
+
+class ReadBearing(NamedTuple):
+    """A table [bearing] that was read, with what it states beside the bearing."""
+
+    bearing: BallBearing | None = None
+    """None where errors were found."""
+    name: str = ""
+    """As the file has it."""
+    entry: catalogue.CatalogueEntry | None = None
+    """Of the catalogue, by the name."""
+    printed: Mapping[str, Any] = MappingProxyType({})
+    """What a catalogue or a data sheet prints besides the model's lengths, in the units of a file by its keys."""
+    unusable: frozenset[str] = frozenset()
+    """Keys of which the file gives nothing that can be used."""
+    tolerance_class: str = ""
+    """Of its designation."""
+    unrated: str = ""
+    """Why nothing tells its C and C0, a sentence without its end; empty: they are printed, or follow from the balls."""
+    preload_class: Any = None
+    """The word of a preload beside it; None: there is none."""
+    is_table: bool = True
+
+
+NO_BEARING = ReadBearing(is_table=False)
 
 
 def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: bool = False) -> BallBearing | None:
-    """The bearing of a file's table [bearing]; None where errors were found and added.
+    """The bearing of a file's table [bearing]; None where errors were found and added."""
+    return read_bearing(document, label, errors, may_infer).bearing
+
+
+def read_bearing(
+    document: dict[str, Any], label: str, errors: Errors, may_infer: bool = False, *, is_of_row: bool = False
+) -> ReadBearing:
+    """What a file's table [bearing] states.
 
     Args:
         may_infer: whether it may be a list of bearings, those that a data sheet allows.
+        is_of_row: of a set, whose rows have no preload of their own.
     """
     if "bearing" not in document:
         cause = f'At the least name = "{catalogue.entries()[0].name}"'
         errors.append(FileErrorDetail("[bearing]", "missing", cause=cause))
     table = document.get("bearing")
     if table is None:
-        return None
+        return NO_BEARING
     before = len(errors)
-    numbers = {key: value for key, value in table.items() if key not in MATERIALS} if isinstance(table, dict) else table
+    is_table = isinstance(table, dict)
+    word = table.get("preload") if is_table and not is_of_row else None
+    numbers = {key: value for key, value in table.items() if is_of_row or key != "preload"} if is_table else table
     good, unusable = checked(_BEARING, "bearing", numbers, errors)
-    if not isinstance(table, dict):
-        return None
-    good |= {side: table[side] for side in MATERIALS if side in table}
+    if not is_table:
+        return NO_BEARING
     sheets = sheets_by_name(good, unusable)
     by_sheet = is_data_sheet({*good, *unusable}) or bool(sheets)
     clearance = clearance_by_name(good, unusable) if by_sheet else {}
     by_name = said_by_name(good, sheets, clearance)
     good = designated(good, unusable) | clearance
-    if by_sheet and ("name" not in good or catalogue.named(good["name"]) is None):
-        if len(errors) > before:
-            return None
-        return bearing_of_sheet(good, sheets, by_name, label, _outline(good), errors, may_infer)
+    entry, told = (catalogue.named(good["name"]), read(good["name"])) if "name" in good else (None, None)
+    is_guess = good.get("rating_practice") == RatingPractice.PROPORTIONS or any(_RATED not in each for each in sheets)
+    given = ReadBearing(
+        name=good.get("name", ""),
+        entry=entry,
+        printed={key.name: good[key.name] for key in PRINTED if key.name in good},
+        unusable=frozenset(unusable) - {""},
+        tolerance_class="" if told is None else told.tolerance_class,
+        unrated=_DIFFER if len(sheets) > 1 else _GUESSED if is_guess else "",
+        preload_class=word,
+    )
+    if by_sheet and entry is None:
+        rated = {key.name: sheets[0][key.name] for key in RATINGS if key.name in sheets[0]} if len(sheets) == 1 else {}
+        if len(errors) == before:
+            outline = _outline(given.printed)
+            bearing = bearing_of_sheet(good, sheets, by_name, label, outline, errors, may_infer)
+            given = given._replace(bearing=bearing)
+        return given._replace(printed={**given.printed, **rated})
+    return _of_balls(given, good, unusable, label, errors, before)
+
+
+def _of_balls(
+    given: ReadBearing, good: dict[str, Any], unusable: set[str], label: str, errors: Errors, before: int
+) -> ReadBearing:
+    """A bearing whose balls and grooves a file gives, or the catalogue.
+
+    Args:
+        good, unusable: the keys that can be used, with their values, and those that cannot.
+        before: how many errors there were before the table was read.
+    """
+    entry = given.entry
     errors += without_sheet(good)
     # Which the model does not need: effects and readings take them, see `stated`.
-    printed = {key.name: good.pop(key.name) for key in PRINTED if key.name in good}
+    good = {key: each for key, each in good.items() if key not in given.printed}
     of_radius = _coefficients(good, unusable, errors)
-    entry = catalogue.named(good["name"]) if "name" in good else None
     diameter = good.get("ball_diameter_mm")
     if diameter is None and entry is not None and "ball_diameter_mm" not in unusable:
         diameter = entry.bearing["ball_diameter_mm"]
@@ -96,13 +174,14 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
         unusable |= set(of_radius)  # one mistake: the ball's diameter is missing
     else:
         good |= {radius: coefficient * diameter for radius, coefficient in of_radius.items()}
+    is_clearance_given = bool(_EITHER & {*good, *unusable})
     of_raceways = _raceways(good, unusable, {} if entry is None else entry.bearing, errors)
     good |= of_raceways
     from_entry: dict[str, Any] = {}
     if entry is not None:
         label = label_of(entry, good)
-        printed = kept(entry, changed_keys(entry, good)) | printed
-        replaced = set(good) | unusable | (_EITHER if _EITHER & {*table, *good} else set())
+        given = given._replace(printed={**kept(entry, changed_keys(entry, good)), **given.printed})
+        replaced = set(good) | unusable | (_EITHER if is_clearance_given or _EITHER & {*good} else set())
         from_entry = {key: value for key, value in entry.bearing.items() if key not in replaced}
         good = from_entry | good
     elif "name" in good:
@@ -115,13 +194,13 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
                 cause += f" A bearing of your own may have a name, but needs {', '.join(absent)}, too"
             errors.append(FileErrorDetail("bearing.name", "is not in the catalogue", good["name"], cause=cause))
         label = printable(good["name"]) or label
-    if entry is not None or "name" not in table:
+    if entry is not None or "name" not in {*good, *unusable}:
         _find_missing(set(good) | unusable, errors)
     materials = {side: material(f"bearing.{side}", good.get(side), errors) for side in MATERIALS}
     needed = (key.field for key in (*required_of(BallBearing), CLEARANCE))
     fields: dict[str, Any] = dict.fromkeys(needed, nan) | si(BEARING, good)
     fields |= materials
-    fields["outline"] = _outline(printed)
+    fields["outline"] = _outline(given.printed)
     fields |= {"kind": BearingKind(good.get("kind", BearingKind.ANGULAR_CONTACT)), "name": label}
     bearing, wrong = _made(fields, good)
     for error in wrong:
@@ -129,7 +208,7 @@ def bearing_of(document: dict[str, Any], label: str, errors: Errors, may_infer: 
         note = f"from the catalogue, {entry.name}" if entry is not None and key in from_entry else ""
         note = "from the raceway diameters" if key in of_raceways else note
         errors.append(FileErrorDetail(**{**vars(error), "note": note}))
-    return bearing if len(errors) == before else None
+    return given._replace(bearing=bearing) if len(errors) == before else given
 
 
 def designated(given: dict[str, Any], unusable: Iterable[str] = ()) -> dict[str, Any]:
@@ -216,7 +295,7 @@ def kept(entry: catalogue.CatalogueEntry, changed: set[str]) -> dict[str, float]
     return {key.name: entry.dimensions[key.name] for key in PRINTED if key.name in entry.dimensions and key not in lost}
 
 
-def _outline(printed: dict[str, Any]) -> Outline | None:
+def _outline(printed: Mapping[str, Any]) -> Outline | None:
     printed_si = {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}
     known = {name: value for name, value in printed_si.items() if name in vars(Outline())}
     return Outline(**known) if known else None
@@ -258,7 +337,7 @@ def _made(fields: dict[str, Any], good: dict[str, Any]) -> tuple[BallBearing | N
     try:
         bearing = make(**fields)
     except SceneError as error:
-        return None, list(map(translate, judged(error)))
+        return None, list(map(translate, judged(error.errors)))
     wrong: Errors = []
     if np.ndim(angle) or np.ndim(clearance):
         return bearing, wrong  # of a study, which varies one of the two alone

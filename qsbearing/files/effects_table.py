@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import nan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,14 +17,16 @@ from qsbearing.files.keys import (
     FRICTION_RANGE,
     RING_COMPLIANCES,
     RING_EFFECTS,
+    SEAT_FITS,
     SEATS,
     TRACTION,
-    named,
     required_of,
 )
-from qsbearing.files.stated import NOTHING, Stated
+from qsbearing.files.stated import Given, Stated
 from qsbearing.files.table_checks import (
+    Check,
     Errors,
+    as_it_is,
     as_number,
     as_word,
     checked,
@@ -65,33 +68,46 @@ _EFFECTS = table_model(
     {"ball": list_of(as_word), BALL_DEVIATIONS.name: list_of(as_number)} | choice_fields("moment_shares", *CHOICES),
 )
 _TRACTION = table_model(Traction.name, TRACTION, {FRICTION_RANGE.name: list_of(as_number)} | choice_fields("law"))
-_EFFECT_TABLES = {name: table_model(name, keys) for name, keys in EFFECT_TABLES.items()}
-_ELASTIC_RINGS = table_model(
-    "elastic_rings",
-    EFFECT_TABLES["elastic_rings"],
-    dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES},
-)
+_LISTS = {key.name: key for key in RING_COMPLIANCES}
+_FIELDS = SEATS | {name: key.field for name, key in _LISTS.items()}
+"""How Python calls what is no number."""
+_MATERIALS = {name: materials_of(of) for name, of in RING_EFFECTS.items()}
+_OTHERS: dict[str, dict[str, Check]] = {name: dict.fromkeys(each, as_it_is) for name, each in _MATERIALS.items()}
+_OTHERS[RingExpansion.name] |= dict.fromkeys(SEAT_FITS, as_it_is)
+_OTHERS[ElasticRings.name] |= dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES}
+_EFFECT_TABLES = {name: table_model(name, keys, _OTHERS[name]) for name, keys in EFFECT_TABLES.items()}
 
 
-def effects_of(
-    document: dict[str, Any], errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
-) -> dict[str, Any]:
-    """The fields of `Scene` that say what is asked for.
+class ReadEffects(NamedTuple):
+    """The table [effects] as it was read."""
 
-    Args:
-        balance_keys: of temperatures that the heat balance will find.
-        stated: what tables take and need not state.
-    """
+    fields: dict[str, Any]
+    """Those of `Scene` that say what is asked for, but the ring effects."""
+    tables: dict[str, Given]
+    """Of the ring effects that have one."""
+    deviations: BallDiameterDeviations | None
+    has_deviations: bool
+    """Whether it gives any, usable or not."""
+
+    def made(self, errors: Errors, balance_keys: frozenset[str], stated: Stated) -> tuple[RingEffect, ...]:
+        """Its ring effects."""
+        effects = [*ring_effects(self.tables.values(), errors, balance_keys, stated), self.deviations]
+        return tuple(each for each in effects if each is not None)
+
+
+def read_effects(document: dict[str, Any], errors: Errors) -> ReadEffects:
+    """What a file asks for in [effects]."""
     table = document.get("effects")
     if table == AUTO:
-        return {"tolerance": _tolerance(document.get("tolerance", DEFAULT_ACCURACY), errors)}
+        tolerance = _tolerance(document.get("tolerance", DEFAULT_ACCURACY), errors)
+        return ReadEffects({"tolerance": tolerance}, {}, None, False)
     if "tolerance" in document:
         cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
         errors.append(FileErrorDetail("tolerance", 'is given without effects = "auto"', cause=cause))
     if isinstance(table, str):
         cause = 'Write effects = "auto" to have them chosen, or [effects] with its keys below it'
         errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
-        return {}
+        return ReadEffects({}, {}, None, False)
     table = {} if table is None else table
     traction, table = _traction(table, errors)
     within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
@@ -122,14 +138,11 @@ def effects_of(
                 problem = f"is given, but there is no gyroscopic moment to {verb}"
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
-    made_of_tables: list[RingEffect | None] = [
-        ring_effect(name, within[name], errors, balance_keys, stated) for name in within
-    ]
-    made_of_tables.append(ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors))
-    ring_effects = tuple(effect for effect in made_of_tables if effect is not None)
-    return {"ball_effects": effects, "ring_effects": ring_effects, **traction} | {
-        name: good[name] for name in CHOICES if name in good
-    }
+    tables = read_tables(within, errors)
+    has_deviations = isinstance(table, dict) and BALL_DEVIATIONS.name in table
+    deviations = ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors)
+    fields = {"ball_effects": effects, **traction} | {name: good[name] for name in CHOICES if name in good}
+    return ReadEffects(fields, tables, deviations, has_deviations)
 
 
 def _traction(effects: Any, errors: Errors) -> tuple[dict[str, Any], Any]:
@@ -157,50 +170,62 @@ def _gyroscopic_moment(shares: MomentShares | None, numbers: dict[str, Any], err
     return made(lambda: GyroscopicMoment(shares, **numbers), errors) or GyroscopicMoment(shares)
 
 
-def ring_effect(
-    name: str, table: Any, errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
-) -> RingEffect | None:
-    """The effect that a table within [effects] names; None for temperatures that are yet to be found."""
-    path, table = f"effects.{name}", stated.filled(name, table)
-    if name == ElasticRings.name:
-        return _elastic_rings(path, table, errors)
-    known_materials = materials_of(RING_EFFECTS[name])
-    is_table = isinstance(table, dict)
-    numbers = {key: value for key, value in table.items() if key not in known_materials} if is_table else table
-    before = len(errors)
-    fits: dict[str, Fit] = {}
-    if is_table and name == RingExpansion.name:
-        numbers, fits = fits_of(path, numbers, errors)
-    good, unusable = checked(_EFFECT_TABLES[name], path, numbers, errors)
-    if not is_table:
+def read_tables(tables: dict[str, Any], errors: Errors) -> dict[str, Given]:
+    """What the tables of ring effects among these state."""
+    read = {name: _read(name, tables[name], errors) for name in EFFECT_TABLES if name in tables}
+    return {name: each for name, each in read.items() if each is not None}
+
+
+def _read(name: str, table: Any, errors: Errors) -> Given | None:
+    path, keys = f"effects.{name}", EFFECT_TABLES[name]
+    is_nested = name == ElasticRings.name and isinstance(table, dict)  # its rings, and what holds them
+    good, unusable = checked(_EFFECT_TABLES[name], path, flattened(table) if is_nested else table, errors)
+    if not isinstance(table, dict):
         return None
-    later = [key.field for key in EFFECT_TABLES[name] if key.name in balance_keys]
-    needed = named(required_of(RING_EFFECTS[name]))
-    missing = lacking(needed, good, unusable, balance_keys)
+    fields: dict[str, Any] = si(keys, good)
+    for key in [each for each in _OTHERS[name] if each in good]:
+        value = good[key]
+        if key in _MATERIALS[name]:
+            value = material(f"{path}.{key}", value, errors)
+        elif key in _LISTS:
+            value = tuple(_LISTS[key].si(np.asarray(value)))
+        fields[_FIELDS.get(key, key)] = value
+    names = {key.name: key.field for key in keys} | _FIELDS
+    return Given(name, fields, frozenset(names.get(key, key) for key in unusable))
+
+
+def ring_effects(
+    tables: Iterable[Given], errors: Errors, balance_keys: frozenset[str], stated: Stated
+) -> tuple[RingEffect, ...]:
+    """The effects of these tables; without those whose errors were found.
+
+    Args:
+        balance_keys: of temperatures that the heat balance will find.
+        stated: what tables take and need not state.
+    """
+    made = (_ring_effect(each, errors, balance_keys, stated) for each in tables)
+    return tuple(each for each in made if each is not None)
+
+
+def _ring_effect(given: Given, errors: Errors, balance_keys: frozenset[str], stated: Stated) -> RingEffect | None:
+    name, path, keys = given.name, f"effects.{given.name}", EFFECT_TABLES[given.name]
+    if name == ElasticRings.name and given.unusable:
+        return None
+    of, before = RING_EFFECTS[name], len(errors)
+    fields, fits = {**stated.filled(given).fields}, dict[str, Fit]()
+    if name == RingExpansion.name:
+        fields, fits = fits_of(path, fields, errors)
+    required = {key.name: key.field for key in required_of(of)}
+    missing = lacking(required, {key.name for key in keys if key.field in {*fields, *given.unusable}}, balance_keys)
     errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
-    numbers_si: dict[str, Any] = dict.fromkeys(later)
-    numbers_si |= si(EFFECT_TABLES[name], dict.fromkeys((*missing, *unusable), nan) | good)
-    for key in known_materials:
-        if key in table:
-            numbers_si[key] = material(f"{path}.{key}", table[key], errors)
-    numbers_si |= {f"{seat}_interference": nan for seat in FITTED if f"{seat}_fit" in table}
+    later: dict[str, Any] = {key.field: None for key in keys if key.name in balance_keys}
+    numbers = {key.field for key in keys}
+    unusable = dict.fromkeys((*(required[key] for key in missing), *(given.unusable & numbers)), nan)
+    seats: dict[str, Any] = {f"{seat}_interference": nan for seat in FITTED if f"{seat}_fit" in given.fields}
     for seat, fit in fits.items():
-        numbers_si |= {f"{seat}_fit": fit, f"{seat}_interference": fit.mean}
-    effect: RingEffect | None = made(lambda: RING_EFFECTS[name](**numbers_si), errors)
-    return effect if len(errors) == before else None
-
-
-def _elastic_rings(path: str, table: Any, errors: Errors) -> ElasticRings | None:
-    """The effect whose rings, and what holds them, are tables within its own."""
-    flat = flattened(table) if isinstance(table, dict) else table
-    before = len(errors)
-    good, _ = checked(_ELASTIC_RINGS, path, flat, errors)
-    if not isinstance(table, dict) or len(errors) > before:
-        return None
-    fields: dict[str, Any] = si(EFFECT_TABLES[ElasticRings.name], good)
-    fields |= {field: good[name] for name, field in SEATS.items() if name in good}
-    fields |= {key.field: tuple(key.si(np.asarray(good[key.name]))) for key in RING_COMPLIANCES if key.name in good}
-    return made(lambda: ElasticRings(**fields), errors)
+        seats |= {f"{seat}_fit": fit, f"{seat}_interference": fit.mean}
+    effect: RingEffect | None = made(lambda: of(**later | unusable | fields | seats), errors)
+    return effect if len(errors) == before and not given.unusable else None
 
 
 def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:

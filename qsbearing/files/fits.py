@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -107,31 +108,34 @@ def _at(values: list[float], place: NDArray) -> NDArray:
     return np.asarray([*values, np.nan], float)[place]
 
 
-def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str, Any], dict[str, Fit]]:
-    """The table of ring expansion without the words of its fits, and the fit of each seat that has one.
+def fits_of(path: str, given: Mapping[str, Any], errors: Errors) -> tuple[dict[str, Any], dict[str, Fit]]:
+    """The fields of a ring expansion without the words of its fits, and the fit of each seat that has one.
 
     A seat's interference is the mean one.
+
+    Args:
+        given: SI, by the names that Python has.
     """
-    rest = {key: value for key, value in table.items() if key not in (*(f"{seat}_fit" for seat in FITTED), CLASS)}
-    tolerance = table.get(CLASS, NORMAL)
+    rest = {key: value for key, value in given.items() if key not in (*(f"{seat}_fit" for seat in FITTED), CLASS)}
+    tolerance = given.get(CLASS, NORMAL)
     before = len(errors)
     if tolerance not in classes():
         cause = f"One of {', '.join(classes())}. P4Y, P3, SP and UP have limits of their own: give the interference"
         if tolerance in tuple(ClearanceClass):
             cause = f'It is a class of clearance: write clearance_class = "{tolerance}" in [bearing]'
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is no tolerance class", tolerance, cause=cause))
-    named = {seat: table[f"{seat}_fit"] for seat in FITTED if f"{seat}_fit" in table}
-    if CLASS in table and not named:
+    named = {seat: given[f"{seat}_fit"] for seat in FITTED if f"{seat}_fit" in given}
+    if CLASS in given and not named:
         cause = "It is of use with shaft_fit or housing_fit"
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is given without a fit", tolerance, cause=cause))
     fits: dict[str, Fit] = {}
     for seat, name in named.items():
         _check(path, seat, name, rest, errors)
-        diameter: Any = rest.get(f"{FITTED[seat]}_diameter_mm")
-        is_length = isinstance(diameter, np.ndarray) or (type(diameter) in (int, float) and 0 < diameter < LARGEST)
+        diameter: Any = rest.get(f"{FITTED[seat]}_diameter", np.nan)
+        is_length = isinstance(diameter, np.ndarray) or 0.0 < diameter < LARGEST * mm
         if len(errors) > before or not is_length:
             continue  # a diameter that is missing or none is told of besides
-        made = fit(seat, name, tolerance, np.asarray(diameter, float) * mm)
+        made = fit(seat, name, tolerance, diameter)
         if np.isnan(made.mean).any():
             problem = f"has no limits in the tables for this {FITTED[seat]} diameter"
             cause = "They go to 250 mm of bore and 400 mm outside: give the interference"
@@ -143,7 +147,7 @@ def fits_of(path: str, table: dict[str, Any], errors: Errors) -> tuple[dict[str,
 
 def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors) -> None:
     field = f"{path}.{seat}_fit"
-    if f"{seat}_interference_um" in rest:
+    if f"{seat}_interference" in rest:
         cause = "Keep one: the fit makes the interference"
         errors.append(FileErrorDetail(field, f"is given together with {seat}_interference_um", name, cause=cause))
     elif name not in names(seat):

@@ -2,53 +2,57 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-from qsbearing.files import catalogue
+from qsbearing.files.bearing_table import ReadBearing, read_bearing
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.table_checks import Errors, did_you_mean
 
 CLASSES = ("light", "medium", "heavy")
 
 
-def with_preload_class(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    """The tables of a file with the force of a preload class in place of its word, as a rigid preload.
-
-    The word stands at the top of the file or in [bearing].
-    """
-    bearing, preload = document.get("bearing"), document.get("preload")
-    if isinstance(bearing, dict) and "preload" in bearing:
-        path, word = "bearing.preload", bearing["preload"]
-        without = {key: value for key, value in bearing.items() if key != "preload"}
-        document = {**document, "bearing": without, "preload": preload}
-    elif isinstance(preload, str):
-        path, word = "preload", preload
-        document = {**document, "preload": None}
-    else:
-        return document
-    if path != "preload" and preload is not None:
+def preload_table(document: dict[str, Any], common: ReadBearing, of_rows: Iterable[ReadBearing], errors: Errors) -> Any:
+    """The table [preload] of a file, or what its class stands for, a word at the top of the file or in [bearing]; None
+    where there is none, or the class has no force."""
+    table, path, word = document.get("preload"), "bearing.preload", common.preload_class
+    if word is None and isinstance(table, str):
+        table, path, word = None, "preload", table
+    if word is None:
+        return table
+    if table is not None:
         cause = "Keep one of the two: each sets the force that presses the bearing"
         errors.append(FileErrorDetail(path, "is given together with [preload]", word, cause=cause))
-    elif word not in CLASSES:
+        return None
+    if word not in CLASSES:
         cause = did_you_mean(word, CLASSES) or f"One of {', '.join(CLASSES)}; a force in N is given in [preload]"
         errors.append(FileErrorDetail(path, "is no preload class", word, cause=cause))
-    else:
-        document["preload"] = _force(document, path, word, errors)
-    return document
-
-
-def _force(document: dict[str, Any], path: str, word: str, errors: Errors) -> dict[str, float] | None:
-    rows = document.get("rows")
-    holders = [document, *(row for row in rows if isinstance(row, dict))] if isinstance(rows, list) else [document]
-    tables = [each["bearing"] for each in holders if isinstance(each.get("bearing"), dict)]
-    names = {str(each.get("name", "")) for each in tables}
-    entries = [catalogue.find(name) for name in names]
-    forces = {None if entry is None else entry.dimensions.get(f"preload_{word}_N") for entry in entries}
+        return None
+    bearings = [each for each in (common, *of_rows) if each.is_table]
+    if any("name" in each.unusable for each in bearings):
+        return None  # one mistake
+    entries = {each.name: each.entry for each in bearings}
+    forces = {None if each is None else each.dimensions.get(f"preload_{word}_N") for each in entries.values()}
     if len(forces) == 1 and (force := forces.pop()) is not None:
         return {"rigid_N": force}
-    which = "the rows' bearings differ" if len(names) > 1 else f"none are known of {names.pop() if names else ''!r}"
+    which = "the rows' bearings differ" if len(entries) > 1 else f"none are known of {next(iter(entries), '')!r}"
     cause = (
         f"The catalogue's spindle bearings have classes; {which}. Give the force in [preload], such as rigid_N = 300"
     )
     errors.append(FileErrorDetail(path, "is a class without a force", word, cause=cause))
     return None
+
+
+def in_numbers(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The tables of a file with the force of its class in place of the word: a number, which a study may vary."""
+    bearing = document.get("bearing")
+    in_bearing = isinstance(bearing, dict) and bearing.get("preload") is not None
+    if not in_bearing and not isinstance(document.get("preload"), str):
+        return document
+    rows = document.get("rows")
+    own = [row for row in rows if isinstance(row, dict) and "bearing" in row] if isinstance(rows, list) else []
+    common, *of_rows = (read_bearing(each, "", []) for each in (document, *own))
+    document = {**document, "preload": preload_table(document, common, of_rows, errors)}
+    if isinstance(bearing, dict):
+        document["bearing"] = {key: each for key, each in bearing.items() if key != "preload"}
+    return document

@@ -16,9 +16,7 @@ from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import REQUIRE
-from qsbearing.files.readings_table import requested_readings
 from qsbearing.files.result_names import AZIMUTH, places_of, why_unknown
-from qsbearing.files.stated import Stated
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.scene.requirement import Requirement, requirements_of
 from qsbearing.model.scene.scene import Scene
@@ -26,7 +24,7 @@ from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import STEADY
 from qsbearing.model.solution.limit import Limit, ending, spare
 from qsbearing.model.solution.result_keys import Group, Path, Place, Result, printed_unit, value_at
-from qsbearing.readings.asked import LUBRICANT, every_group, take_asked
+from qsbearing.readings.asked import every_group, take_asked
 from qsbearing.systems.heat.heat_groups import groups_of_heat, names_of
 from qsbearing.systems.heat.state import ThermalState
 from qsbearing.systems.sets.set_groups import (
@@ -190,40 +188,8 @@ def name_errors(of: Any) -> Errors:
     return limits_named(of.require, known_of(of))[1]
 
 
-def with_readings(
-    document: dict[str, Any], required: Iterable[Requirement], balance_keys: frozenset[str], stated: Stated
-) -> dict[str, Any]:
-    """The tables of a file, which ask also for each reading of which a number is required; one that lacks arguments is
-    left out, and what is required of it stays open."""
+def readings_of(document: Mapping[str, Any], required: Iterable[Requirement]) -> tuple[str, ...]:
+    """The readings of which a number is required."""
     known = known_in({"rows": document["rows"]} if "rows" in document else {})
-    names = dict.fromkeys(place.group.reading for each in required for place in known.places(each.name)[:1])
-    names.pop("", None)
-    if not names:
-        return document
-    document = _asking(document, names, balance_keys, stated)
-    rows = document.get("rows")
-    if isinstance(rows, list):
-        own = [
-            _asking(row, names, balance_keys, stated.of_bearing(row["bearing"]) if "bearing" in row else stated)
-            if isinstance(row, dict) and "readings" in row else row
-            for row in rows
-        ]  # fmt: skip
-        document = document | {"rows": own}
-    return document
-
-
-def _asking(
-    table: dict[str, Any], names: Iterable[str], balance_keys: frozenset[str], stated: Stated
-) -> dict[str, Any]:
-    """A table with [readings] that asks for these as well."""
-    requested_for = table.get("readings", {})
-    if not isinstance(requested_for, dict):
-        return table
-    oil = {name: requested_for[name] for name in (LUBRICANT,) if name in requested_for}
-    more: dict[str, Any] = {}
-    for name in names:
-        lacks: Errors = []
-        requested_readings({"readings": {**oil, name: {}}}, lacks, balance_keys, stated)
-        if name not in requested_for and not lacks:
-            more[name] = {}
-    return table | {"readings": requested_for | more} if more else table
+    names = (place.group.reading for each in required for place in known.places(each.name)[:1])
+    return tuple(name for name in dict.fromkeys(names) if name)

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qsbearing.files import catalogue, result_file
-from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import effects_of
+from qsbearing.files.bearing_table import read_bearing
+from qsbearing.files.effects_table import read_effects
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
 from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_tables
 from qsbearing.files.keys import (
@@ -22,12 +22,12 @@ from qsbearing.files.keys import (
     SECTIONS,
 )
 from qsbearing.files.limits import LARGEST_FILE
-from qsbearing.files.preload_class import with_preload_class
+from qsbearing.files.preload_class import preload_table
 from qsbearing.files.raw import STANDARD_INPUT, read_text
-from qsbearing.files.readings_table import errors_in_scene, requested_readings
+from qsbearing.files.readings_table import ReadReadings, errors_in_scene, read_readings
 from qsbearing.files.sheet_by_name import nearest
 from qsbearing.files.spectrum_table import over_spectrum, points_of_table
-from qsbearing.files.stated import Stated, stated_in
+from qsbearing.files.stated import stated_in
 from qsbearing.files.table_checks import (
     Errors,
     as_it_is,
@@ -140,16 +140,16 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
             file, [FileErrorDetail(of_set[0], "makes a set; here a single bearing is read", cause=cause)]
         )
     errors: Errors = []
-    document = with_preload_class(document, errors)
     thermal, balance_keys = heated(document, errors)
-    stated = stated_in(document, errors)
     _find_unknown_tables(document, errors)
-    bearing = bearing_of(document, label, errors, may_infer)
-    operation = operation_of(document, errors)
-    preload = preload_of(document, operation, errors)
-    effects = effects_of(document, errors, balance_keys, stated)
-    document, required = with_required(document, errors, balance_keys, stated)
-    readings = requested_readings(document, errors, balance_keys, stated)
+    read = read_bearing(document, label, errors, may_infer)
+    bearing, stated = read.bearing, stated_in(document, read, errors)
+    operation = operation_of(document, errors, is_loaded=read.preload_class is not None)
+    preload = preload_of(preload_table(document, read, (), errors), operation, errors)
+    effects = read_effects(document, errors)
+    ring_effects = effects.made(errors, balance_keys, stated)
+    asked, required = read_required(document, read_readings(document, errors), errors)
+    readings = asked.made(errors, balance_keys, stated)
     if required and bearing is not None and bearing.inferred is not None:
         errors.append(FileErrorDetail(f"[{REQUIRE}]", "is not answered for a list of bearings", cause=ONE_OF_LIST))
     if thermal is not None:
@@ -157,8 +157,8 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     if errors or bearing is None or operation is None:
         raise SceneFileError(file, errors)
     try:
-        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "require": required}
-        scene = Scene(bearing, operation, preload=preload, **effects, **given)
+        given: dict[str, Any] = {"readings": readings, "thermal": thermal, "require": required, **effects.fields}
+        scene = Scene(bearing, operation, preload=preload, ring_effects=ring_effects, **given)
     except SceneError as error:
         raise SceneFileError(file, map(translate, error.errors)) from None
     wrong = errors_in_scene(scene, balance_keys)
@@ -171,16 +171,16 @@ def scene_of(document: dict[str, Any], file: str, label: str = "", may_infer: bo
     return scene
 
 
-def with_required(
-    document: dict[str, Any], errors: Errors, balance_keys: frozenset[str], stated: Stated
-) -> tuple[dict[str, Any], tuple[Requirement, ...]]:
-    """What the tables of a scene or set require of results; the tables ask for the readings that this takes."""
+def read_required(
+    document: dict[str, Any], asked: ReadReadings, errors: Errors
+) -> tuple[ReadReadings, tuple[Requirement, ...]]:
+    """What the tables of a scene or set require of results; they ask for the readings that this takes as well."""
     if document.get(REQUIRE) is None:
-        return document, ()
+        return asked, ()
     from qsbearing.files import require_table  # loaded only where something is required
 
     required = require_table.required_in(document, errors)
-    return require_table.with_readings(document, required, balance_keys, stated), required
+    return asked.implying(require_table.readings_of(document, required)), required
 
 
 def heated(document: dict[str, Any], errors: Errors) -> tuple[Thermal | None, frozenset[str]]:
@@ -273,13 +273,13 @@ def operation_of(document: dict[str, Any], errors: Errors, *, is_loaded: bool = 
     return made(lambda: Operation(**fields), errors)
 
 
-def preload_of(document: dict[str, Any], operation: Operation | None, errors: Errors) -> Preload | None:
-    """The preload of a file's table [preload], where it has one; checked together with an operation that is given."""
-    if document.get("preload") is None:
+def preload_of(table: Any, operation: Operation | None, errors: Errors) -> Preload | None:
+    """The preload of a table [preload], where there is one; checked together with an operation that is given."""
+    if table is None:
         return None
-    good, unusable = checked(_PRELOAD, "preload", document["preload"], errors)
+    good, unusable = checked(_PRELOAD, "preload", table, errors)
     if operation is not None:
         errors += map(translate, axial_channel_errors(operation))
-    if not isinstance(document["preload"], dict):
+    if not isinstance(table, dict):
         return None
     return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)

@@ -6,29 +6,29 @@ import os
 import warnings
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from qsbearing.files.ball_lists import listed_in, said_of
-from qsbearing.files.bearing_table import bearing_of
-from qsbearing.files.effects_table import effects_of, ring_effect
+from qsbearing.files.bearing_table import NO_BEARING, ReadBearing, read_bearing
+from qsbearing.files.effects_table import ReadEffects, read_effects, read_tables, ring_effects
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
-from qsbearing.files.keys import EFFECT_TABLES, SECTIONS, SET_TABLES, keys_of
-from qsbearing.files.preload_class import with_preload_class
-from qsbearing.files.readings_table import errors_in_scene, requested_readings
+from qsbearing.files.keys import SECTIONS, SET_TABLES, keys_of
+from qsbearing.files.preload_class import preload_table
+from qsbearing.files.readings_table import ReadReadings, errors_in_scene, read_readings
 from qsbearing.files.row_bearing import with_whole_bearings
 from qsbearing.files.scene_file import (
     document_of,
     heated,
     operation_of,
     preload_of,
-    with_required,
+    read_required,
     wrong_in_other_tables,
 )
 from qsbearing.files.set_keys import GRAVITY, OTHERS
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
-from qsbearing.files.stated import Stated, stated_in, with_own_tables
+from qsbearing.files.stated import Stated, stated_in
 from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.described import choices_of
@@ -74,21 +74,28 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document = with_whole_bearings(with_preload_class(document, errors))
+    document = with_whole_bearings(document)
     thermal, balance_keys = heated(document, errors)
-    document, stated = with_own_tables(document), stated_in(document, errors)
     _find_unknown_tables(document, errors)
-    document, required = with_required(document, errors, balance_keys, stated)
-    common = bearing_of(document, "", errors) if "bearing" in document else None
-    has_common = document.get("bearing") is not None
-    rows = _rows(document, common, has_common, errors, balance_keys, stated)
-    operation = operation_of({"operation": {}} | document, errors, is_loaded=_is_loaded(document))
-    preload = preload_of(document, None, errors)
-    effects = effects_of(document, errors, balance_keys, stated)
-    if effects.pop("traction", None) is not None and effects.get("raceway_control") != "friction":
+    common = read_bearing(document, "", errors) if "bearing" in document else NO_BEARING
+    effects = read_effects(document, errors)
+    asked, required = read_required(document, read_readings(document, errors), errors)
+    shared = _Shared(document, common, stated_in(document, common, errors), effects, asked, balance_keys)
+    read = _rows(document, shared, errors)
+    rows = [each.row for each in read if each.row is not None]
+    is_loaded = _is_loaded(document) or common.preload_class is not None
+    operation = operation_of({"operation": {}} | document, errors, is_loaded=is_loaded)
+    preload = preload_of(preload_table(document, common, (each.bearing for each in read), errors), None, errors)
+    if effects.fields.pop("traction", None) is not None and effects.fields.get("raceway_control") != "friction":
         cause = "Leave it out; a bearing of the set alone is solved with friction"
         errors.append(FileErrorDetail("effects.traction", "moves no balls of a set", cause=cause))
-    readings = requested_readings(document, errors, balance_keys, stated)
+    # Where every row has its own, nothing is lacking that no bearing of all states.
+    if "bearing" not in document and all(each.has_effects for each in read):
+        effects = effects._replace(tables={})
+    ring_effects = effects.made(errors, balance_keys, shared.stated)
+    if "bearing" not in document and all(each.has_readings for each in read):
+        asked = ReadReadings({})
+    readings = asked.made(errors, balance_keys, shared.stated)
     around = surroundings(document, errors)
     if thermal is not None:
         errors += map(translate, thermal.errors([readings if row.readings is None else row.readings for row in rows]))
@@ -96,7 +103,7 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
         raise SceneFileError(file, errors)
     try:
         given: dict[str, Any] = {"readings": readings, "thermal": thermal, "name": label, **around, "require": required}
-        of = BearingSet(tuple(rows), operation, preload, **effects, **given)
+        of = BearingSet(tuple(rows), operation, preload, ring_effects=ring_effects, **effects.fields, **given)
     except SceneError as error:
         raise SceneFileError(file, map(_translated, error.errors)) from None
     wrong = _errors_of_readings(of, balance_keys)
@@ -140,14 +147,28 @@ def _find_unknown_tables(document: dict[str, Any], errors: Errors) -> None:
             unknown_key(name, name, "", value, errors)
 
 
-def _rows(
-    document: dict[str, Any],
-    common: Any,
-    has_common: bool,
-    errors: Errors,
-    balance_keys: frozenset[str],
-    stated: Stated,
-) -> list[Row]:
+class _Shared(NamedTuple):
+    """What the tables beside the rows state."""
+
+    document: dict[str, Any]
+    bearing: ReadBearing
+    stated: Stated
+    effects: ReadEffects
+    asked: ReadReadings
+    balance_keys: frozenset[str]
+
+
+class _ReadRow(NamedTuple):
+    row: Row | None = None
+    """None where errors were found."""
+    bearing: ReadBearing = NO_BEARING
+    """Its own."""
+    has_effects: bool = False
+    """Of its own, or those of all, with the numbers of its own bearing; likewise readings."""
+    has_readings: bool = False
+
+
+def _rows(document: dict[str, Any], shared: _Shared, errors: Errors) -> list[_ReadRow]:
     tables = document.get("rows")
     if not isinstance(tables, list) or not tables:
         cause = 'Write [[rows]] for each row, with position_mm = 0 and carries = "+x" below it'
@@ -158,26 +179,16 @@ def _rows(
     rows = []
     for number, table in enumerate(tables, 1):
         own: Errors = []
-        row = _row(table, f"row {number}", common, has_common, own, balance_keys, stated)
+        rows.append(_row(table, f"row {number}", shared, own))
         errors += own
-        if row is not None:
-            rows.append(row)
     return rows
 
 
-def _row(
-    table: Any,
-    path: str,
-    common: Any,
-    has_common: bool,
-    errors: Errors,
-    balance_keys: frozenset[str],
-    stated: Stated,
-) -> Row | None:
+def _row(table: Any, path: str, shared: _Shared, errors: Errors) -> _ReadRow:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
     good, unusable = checked(_ROW, path, plain, errors)
     if not isinstance(table, dict):
-        return None
+        return _ReadRow()
     if "position_mm" not in good and "position_mm" not in unusable:
         cause = "Give the position of the balls' centres along the shaft; it sets the distances between rows"
         errors.append(FileErrorDetail(f"{path}.position_mm", "missing", cause=cause))
@@ -189,27 +200,33 @@ def _row(
     within: Errors = []
     if "housing_stiffness" in table:
         numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
+    effects = read_tables(table, within)
+    asked = read_readings(table, within).implying(shared.asked.required) if "readings" in table else None
+    bearing, stated = shared.bearing.bearing, shared.stated
+    own = read_bearing({"bearing": table["bearing"]}, "", within, is_of_row=True) if "bearing" in table else NO_BEARING
     if "bearing" in table:
-        stated = stated.of_bearing(table["bearing"])
-    effects = [ring_effect(name, table[name], within, balance_keys, stated) for name in EFFECT_TABLES if name in table]
-    readings = requested_readings(table, within, balance_keys, stated) if "readings" in table else None
-    bearing = common
-    if "bearing" in table:
-        bearing = bearing_of({"bearing": table["bearing"]}, "", within)
-    elif not has_common:
+        bearing, stated = own.bearing, stated._replace(bearing=own)
+        if not effects and not shared.effects.has_deviations and stated.takes(shared.effects.tables.values()):
+            effects = shared.effects.tables
+        if asked is None and stated.takes(shared.asked.tables.values()):
+            asked = shared.asked
+    elif shared.document.get("bearing") is None:
         cause = "Give [bearing], which all rows share, or a table [rows.bearing] below each [[rows]]"
         within.append(FileErrorDetail("bearing", "missing", cause=cause))
     carries = good.get("carries")
     if "carries" not in unusable and not (carries is None and is_deep_groove(bearing, table.get("bearing"))):
         errors += _direction_errors(carries, path)
+    made_effects = ring_effects(effects.values(), within, shared.balance_keys, stated)
+    readings = None if asked is None else asked.made(within, shared.balance_keys, stated)
     errors += _below(path, within)
+    read = _ReadRow(None, own, bool(effects), asked is not None)
     if errors or bearing is None:
-        return None
-    ring_effects = tuple(effect for effect in effects if effect is not None)
-    return Row(
+        return read
+    row = Row(
         bearing, **numbers, carries=None if carries is None else Direction(carries), sprung=sprung,
-        ring_effects=ring_effects or None, readings=readings,
+        ring_effects=made_effects or None, readings=readings,
     )  # fmt: skip
+    return read._replace(row=row)
 
 
 def is_deep_groove(bearing: BallBearing | None, table: Any) -> bool:

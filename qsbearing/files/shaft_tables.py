@@ -200,7 +200,7 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
             else:
                 given["rows"] = tuple(rows)
         if "preload" in good:
-            given["preload"] = preload_of({"preload": good["preload"]}, None, errors)
+            given["preload"] = preload_of(good["preload"], None, errors)
         one = made(partial(make, **given), errors) if len(errors) == before else None
         records += [] if one is None else [one]
     return records

@@ -1,5 +1,5 @@
-"""What a file states once, in [bearing] and in [housing], for every table of an effect or a reading that takes it and
-does not state it itself.
+"""What a file states once, in [bearing] and in [housing], for every effect and reading that takes it and does not state
+it itself.
 
 Of [bearing] it is what a catalogue prints besides the model's lengths: diameters, width, shoulders and ratings, given
 there or known of the bearing that the file names. Where a file changes a number of this bearing, the ratings are no
@@ -11,188 +11,138 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from functools import cache
+from math import nan
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from qsbearing.files import catalogue
-from qsbearing.files.bearing_table import changed_keys, designated, kept
-from qsbearing.files.designations import read
-from qsbearing.files.file_keys import reading_keys, reading_tables, set_numbers
+from qsbearing.files.bearing_table import NO_BEARING, ReadBearing
+from qsbearing.files.file_keys import reading_keys, set_numbers
 from qsbearing.files.fits import CLASS
-from qsbearing.files.keys import BALL_DEVIATIONS, DIAMETERS, EFFECT_TABLES, MATERIAL, PRINTED, RATINGS, SEAT_FITS
-from qsbearing.files.sheet_by_name import sheets_by_name
-from qsbearing.files.table_checks import Errors, as_it_is, checked, flattened, material, table_model
-from qsbearing.inference.practice import RatingPractice
+from qsbearing.files.keys import DIAMETERS, EFFECT_TABLES, RATINGS, SEAT_FITS, SEATS
+from qsbearing.files.table_checks import Errors, as_it_is, checked, material, si, table_model
+from qsbearing.model.described import inputs_of
 from qsbearing.model.effects import ElasticRings, RingExpansion
 from qsbearing.model.material import STEEL
 
-_BY_GEOMETRY = {"dynamic_load_rating_N": {"rating", "rating_factor"}}
-"""Keys beside which a rating is asked for by the geometry, so that it is none of a catalogue."""
+_BY_GEOMETRY = {"dynamic_load_rating": {"rating", "rating_factor"}}
+"""Fields beside which a rating is requested by the geometry, so that it is none of a catalogue."""
 _RATINGS = {key.name for key in RATINGS}
-_RATED = RATINGS[0].name
-_GUESSED = (
-    "Its balls are guessed by proportions, from which lives are up to 8 times off: give dynamic_load_rating_N and "
-    "static_load_rating_N in [bearing], as printed"
-)
-_DIFFER = "Makers rate it differently: write whose it is before the number"
-_FITTED = {"housing_interference_um", "housing_fit"}
-_ELASTIC = tuple(key for key in MATERIAL if key.field in ("elastic_modulus", "poisson_ratio"))
-"""What an elastic housing takes of its material."""
+_FITTED = {"housing_interference", "housing_fit"}
 _NONE: Mapping[str, Any] = MappingProxyType({})
+_OF_SIDE = {each.name: each.part[0] for each in inputs_of(ElasticRings)} | {
+    field: name.partition(".")[0] for name, field in SEATS.items()
+}
+"""Which ring a field of elastic rings is about."""
+_OF_HOUSING = {each.name for each in inputs_of(ElasticRings) if each.part[1:] == ("housing",)} | {"housing"}
+_COMPLIANCES = {each.name for each in inputs_of(ElasticRings) if each.is_list}
+
+
+class Given(NamedTuple):
+    """The table of an effect or a reading as it was read."""
+
+    name: str
+    fields: Mapping[str, Any] = _NONE
+    """What it states, in SI, by the names that Python has; what it does not state is not there."""
+    unusable: frozenset[str] = frozenset()
+    """Fields of which it states nothing that can be used."""
+    is_implied: bool = False
+    """Whether nothing but a requirement asks for it: it is left out where anything is missing."""
+
+    @property
+    def own(self) -> set[str]:
+        """Every field that nothing else stands in for."""
+        return {*self.fields} | self.unusable
 
 
 class Stated(NamedTuple):
-    """By the keys of a file, in its units."""
+    """What effects and readings may take."""
 
-    printed: Mapping[str, Any] = _NONE
-    """Of a bearing."""
+    bearing: ReadBearing = NO_BEARING
     fitted: Mapping[str, Any] = _NONE
-    """Of the housing, for a ring expansion."""
+    """Of the housing, the fields of a ring expansion."""
     elastic: Mapping[str, Any] = _NONE
-    """Of the housing, for an elastic outer ring."""
-    unrated: str = ""
-    """Why nothing tells C and C0 of the bearing, a sentence without its end; empty: they are given, or follow from the
-    balls."""
+    """Of the housing, the fields of elastic rings."""
 
-    def of_bearing(self, bearing: Any) -> Stated:
-        """With the numbers of this table [bearing]."""
-        sheets = sheets_by_name(bearing) if isinstance(bearing, dict) else []
-        is_guess = isinstance(bearing, dict) and bearing.get("rating_practice") == RatingPractice.PROPORTIONS
-        is_guess |= any(_RATED not in each for each in sheets)
-        unrated = _DIFFER if len(sheets) > 1 else _GUESSED if is_guess else ""
-        rated = {key: each for key, each in sheets[0].items() if key in _RATINGS} if len(sheets) == 1 else {}
-        return self._replace(printed=_printed(bearing) | rated, unrated=unrated)
-
-    def lacks_rating(self, name: str, table: Mapping[str, Any]) -> bool:
+    def lacks_rating(self, given: Given) -> bool:
         """Whether a reading takes C or C0 that nothing tells."""
-        takes = {key for key, printed in printed_keys(name).items() if printed in _RATINGS}
-        return bool(self.unrated and takes and not takes & {*table})
+        takes = {key.field for key in _keys(given.name) if key.printed in _RATINGS}
+        return bool(self.bearing.unrated and takes and not takes & self.filled(given).own)
 
-    def filled(self, name: str, table: Any) -> Any:
-        """The table of an effect or a reading with what it takes of all this."""
-        if given := _taken(name, table, self.printed):
-            table = {**given, **({} if table is True else table)}
-        if not isinstance(table, dict):
-            return table
-        if name == RingExpansion.name and _FITTED & set(table):
-            return {**self.fitted, **table}
-        if name == ElasticRings.name and isinstance(outer := table.get("outer"), dict) and self.elastic:
-            return {**table, "outer": {"housing": self.elastic, **outer}}
-        return table
+    def of_bearing(self, given: Given) -> dict[str, Any]:
+        """What of the bearing's numbers a table takes and does not state; NaN for what the file has no usable number
+        of."""
+        own, known = given.own, dict.fromkeys(self.bearing.unusable, nan) | {**self.bearing.printed}
+        taken = {
+            key.field: key.si(known[key.printed])
+            for key in _keys(given.name)
+            if key.printed in known and key.field not in own and not own & _BY_GEOMETRY.get(key.field, set())
+        }
+        if given.name == ElasticRings.name:
+            taken = {field: each for field, each in taken.items() if _has_section(_OF_SIDE[field], own)}
+        tolerance = self.bearing.tolerance_class
+        if given.name == RingExpansion.name and tolerance and own & {*SEAT_FITS} and CLASS not in own:
+            taken[CLASS] = tolerance  # a designation's, as P4
+        return taken
+
+    def takes(self, tables: Iterable[Given]) -> bool:
+        """Whether any of these takes a number of the bearing."""
+        return any(map(self.of_bearing, tables))
+
+    def filled(self, given: Given) -> Given:
+        """An effect or a reading with what it takes of all this."""
+        own, of_housing = given.own, _NONE
+        if given.name == RingExpansion.name and own & _FITTED:
+            of_housing = {field: each for field, each in self.fitted.items() if field not in own}
+        if given.name == ElasticRings.name and "outer" in map(_OF_SIDE.get, own) and not own & _OF_HOUSING:
+            of_housing = self.elastic
+        fields = {**self.of_bearing(given), **of_housing, **given.fields}
+        in_order = {key.field: fields[key.field] for key in _keys(given.name) if key.field in fields}
+        return given._replace(fields=in_order | fields)
 
 
 NOTHING = Stated()
 
 
-def stated_in(document: dict[str, Any], errors: Errors) -> Stated:
-    """What the tables of a file state.
+def stated_in(document: dict[str, Any], bearing: ReadBearing, errors: Errors) -> Stated:
+    """What a file with this bearing states.
 
     Args:
         errors: gets what is wrong with the housing of a single bearing; that of a set is judged with the set.
     """
     table = document.get("housing")
-    of_housing = NOTHING if table is None else _of_housing(table, "rows" in document, errors)
-    return of_housing.of_bearing(document.get("bearing"))
-
-
-def with_own_tables(document: dict[str, Any]) -> dict[str, Any]:
-    """The tables of a set, in which a row with a bearing of its own has effects and readings of its own where those of
-    all rows take numbers of the bearing; where every row has its own, those of all rows are left out."""
-    if not isinstance(document.get("rows"), list):
-        return document
-    rows = [_row(row, document) if isinstance(row, dict) else row for row in document["rows"]]
-    document = {**document, "rows": rows}
-    for place in _PLACES:
-        all_have = all(isinstance(row, dict) and _has(row, place) for row in rows)
-        if all_have and "bearing" not in document and isinstance(document.get(place), dict):
-            document[place] = {key: each for key, each in document[place].items() if key not in _names(place)}
-    return document
+    return Stated(bearing) if table is None else _of_housing(table, bearing, "rows" in document, errors)
 
 
 @cache  # a search asks a thousand times
 def printed_keys(name: str) -> dict[str, str]:
     """The keys of an effect's or a reading's table in which a printed number stands in, and which."""
-    keys = EFFECT_TABLES.get(name) or reading_keys(name)
-    return {key.name: key.printed for key in keys if key.printed}
+    return {key.name: key.printed for key in _keys(name) if key.printed}
 
 
-def _of_housing(table: Any, is_of_set: bool, errors: Errors) -> Stated:
+def _keys(name: str) -> Any:
+    return EFFECT_TABLES.get(name) or reading_keys(name)
+
+
+def _of_housing(table: Any, bearing: ReadBearing, is_of_set: bool, errors: Errors) -> Stated:
     wrong: Errors = [] if is_of_set else errors
-    good, _ = checked(table_model("housing", set_numbers()["housing"], {"material": as_it_is}), "housing", table, wrong)
+    keys = set_numbers()["housing"]
+    good, unusable = checked(table_model("housing", keys, {"material": as_it_is}), "housing", table, wrong)
     before = len(wrong)
-    body = good.get("material", STEEL.name if is_of_set else None)  # of a set, `Housing` has it
-    body = None if body is None else material("housing.material", body, wrong)
-    diameter = good.get(DIAMETERS[1].name)
-    fitted = {"housing_outside_diameter_mm": diameter}
-    if not is_of_set:
-        fitted |= {"housing_temperature_C": good.get("temperature_C"), "housing_material": good.get("material")}
-        fitted |= {"reference_temperature_C": good.get("reference_temperature_C")}
-    elastic = {} if diameter is None or len(wrong) > before else {DIAMETERS[1].name: diameter}
-    if elastic and body is not None:
-        elastic |= {key.name: key.in_file(getattr(body, key.field)) for key in _ELASTIC}
-    return Stated({}, {name: value for name, value in fitted.items() if value is not None}, elastic)
+    given: dict[str, Any] = si(keys, dict.fromkeys(unusable, nan) | good)
+    if (body := good.get("material", STEEL.name if is_of_set else None)) is not None:  # of a set, `Housing` has it
+        given["material"] = material("housing.material", body, wrong)
+    outside = {f"housing_{DIAMETERS[1].field}": given[DIAMETERS[1].field]} if DIAMETERS[1].field in given else {}
+    if not outside or len(wrong) > before:
+        elastic: dict[str, Any] = {}
+    else:
+        of_body = ("elastic_modulus", "poisson_ratio") if "material" in given else ()
+        elastic = outside | {f"housing_{name}": getattr(given["material"], name) for name in of_body}
+    names = {} if is_of_set else {"temperature": "housing_temperature", "material": "housing_material"}
+    names |= {} if is_of_set else {"reference_temperature": "reference_temperature"}
+    return Stated(bearing, outside | {names[name]: each for name, each in given.items() if name in names}, elastic)
 
 
-def _printed(bearing: Any) -> dict[str, Any]:
-    """What a file's [bearing] gives of such numbers, and what the catalogue prints of the one that it names."""
-    if not isinstance(bearing, dict):
-        return {}
-    bearing = designated(bearing)
-    own = {key.name: bearing[key.name] for key in PRINTED if key.name in bearing}
-    name = bearing["name"] if isinstance(bearing.get("name"), str) else ""
-    told, entry = read(name), catalogue.find(name)
-    by_name = {CLASS: told.tolerance_class} if told is not None and told.tolerance_class else {}
-    if entry is None:
-        return by_name | own
-    changed = changed_keys(entry, {key: each for key, each in bearing.items() if key not in own})
-    return kept(entry, changed) | by_name | own
-
-
-def _taken(name: str, table: Any, known: Mapping[str, Any]) -> dict[str, Any]:
-    """What of the known numbers a table takes and does not state."""
-    if not known or (not isinstance(table, dict) and table is not True):
-        return {}
-    own = set() if table is True else set(flattened(table))
-    numbers = {
-        key: known[printed]
-        for key, printed in printed_keys(name).items()
-        if printed in known and key not in own and not own & _BY_GEOMETRY.get(key, set()) and _has_section(key, own)
-    }
-    if name == RingExpansion.name and CLASS in known and own & set(SEAT_FITS) and CLASS not in own:
-        numbers[CLASS] = known[CLASS]  # a designation's, as P4
-    return numbers
-
-
-def _has_section(key: str, own: set[str]) -> bool:
-    """Whether a ring of elastic rings, which the key begins with, is described, and not by its compliances."""
-    side = key.rpartition(".")[0]
-    of_ring = {each for each in own if each.startswith(f"{side}.")}
-    return not side or (bool(of_ring) and not any(each.endswith(".compliance_um_per_N") for each in of_ring))
-
-
-_PLACES = ("effects", "readings")
-
-
-def _names(place: str) -> Iterable[str]:
-    """Of the tables within [effects] or [readings]; readings are loaded only for a file that has some."""
-    return EFFECT_TABLES if place == "effects" else reading_tables()
-
-
-def _has(row: dict[str, Any], place: str) -> bool:
-    """Whether a row has effects or readings of its own."""
-    return place in row if place == "readings" else any(name in row for name in EFFECT_TABLES)
-
-
-def _row(row: dict[str, Any], document: dict[str, Any]) -> dict[str, Any]:
-    """With the tables of all rows that take numbers of its own bearing."""
-    if "bearing" not in row:
-        return row
-    known = _printed(row["bearing"])
-    for place in _PLACES:
-        of_all = document.get(place)
-        if _has(row, place) or not isinstance(of_all, dict) or BALL_DEVIATIONS.name in of_all:
-            continue
-        inherited = {name: of_all[name] for name in _names(place) if name in of_all}
-        if any(_taken(name, table, known) for name, table in inherited.items()):
-            row = {**row, **(inherited if place == "effects" else {place: inherited})}
-    return row
+def _has_section(side: str, own: set[str]) -> bool:
+    """Whether a ring of elastic rings is described, and not by its compliances."""
+    of_ring = {field for field in own if _OF_SIDE.get(field) == side}
+    return bool(of_ring) and not of_ring & _COMPLIANCES

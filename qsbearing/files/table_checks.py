@@ -194,9 +194,9 @@ def si(keys: tuple[Key, ...], good: dict[str, Any]) -> dict[str, float]:
     return {key.field: key.si(good[key.name]) for key in keys if key.name in good}
 
 
-def judged(error: SceneError) -> list[ErrorDetail]:
+def judged(errors: Iterable[ErrorDetail]) -> list[ErrorDetail]:
     """The errors of Python's objects, but for the NaN that stands where the file has no usable number."""
-    return [each for each in error.errors if not (isinstance(each.value, float) and isnan(each.value))]
+    return [each for each in errors if not (isinstance(each.value, float) and isnan(each.value))]
 
 
 def made(make: Callable[[], Made], errors: Errors) -> Made | None:
@@ -204,7 +204,7 @@ def made(make: Callable[[], Made], errors: Errors) -> Made | None:
     try:
         return make()
     except SceneError as error:
-        errors += map(translate, judged(error))
+        errors += map(translate, judged(error.errors))
         return None
 
 

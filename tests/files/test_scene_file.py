@@ -161,7 +161,7 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
-        elsewhere = {*scene_keys.MATERIALS, *scene_keys.EFFECT_TABLES, "traction"}
+        elsewhere = {*scene_keys.EFFECT_TABLES, "traction"}
         assert set(model.checks) == set(scene_keys.SECTIONS[section]) - elsewhere
     law = {field.name for field in dataclasses.fields(qs.Traction)} - {"law", "has_curvature"}
     assert {key.field for key in (*scene_keys.TRACTION, scene_keys.FRICTION_RANGE)} == law
