@@ -56,8 +56,6 @@ LONGEST = 200
 """Characters of ranges that are shown whole; maps have one for each of their rows, of which three are shown."""
 
 
-def _in_short(where: str) -> str:
-    if len(where) <= LONGEST:
-        return where
-    rows = where.split("; ")
-    return "; ... ".join(rows[place] for place in (0, len(rows) // 2, -1))
+def _in_short(where: tuple[str, ...]) -> str:
+    whole = "; ".join(where)
+    return whole if len(whole) <= LONGEST else "; ... ".join(where[place] for place in (0, len(where) // 2, -1))

@@ -46,7 +46,7 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
         "Design report",
         [
             _results(solution),
-            *heat.sections(solution.thermal),
+            *heat.sections(solution),
             *([Section("Readings", readings_tables(readings, scene))] if readings else []),
             curves.section(solution),
             effects.section(solution, requested, rows, tolerance),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Paragraph, Section
+from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.units import rpm
 from qsbearing.pictures.heat import over_speed
 from qsbearing.results.thermal_report import (
@@ -16,12 +17,13 @@ from qsbearing.results.thermal_report import (
 from qsbearing.systems.heat.state import ThermalState
 
 
-def sections(state: ThermalState | None) -> list[Section]:
+def sections(solution: SolutionOfCases) -> list[Section]:
     """Of a single case; none without a heat balance."""
+    state: ThermalState | None = solution.thermal
     if state is None:
         return []
     speeds, whole = speeds_record(state), whole_bearing_record(state)
-    blocks = thermal_tables(thermal_record(state))
+    blocks = thermal_tables(thermal_record(solution))
     if speeds["states"]:
         drawn = picture(
             over_speed(speeds, float(state.speed) / rpm, whole=whole),

@@ -43,7 +43,7 @@ def document(solution: SetSolution, source: str, command: str) -> Document:
         "Design report of a set",
         [
             _results(solution, readings, changes),
-            *heat.sections(solution.thermal),
+            *heat.sections(solution),
             *(_row(solution, number, of_row) for number, of_row in enumerate(readings)),
             set_curves.section(of, changes),
             effects.section_of_set(solution, effect_rows),

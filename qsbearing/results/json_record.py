@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
-from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING, channels
-from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Group, Place, Result, value_at
+from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status
@@ -22,6 +21,7 @@ from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
+from qsbearing.results.group_numbers import numbers_of, numbers_or_none
 from qsbearing.results.readings_record import Readings, number, readings_record
 from qsbearing.results.remarks import every_remark, remarks_record
 
@@ -204,44 +204,6 @@ def table_of(name: str, solution: Solution, index: CasePlace = ()) -> dict[str, 
     return table if any(each is not None for each in table.values()) else None
 
 
-def numbers_of(
-    group: Group, solution: Solution | SetSolution, index: CasePlace = (), row: int = 0, readings: Any = None
-) -> dict[str, Any] | None:
-    """Of one case, which may share one number with all; None where none of them is called for.
-
-    Args:
-        row: of a set, from 1, of what each row has.
-        readings: where they are of one; of a set those of each row.
-    """
-    if group.is_requested is not None and not group.is_requested(requested(solution)):
-        return None
-    numbers = {each.in_record: Place(group, each, row).of(solution, readings) for each in group.results}
-    if all(values is None for values in numbers.values()):
-        return None
-    return {key: None if values is None else number(values[index]) for key, values in numbers.items()}
-
-
-def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
-    """As `numbers_of`; each None where none is called for."""
-    return numbers_of(group, *of) or no_numbers(group)
-
-
-def no_numbers(group: Group) -> dict[str, None]:
-    """Of each None."""
-    return {each.in_record: None for each in group.results}
-
-
-def tables_of(groups: Iterable[Group], solution: SetSolution) -> dict[str, Any]:
-    """The numbers of these groups in their tables, each within another."""
-    tables: dict[str, Any] = {}
-    for group in groups:
-        table = tables
-        for name in group.table or ():
-            table = table.setdefault(name, {})
-        table.update(numbers_or_none(group, solution))
-    return tables
-
-
 def temperatures(
     solution: Solution, index: CasePlace = (), thermal_of: Thermal | None = None
 ) -> dict[str, dict[str, Any]] | None:
@@ -268,7 +230,7 @@ def thermal(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str
         return None
     from qsbearing.results.thermal_report import thermal_record  # loaded only where there is heat
 
-    return thermal_record(solution.thermal, index)
+    return thermal_record(solution, index)
 
 
 OF_BALLS = (

@@ -12,13 +12,12 @@ from qsbearing.model.solution.result_keys import Place
 from qsbearing.model.solution.rounding import rounding_of
 from qsbearing.model.units import mm, um
 from qsbearing.remarks.remark import Remark
+from qsbearing.results.group_numbers import no_numbers, numbers_or_none
 from qsbearing.results.json_record import (
     choice_record,
     choices,
     how_it_ended,
     motion_and_stiffness,
-    no_numbers,
-    numbers_or_none,
     record,
     thermal,
 )

@@ -12,7 +12,7 @@ from qsbearing.files.keys import keys_of
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import mm
 from qsbearing.remarks.wording import listed
-from qsbearing.results.json_record import tables_of
+from qsbearing.results.group_numbers import tables_of
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.bearing_set import places_on_shaft

@@ -11,27 +11,24 @@ import numpy as np
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import rpm, zero_celsius
-from qsbearing.results.readings_record import number
+from qsbearing.results.group_numbers import tables_of
 from qsbearing.results.tables import digits_of
-from qsbearing.systems.heat.heat_groups import WHOLE
+from qsbearing.systems.heat.heat_groups import recorded_groups
 from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
 
 
-def thermal_record(state: ThermalState, index: CasePlace = ()) -> dict[str, Any]:
-    """One case; None stands for a number that there is not."""
-    thermal = state.thermal
+def thermal_record(solution: Any, index: CasePlace = ()) -> dict[str, Any]:
+    """One case of a bearing or set; None stands for a number that there is not."""
+    state: ThermalState = solution.thermal
+    numbers = tables_of(recorded_groups(state), solution, index)["thermal"]
+    paths = zip(state.flows, numbers["flows_W"].values(), strict=True)
+    numbers["flows_W"] = [{"from": one, "to": other, "heat_W": heat} for (one, other), heat in paths]
     return {
         "verdict": str(state.verdict[index]),
         "message": state.message(index),
-        "friction": thermal.friction,
-        "temperatures_C": {name: number(value[index] - zero_celsius) for name, value in state.temperatures.items()},
-        "powers_W": {name: number(value[index]) for name, value in state.powers.items()},
-        "flows_W": [
-            {"from": one, "to": other, "heat_W": number(np.asarray(value)[index])}
-            for (one, other), value in state.flows.items()
-        ],
-        **{each.in_record: number(each.of(state, index)) for each in WHOLE.results},
-        "limit_C": thermal.limit_temperature - zero_celsius,
+        "friction": state.thermal.friction,
+        **numbers,
+        "limit_C": state.thermal.limit_temperature - zero_celsius,
         "solves": state.solves,
     }
 
@@ -74,7 +71,7 @@ def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
         reasons = " ".join(f"{translate(each)}." for each in whole.errors)
         return {"message": f"{OF_WHOLE_BEARING}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
     record, assumed = speeds_record(whole.state), whole.assumed
-    basis = f"{OF_WHOLE_BEARING} (assumed: {', '.join(assumed)})" if assumed else WHOLE
+    basis = f"{OF_WHOLE_BEARING} (assumed: {', '.join(assumed)})" if assumed else OF_WHOLE_BEARING
     return {**record, "message": f"{basis}: {record['message'][0].lower()}{record['message'][1:]}", "assumed": assumed}
 
 

@@ -3,7 +3,6 @@ groove radius coefficients, and the deviations of the balls' diameters."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,6 +11,7 @@ from qsbearing.files.file_keys import numbers, sections
 from qsbearing.files.keys import BALL_DEVIATIONS, COEFFICIENTS, MATERIALS, OPERATION, PRELOAD, RACEWAYS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.usual_words import usual
+from qsbearing.model.bearing_errors import BALL_COUNT_RANGE
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.validation import alike, question, whole_number
 
@@ -30,8 +30,19 @@ _EITHER = (
 
 
 EACH_BALL = "ball_diameter_deviation_um"
-"""Of every ball, drawn at random for each on its own; that of one ball has its number behind it."""
-_ONE_BALL = re.compile(rf"{EACH_BALL}_([0-9]{{1,4}})")
+"""Of every ball, drawn at random for each on its own."""
+
+
+def of_ball(number: int) -> str:
+    """The name of the deviation of one ball, counted from 0."""
+    return f"{EACH_BALL}_{number}"
+
+
+def ball_of(name: str) -> int | None:
+    """The ball that a name is of, as `of_ball` writes it; None: it is none of these names, or no bearing has it."""
+    of, _, number = name.rpartition("_")
+    ball = whole_number(number) if of == EACH_BALL else None
+    return ball if ball is not None and ball < BALL_COUNT_RANGE[1] else None
 
 
 @dataclass(frozen=True)
@@ -98,15 +109,14 @@ def find(name: str) -> StudyKey | None:
     `shaft.loads.1.radial_y_N`; None: there is none."""
     if name in ALL:
         return ALL[name]
-    one = _ONE_BALL.fullmatch(name)
-    if one or name == EACH_BALL:
-        ball = int(one.group(1)) if one else None
+    ball = ball_of(name)
+    if ball is not None or name == EACH_BALL:
         return StudyKey(name, ("effects", BALL_DEVIATIONS.name), BALL_DEVIATIONS.unit, ball=ball)
     path = tuple(name.split("."))
     if len(path) == 1:
         return None
     if path[:-1] == ("effects", BALL_DEVIATIONS.name) and (ball_number := whole_number(path[-1])):
-        return find(f"{EACH_BALL}_{ball_number - 1}")
+        return find(of_ball(ball_number - 1))
     of_scene = next((key for key in ALL.values() if f".{'.'.join(key.path)}".endswith(f".{name}")), None)
     key = None if of_scene else paths.key_at(path)
     if key is None:

@@ -220,10 +220,10 @@ def _of_each_ball(variable: Variable, count: int) -> list[Variable]:
     """
     if isinstance(variable, Axis):
         problem = "applies to every ball, and each ball draws its own value: give a distribution"
-        raise VariableError(f"{problem}. For one ball only: {keys.EACH_BALL}_0")
+        raise VariableError(f"{problem}. For one ball only: {keys.of_ball(0)}")
     if not count:
         raise VariableError("needs the bearing's ball_count, a whole number")
-    return [replace(variable, key=f"{keys.EACH_BALL}_{ball}") for ball in range(count)]
+    return [replace(variable, key=keys.of_ball(ball)) for ball in range(count)]
 
 
 def _variables(varied: dict[str, Any], document: dict[str, Any], errors: list[FileErrorDetail]) -> tuple[Variable, ...]:

@@ -1,4 +1,5 @@
-"""A name says what a thing is: no variable is called `found`, and a class name stands once in both packages.
+"""A name says what a thing is: no variable is called `found`, a class name stands once in both packages, and no regular
+expression reads out of our own names and sentences what data says before.
 
 A row's key `found`, and the fields of classes that spell such keys, are no variables.
 """
@@ -14,6 +15,21 @@ import pytest
 from tests.qsbearing.source_text import PACKAGES, ROOT, trees
 
 NAME = "found"
+
+READ = {
+    "qsbearing/app/mcp/folder.py": "names of files that somebody asks for",
+    "qsbearing/cli/report.py": "the mark in a page, so that no other page is overwritten",
+    "qsbearing/documents": "text as such: markdown, LaTeX, SVG, and where lines may break",
+    "qsbearing/files": "files, names of bearings, fits and words that others write",
+    "qsbearing/model/scene/requirement.py": "what people write",
+    "qsbearing/model/validation.py": "what people write",
+    "qsbearing/studies/design/problem.py": "what people write",
+    "qsbearing/studies/variables.py": "what people write",
+    "fem_check/report/rows.py": "records as shipped, which are compared by their words with former ones",
+    "fem_check/rows/row_text.py": "numbers as Python writes them",
+    "fem_check/running/kept_files.py": "marks in pages between which a table stands",
+}
+"""Where regular expressions are used, and what they read."""
 
 
 def variables(tree: ast.Module) -> Iterator[tuple[str, int]]:
@@ -64,3 +80,13 @@ def test_every_way_to_bind_it_is_seen(line: str) -> None:
 def test_fields_and_keys_are_none() -> None:
     text = 'class Row:\n    found: float\n\nrow["found"] = row.found'
     assert NAME not in dict(variables(ast.parse(text)))
+
+
+def test_regular_expressions_read_what_others_write() -> None:
+    places = set()
+    for path, tree in trees(r"\bimport re\b|\bfrom re\b", *PACKAGES):
+        imported = [each for each in ast.walk(tree) if isinstance(each, ast.Import | ast.ImportFrom)]
+        if any("re" in (getattr(each, "module", ""), *(name.name for name in each.names)) for each in imported):
+            place = path.relative_to(ROOT).as_posix()
+            places.add(next((known for known in READ if place.startswith(known)), place))
+    assert places == READ.keys(), "our own names and sentences are data before they are text"

@@ -96,9 +96,9 @@ def test_what_the_paper_states_is_judged(results: dict) -> None:
     assert verdicts[backwards].verdict is ClaimVerdict.DOES_NOT_HOLD, "its conclusion prints the trend backwards"
     stiffness = verdicts["With speed the axial stiffness falls"]
     assert stiffness.verdict is ClaimVerdict.HOLDS_IN_A_RANGE, "not monotone"
-    assert "axial_load_N 2000: speed_rpm 0 to 5400" in stiffness.where
+    assert "axial_load_N 2000: speed_rpm 0 to 5400" in "; ".join(stiffness.where)
     fit = verdicts["That many balls fit on the pitch circle"]
-    assert fit.where == "ball_count 8 to 17"
+    assert fit.where == ("ball_count 8 to 17",)
     others = set(verdicts) - {backwards, stiffness.statement.sentence, fit.statement.sentence}
     assert {verdicts[sentence].verdict for sentence in others} == {ClaimVerdict.HOLDS}
 
@@ -126,11 +126,11 @@ def test_verdicts_look_at_solved_points_only() -> None:
     status = np.array([0, 0, 0, 0, 1, 0])
     data = xarray.Dataset({"y": ("x", np.where(status, np.nan, y)), "status": ("x", status)}, {"x": x})
     up, down = Claim("", HERE, rises("y", "x")), Claim("", HERE, falls("y", "x"))
-    assert (judge(up, data).verdict, judge(up, data).where) == (ClaimVerdict.HOLDS_IN_A_RANGE, "x 0 to 2")
-    assert judge(down, data).where == "x 2 to 3"
+    assert (judge(up, data).verdict, judge(up, data).where) == (ClaimVerdict.HOLDS_IN_A_RANGE, ("x 0 to 2",))
+    assert judge(down, data).where == ("x 2 to 3",)
     assert judge(Claim("", HERE, both(up.test, down.test)), data).verdict is ClaimVerdict.DOES_NOT_HOLD
     assert judge(up, data.isel(x=slice(0, 3))).verdict is ClaimVerdict.HOLDS
-    assert judge(Claim("", HERE, lambda results: results["y"] < 1.8), data).where == "x 0 to 1, 3 to 3, 5 to 5"
+    assert judge(Claim("", HERE, lambda results: results["y"] < 1.8), data).where == ("x 0 to 1, 3 to 3, 5 to 5",)
 
 
 def test_the_command_writes_pictures_results_and_study_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import re
 import subprocess
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -144,7 +143,10 @@ def reproducing(evidence: Evidence) -> Section:
 
 def _others(evidence: Evidence) -> list[Block]:
     """The commands of the other records, by where they run; one makes all published cases."""
-    commands = {re.sub("^(fem-check book) .*", r"\1", kept.command): kept.needs_checkout for kept in evidence.all()}
+    of_cases = {kept.command for kept in evidence.book.values()}
+    commands = {
+        "fem-check book" if kept.command in of_cases else kept.command: kept.needs_checkout for kept in evidence.all()
+    }
     blocks: list[Block] = []
     for words, inside in (
         ("The other records:", False),

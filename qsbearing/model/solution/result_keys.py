@@ -8,7 +8,6 @@ other function knows how one is made up.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import reduce
 from typing import Any, NamedTuple
@@ -158,7 +157,7 @@ class Result(NamedTuple):
     def plain_symbol(self) -> str:
         """For tables of plain text: p0 for p_0, δ for \\delta."""
         plain = self.symbol.replace(r"\delta", "δ").replace(r"\mu", "µ")
-        return re.sub(r"[\\\\{}_]", "", plain)
+        return plain.translate({ord(each): None for each in r"\{}_"})
 
 
 BALL, ROW = "ball", "row"

@@ -135,7 +135,7 @@ def _variable(name: str, given: Any, document: dict[str, Any]) -> Variable:
         raise ValueError(". ".join(problem))
     key = keys.known(name)
     if key.name == keys.EACH_BALL:
-        raise ValueError(f"is drawn at random; of one ball it is {keys.EACH_BALL}_0")
+        raise ValueError(f"is drawn at random; of one ball it is {keys.of_ball(0)}")
     is_log = False
     if isinstance(given, str) and ":" in given:
         low, high, *rest = given.split(":")

@@ -45,7 +45,7 @@ class Judged:
 
     statement: Claim
     verdict: ClaimVerdict
-    where: str
+    where: tuple[str, ...] = ()
     """The ranges in which it holds, where that is not everywhere or nowhere."""
 
 
@@ -77,10 +77,10 @@ def judge(statement: Claim, results: Dataset) -> Judged:
     solved = tested | True if statement.is_about_all else _solved(results, tested)
     holds = tested & solved
     if bool((holds == solved).all()):
-        return Judged(statement, ClaimVerdict.HOLDS, "")
+        return Judged(statement, ClaimVerdict.HOLDS)
     if not bool(holds.any()):
-        return Judged(statement, ClaimVerdict.DOES_NOT_HOLD, "")
-    return Judged(statement, ClaimVerdict.HOLDS_IN_A_RANGE, "; ".join(_ranges(holds, results)))
+        return Judged(statement, ClaimVerdict.DOES_NOT_HOLD)
+    return Judged(statement, ClaimVerdict.HOLDS_IN_A_RANGE, tuple(_ranges(holds, results)))
 
 
 def _at_ball_0(results: Dataset, name: str) -> DataArray:

@@ -47,8 +47,13 @@ def groups_of_heat(state: ThermalState | NetworkNames | None) -> list[Group]:
     if state is None:
         return []
     known = {each.entry for each in STEADY.results}
-    others = (NetworkPart(node) for node in state.temperatures if node not in known)
-    nodes = _one_each(others, "temperature", "C", "temperatures_C", "temperatures")
+    nodes, *others = recorded_groups(state)
+    return [nodes._replace(results=tuple(each for each in nodes.results if each.entry not in known)), *others]
+
+
+def recorded_groups(state: ThermalState) -> list[Group]:
+    """All that a balance has: nodes, sources, paths, and numbers of the whole."""
+    nodes = _one_each(state.temperatures, "temperature", "C", "temperatures_C", "temperatures")
     sources = _one_each(state.powers, "power", "W", "powers_W", "powers")
     flows = tuple(
         Result(
@@ -65,7 +70,5 @@ def groups_of_heat(state: ThermalState | NetworkNames | None) -> list[Group]:
 
 
 def _one_each(parts: Iterable[NetworkPart], what: str, unit: str, table: str, holder: str) -> Group:
-    results = tuple(
-        Result(f"{in_name(part)}_{what}", unit, path=(part,), entry=str(part), is_usual=False) for part in parts
-    )
+    results = tuple(Result(f"{in_name(part)}_{what}", unit, path=(part,), entry=part, is_usual=False) for part in parts)
     return Group(results, prefix="steady", holder=f"thermal.{holder}", table=("thermal", table))

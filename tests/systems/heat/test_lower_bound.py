@@ -14,7 +14,7 @@ from qsbearing.cli.heat import _show
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.readings import static_load_rating
 from qsbearing.results.thermal_report import whole_bearing_record
-from qsbearing.systems.heat.state import NetworkPart
+from qsbearing.systems.heat.state import NetworkPart, WholeBearing
 from qsbearing.systems.heat.whole_bearing import with_whole_friction
 from tests.systems.heat.spindle import BEARING, EFFECTS, pair, scene, tables
 from tests.systems.heat.test_heating_up import run
@@ -69,6 +69,14 @@ def test_what_the_file_gives_is_not_assumed() -> None:
     assert assumed == ["viscosity at the temperature of the outer ring"]
     assert whole.readings["friction_estimate"]["lubrication_factor"] == 4.0
     assert whole.readings["lubricant"] == given["lubricant"]
+
+
+def test_where_nothing_is_assumed_nothing_is_said_of_it() -> None:
+    state = qs.solve(scene()).thermal
+    assert state is not None
+    own = replace(state, with_whole_friction=lambda: WholeBearing(state, [], ()))
+    found = whole_bearing_record(own)
+    assert found is not None and found["message"].startswith("With Palmgren's friction of the whole bearing: ")
 
 
 def test_what_the_whole_bearing_lacks_is_said() -> None:
