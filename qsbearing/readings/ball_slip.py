@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import KW_ONLY, dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,7 +38,8 @@ from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OIL_DENSITY, OilState
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.balls import instead_of_slip
+from qsbearing.remarks.remark import Found, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "required_friction"), (*AXIS, "gyroscopic_moment")
 COEFFICIENTS = (1e-3, 1.0)
@@ -143,7 +143,7 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
     maker = None if given.minimum_load_factor is None else _maker_load(solution, np.asarray(given.minimum_load_factor))
     with np.errstate(divide="ignore", invalid="ignore"):
         of_load = None if maker is None else np.asarray(maker / np.abs(solution.load[..., 0]))
-    said = remarks(_found(moment, least, most, of_load), solution.shape)
+    said = remarks(_found(solution, moment, least, most, of_load), solution.shape)
     return BallSlip(inner, outer, moment, least, most, least_load, maker, of_load, mu, said)
 
 
@@ -193,10 +193,10 @@ def _ratio(used: NDArray, held: NDArray) -> NDArray:
 
 
 def _found(
-    moment: NDArray | None, least: NDArray | None, most: NDArray | None, of_load: NDArray | None
-) -> Iterator[tuple[Any, Remark]]:
+    solution: Solution, moment: NDArray | None, least: NDArray | None, most: NDArray | None, of_load: NDArray | None
+) -> Iterator[Found]:
     if moment is not None:
-        yield moment > 1.0, remark("axis_not_held")
+        yield moment > 1.0, lambda i: remark("axis_not_held", **instead_of_slip(solution))
     if least is not None and most is not None:
         yield least > 1.0, remark("balls_skid")
         yield (least <= 1.0) & (most > 1.0), remark("balls_may_skid")

@@ -40,7 +40,8 @@ from qsbearing.readings.ellipse_sliding import (
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, MOVED, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.balls import instead_of_slip
+from qsbearing.remarks.remark import Found, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 
@@ -202,8 +203,8 @@ def _fill(
                 out[2, k, j] = 3.0 / 16.0 * loss[k] * Q * b * abs(roll)
 
 
-def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
-    holding: list[tuple[Any, Remark]] = []
+def _found(solution: Solution, mu: ArrayLike) -> list[Found]:
+    holding: list[Found] = []
     if solution.friction is not None:  # which has carried the moment
         return holding
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
@@ -211,8 +212,9 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
             available = np.asarray(mu, float)[..., None]
             slips = (side.required_friction > available).any(axis=-1)
             creeps = (side.required_friction > CREEP * available).any(axis=-1)
-            holding.append((slips, remark("friction_given_exceeded", name)))
-            holding.append((creeps & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT)))
+            instead = instead_of_slip(solution) if creeps.any() else {}
+            holding.append((slips, remark("friction_given_exceeded", name, **instead)))
+            holding.append((creeps & ~slips, remark("friction_may_be_low", name, times=MOST_HEAT, **instead)))
     return holding
 
 

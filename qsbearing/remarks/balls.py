@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
+from qsbearing.model.scene.moved_by_friction import friction_instead
 from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.remark import Found, Remark, remark
@@ -61,10 +63,16 @@ def _slip(solution: Solution, part: slice) -> Iterator[Found]:
     given = np.broadcast_to(np.asarray(moment.friction_coefficient, float), solution.shape).reshape(-1)[part]
     sides = (solution.inner.required_friction, solution.outer.required_friction)
     requested = np.maximum(*(rows(side, part) for side in sides if side is not None))
+    instead = instead_of_slip(solution, without_bound=True) if slips.any() else {}
     yield (
         slips.any(axis=-1),
-        lambda i: remark("balls_slip", balls=slips[i], required=requested[i].max(), given=given[i]),
+        lambda i: remark("balls_slip", balls=slips[i], required=requested[i].max(), given=given[i], **instead),
     )
+
+
+def instead_of_slip(solution: Solution, *, without_bound: bool = False) -> dict[str, str]:
+    """What to write so that slip is solved for, as a value of a remark; nothing for a row of a set."""
+    return {} if solution.solve_alike is None else friction_instead(solution.scene, without_bound=without_bound)
 
 
 def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
@@ -79,12 +87,16 @@ def friction_remarks(solution: Solution, part: slice) -> Iterator[Found]:
         if side.required_friction is None:
             continue
         friction = rows(side.required_friction, part)
+        instead = instead_of_slip(solution) if (friction > FRICTION_BEYOND).any() else {}
 
         for code, (least, most) in FRICTIONS.items():
 
-            def requested(i: int, code: str = code, name: str = name, friction: NDArray = friction) -> Remark:
+            def requested(
+                i: int, code: str = code, name: str = name, friction: NDArray = friction, instead: Any = instead
+            ) -> Remark:
                 typical = {"typical_least": FRICTION_IN_DOUBT, "typical_most": FRICTION_BEYOND}
-                return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **typical)
+                more = typical | ({} if code == "friction_doubtful" else instead)
+                return remark(code, name, friction[i] > FRICTION_IN_DOUBT, required=friction[i].max(), **more)
 
             largest = friction.max(axis=-1)
             yield (largest > least) & (largest <= most), requested

@@ -112,6 +112,7 @@ _YIELDING = (
 _FRICTION = (
     "The gyroscopic moment requires a friction coefficient of {required:.2f} at {raceways:the} raceway of {balls}: "
 )
+_SOLVED = "With {instead}, how balls turn and slip is a result"
 _TYPICAL = " (typical: {typical_least:g} to {typical_most:g})."
 _GROOVES = "ISO 281's ratings hold for grooves up to f = 0.52 inside and 0.53 outside, of thrust bearings 0.54"
 
@@ -136,11 +137,13 @@ _ALL = (
          "{balls:has/have} left the inner raceway: only the outer raceway carries load there."),
     Kind("balls_slip", WRONG, HYPOTHESES,
          "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the "
-         "contacts have {given:.3g}. The ball speeds reported are those without slip."),
+         "contacts have {given:.3g}. The ball speeds reported are those without slip.",
+         " In place of friction_coefficient, {instead} solves for them."),
     Kind("friction_doubtful", NOTE, HYPOTHESES, f"{_FRICTION}slip may begin{_TYPICAL}"),
-    Kind("friction_beyond", WRONG, HYPOTHESES, f"{_FRICTION}expect slip{_TYPICAL}"),
+    Kind("friction_beyond", WRONG, HYPOTHESES, f"{_FRICTION}expect slip{_TYPICAL}", f" {_SOLVED}."),
     Kind("friction_above_load", WRONG, HYPOTHESES,
-         f"{_FRICTION}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}"),
+         f"{_FRICTION}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}",
+         f" {_SOLVED}."),
     Kind("momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
          "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
          "follow the azimuth. Radial stiffness is that against a load that turns with the cage."),
@@ -262,13 +265,13 @@ _ALL = (
          "{clearance_mm:.3g} mm: the cage holds balls back and pulls others along, by forces that are not computed"),
     Kind("friction_given_exceeded", WRONG, HYPOTHESES,
          "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
-         "slips, and the heat of this slip is not included"),
+         "slips, and the heat of this slip is not included", f". {_SOLVED}"),
     Kind("friction_may_be_low", INCOMPLETE, HYPOTHESES,
          "at {raceways:an} contact the gyroscopic moment requires more than half of the friction coefficient given: "
-         "balls creep, and the friction may be too low, up to {times:g} times"),
+         "balls creep, and the friction may be too low, up to {times:g} times", f". {_SOLVED}"),
     Kind("axis_not_held", WRONG, HYPOTHESES,
          "the gyroscopic moment is larger than the friction of both contacts of a ball holds with the coefficient "
-         "given: balls slip, and do not turn as raceway control has it"),
+         "given: balls slip, and do not turn as raceway control has it", f". {_SOLVED}"),
     Kind("balls_skid", WRONG, HYPOTHESES,
          "with the least share of oil given, drag is larger than the friction that drives the balls: they skid"),
     Kind("balls_may_skid", INCOMPLETE, HYPOTHESES,
