@@ -18,9 +18,12 @@ from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.traction import contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.ring_moments import ring_moments
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 
 INNER, OUTER = range(2)
+TILTS = slice(3, 5)
+"""Of the ring's five channels."""
 
 _OF_CONTACT = {
     "load": (kernel.LOAD, "force"),
@@ -97,7 +100,7 @@ class FrictionMotion:
     """Words of `Reason` where there is no equilibrium; empty elsewhere."""
     displacement: NDArray
     load: NDArray
-    """On the inner ring, (*cases, 5): the balls' forces with their weights; moments are not worked out."""
+    """On the inner ring, (*cases, 5): against the balls' forces and moments, with their weights."""
     residual: NDArray
     iterations: NDArray
     angular_velocity: NDArray
@@ -238,6 +241,10 @@ def balanced(
         solve_motions(cases[part], laws[part], *memory, arrays, carried, *of_part)
 
     in_threads(solve_stretch, count, threads)
+    are_held = cases["displacement_given"][:, TILTS] != 0
+    results["load"][:, TILTS] = np.where(
+        are_held, -ring_moments(cases, contacts[:, :, INNER], places), results["load"][:, TILTS]
+    )
     inside = Inside(shape, cases, laws, points, carried, results, places)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
     return _read(start, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))

@@ -10,8 +10,6 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 from qsbearing.model.compiler.threads import thread_count
 from qsbearing.model.effects.hypotheses import under_control
 from qsbearing.model.effects.raceway_control import RacewayControl
@@ -19,7 +17,7 @@ from qsbearing.model.effects.traction import Traction
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import balanced, spanned
-from qsbearing.model.solution.moved import STRAIGHT, Moved
+from qsbearing.model.solution.moved import Moved
 from qsbearing.model.solution.solution import Solution
 
 
@@ -42,8 +40,6 @@ def solve_moved(
     motion = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
     which, cases, results = spanned(under_outer.maker.shape, maker.shape), motion.inside.cases, motion.inside.results
     turns = cases["inner_speed"] != cases["outer_speed"]
-    is_held = np.arange(5) >= STRAIGHT
-    results["load"][(cases["displacement_given"] != 0) & is_held] = np.nan  # moments are not worked out
     results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
     moved = Moved(motion, turns, which)
