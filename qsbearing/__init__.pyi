@@ -74,7 +74,11 @@ from qsbearing.studies.store import open_results as open_results
 from qsbearing.studies.study import Study as Study
 from qsbearing.studies.sweep import sweep as sweep
 from qsbearing.systems.heat.network import Conductance as Conductance, OilFlow as OilFlow, Thermal as Thermal
-from qsbearing.systems.rotor_dynamics import stiffness_table as stiffness_table, to_ross as to_ross
+from qsbearing.systems.rotor_dynamics import (
+    stiffness_over_frequency as stiffness_over_frequency,
+    stiffness_table as stiffness_table,
+    to_ross as to_ross,
+)
 from qsbearing.systems.rotor_dynamics.ross_bearing import ross_element as ross_element
 from qsbearing.systems.sets.bearing_set import BearingSet as BearingSet
 from qsbearing.systems.sets.belts import Belt as Belt

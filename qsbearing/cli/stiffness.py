@@ -48,6 +48,12 @@ NO_TANGENT = "the raceway control of some ball contradicts itself there: there i
     type=click.Choice(["N-mm-t", "N-m-kg"]),
     help="Of the other formats; N-mm-t unless given, of ross N-m-kg.",
 )
+@click.option(
+    "--frequency",
+    metavar="LIST",
+    help='Of loads, in Hz or times the shaft\'s speed, such as 0,1x,50: for raceway_control = "friction" under thrust, '
+    "columns of the stiffness against loads that turn or pulsate at these frequencies.",
+)
 @click.option("--out", metavar="FILE", help="Write to this file instead of printing.")
 def stiffness(
     scene: str,
@@ -56,6 +62,7 @@ def stiffness(
     mirrored: bool,
     form: str,
     units: str | None,
+    frequency: str | None,
     out: str | None,
 ) -> None:
     """Tabulate the stiffness of SCENE for rotor dynamics: kxx, kxy, ... in N/m over the speed in rad/s, as CSV.
@@ -69,6 +76,8 @@ def stiffness(
     Exit codes: 0 some point is solved, 1 none is, 2 bad input.
     """
     if form != "csv":
+        if frequency is not None:
+            refuse(f"--frequency: --format {form} has the stiffness against loads that stand still; csv has both")
         if form == "ross" and units == "N-mm-t":
             refuse("--units: elements of ROSS are in N, m and kg")
         units = units or ("N-m-kg" if form == "ross" else "N-mm-t")
@@ -80,13 +89,15 @@ def stiffness(
     from qsbearing.model.validation import SceneError
     from qsbearing.studies.remarked import of_look, together
     from qsbearing.studies.stiffness import stiffness_of
+    from qsbearing.systems.rotor_dynamics.over_frequency import frequencies_of
 
     with ExitStack() as stack:
         writers = claimed(stack, {"--out": out}, [])
         try:
             looks: list[Look] = []
+            at = () if frequency is None else frequencies_of(frequency)
             study, changes = study_of(scene, vary, {}, settings)
-            columns = stiffness_of(study, mirrored=mirrored, looks=looks)
+            columns = stiffness_of(study, mirrored=mirrored, frequencies=at, looks=looks)
         except SceneError as error:
             refuse(str(error))
         text = csv_bytes(columns)

@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import KW_ONLY, dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,8 +38,9 @@ from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.lubricant import OIL_DENSITY, OilState
+from qsbearing.remarks.balls import SOLVED, by_friction, instead_of_slip
 from qsbearing.remarks.kinds import CHECK, INCOMPLETE, SEE_HYPOTHESES, WRONG, Kind
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Holding, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "required_friction"), (*AXIS, "gyroscopic_moment")
 COEFFICIENTS = (1e-3, 1.0)
@@ -52,6 +52,8 @@ AXIS_NOT_HELD = Kind(
     "axis_not_held", WRONG, SEE_HYPOTHESES,
     "the gyroscopic moment is larger than the friction of both contacts of a ball holds with the coefficient "
     "given: balls slip, and do not turn as raceway control has it",
+    more=f". {SOLVED}",
+    setting=by_friction,
 )  # fmt: skip
 BALLS_SKID = Kind(
     "balls_skid", WRONG, SEE_HYPOTHESES,
@@ -163,7 +165,7 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
     maker = None if given.minimum_load_factor is None else _maker_load(solution, np.asarray(given.minimum_load_factor))
     with np.errstate(divide="ignore", invalid="ignore"):
         of_load = None if maker is None else np.asarray(maker / np.abs(solution.load[..., 0]))
-    said = remarks(_found(moment, least, most, of_load), solution.shape)
+    said = remarks(_found(solution, moment, least, most, of_load), solution.shape)
     return BallSlip(inner, outer, moment, least, most, least_load, maker, of_load, mu, said)
 
 
@@ -213,10 +215,10 @@ def _ratio(used: NDArray, held: NDArray) -> NDArray:
 
 
 def _found(
-    moment: NDArray | None, least: NDArray | None, most: NDArray | None, of_load: NDArray | None
-) -> Iterator[tuple[Any, Remark]]:
+    solution: Solution, moment: NDArray | None, least: NDArray | None, most: NDArray | None, of_load: NDArray | None
+) -> Iterator[Holding]:
     if moment is not None:
-        yield moment > 1.0, remark(AXIS_NOT_HELD)
+        yield moment > 1.0, lambda i: remark(AXIS_NOT_HELD, **instead_of_slip(solution))
     if least is not None and most is not None:
         yield least > 1.0, remark(BALLS_SKID)
         yield (least <= 1.0) & (most > 1.0), remark(BALLS_MAY_SKID)

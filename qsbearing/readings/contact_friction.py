@@ -40,8 +40,9 @@ from qsbearing.readings.ellipse_sliding import (
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
 from qsbearing.readings.friction_models import CONTACTS, MOVED, FrictionModel
 from qsbearing.readings.passes import SAME_SHAPE, filled, of_balls, of_cases
+from qsbearing.remarks.balls import SOLVED, by_friction, instead_of_slip
 from qsbearing.remarks.kinds import INCOMPLETE, SEE_HYPOTHESES, WRONG, Kind
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Holding, Remarked, Remarks, remark, remarks
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "required_friction"), AXIS
 
@@ -57,11 +58,15 @@ FRICTION_GIVEN_EXCEEDED = Kind(
     "friction_given_exceeded", WRONG, SEE_HYPOTHESES,
     "at {raceways:an} contact the gyroscopic moment requires more friction than the coefficient given: the ball "
     "slips, and the heat of this slip is not included",
+    more=f". {SOLVED}",
+    setting=by_friction,
 )  # fmt: skip
 FRICTION_MAY_BE_LOW = Kind(
     "friction_may_be_low", INCOMPLETE, SEE_HYPOTHESES,
     "at {raceways:an} contact the gyroscopic moment requires more than half of the friction coefficient given: "
     "balls creep, and the friction may be too low, up to {times:g} times",
+    more=f". {SOLVED}",
+    setting=by_friction,
 )  # fmt: skip
 
 
@@ -214,8 +219,8 @@ def _fill(
                 out[2, k, j] = 3.0 / 16.0 * loss[k] * Q * b * abs(roll)
 
 
-def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
-    holding: list[tuple[Any, Remark]] = []
+def _found(solution: Solution, mu: ArrayLike) -> list[Holding]:
+    holding: list[Holding] = []
     if solution.friction is not None:  # which has carried the moment
         return holding
     for name, side in (("inner", solution.inner), ("outer", solution.outer)):
@@ -223,8 +228,9 @@ def _found(solution: Solution, mu: ArrayLike) -> list[tuple[Any, Remark]]:
             available = np.asarray(mu, float)[..., None]
             slips = (side.required_friction > available).any(axis=-1)
             creeps = (side.required_friction > CREEP * available).any(axis=-1)
-            holding.append((slips, remark(FRICTION_GIVEN_EXCEEDED, name)))
-            holding.append((creeps & ~slips, remark(FRICTION_MAY_BE_LOW, name, times=MOST_HEAT)))
+            instead = instead_of_slip(solution) if creeps.any() else {}
+            holding.append((slips, remark(FRICTION_GIVEN_EXCEEDED, name, **instead)))
+            holding.append((creeps & ~slips, remark(FRICTION_MAY_BE_LOW, name, times=MOST_HEAT, **instead)))
     return holding
 
 

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
+from qsbearing.model.scene.moved_by_friction import friction_instead
 from qsbearing.model.solution.ring_forces import radial_forces
+from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.kinds import CHECK, INCOMPLETE, NOTE, SEE_AXIS, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
+from qsbearing.remarks.wording import Words
 
 BALLS = Subject()
 BY_FRICTION = "effects.raceway_control=friction"
 """What does what a remark on the motion of balls asks for."""
+SOLVED = "With {instead}, how balls turn and slip is a result"
 
 LEAST_TYPICAL = 0.06
 MOST_TYPICAL = 0.1
@@ -33,6 +38,17 @@ HALF = 0.5
 transition to skidding takes a factor of 2 in load."""
 NOTICEABLE = 1e-3
 """Of the axial load: a gap below it changes no digit that matters, however small the radial load."""
+
+
+def instead_of_slip(solution: Solution, *, without_bound: bool = False) -> dict[str, str]:
+    """What to write so that slip is solved for, as a value of a remark; nothing for a row of a set."""
+    return {} if solution.solve_alike is None else friction_instead(solution.scene, without_bound=without_bound)
+
+
+def by_friction(values: Mapping[str, Any], words: Words) -> list[str]:
+    """The same as a line to paste, where it is accepted as the scene stands."""
+    return [BY_FRICTION] if "instead" in values else []
+
 
 CONTROL_INCONSISTENT = Kind(
     "control_inconsistent", WRONG, SEE_HYPOTHESES,
@@ -72,6 +88,7 @@ BALLS_SLIP = Kind(
     "balls_slip", WRONG, SEE_HYPOTHESES,
     "{balls:slips/slip}: the gyroscopic moment requires a friction coefficient of {required:.3g}, and the "
     "contacts have {given:.3g}. The ball speeds reported are those without slip.",
+    " In place of friction_coefficient, {instead} solves for them.",
 )  # fmt: skip
 
 
@@ -84,9 +101,10 @@ def _slip(of: CaseRange) -> Iterator[Holding]:
     given = of.cases(moment.friction_coefficient)
     sides = (solution.inner.required_friction, solution.outer.required_friction)
     requested = np.maximum(*(of.rows(side) for side in sides if side is not None))
+    instead = instead_of_slip(solution, without_bound=True) if slips.any() else {}
     yield (
         slips.any(axis=-1),
-        lambda i: remark(BALLS_SLIP, balls=slips[i], required=requested[i].max(), given=given[i]),
+        lambda i: remark(BALLS_SLIP, balls=slips[i], required=requested[i].max(), given=given[i], **instead),
     )
 
 
@@ -111,12 +129,14 @@ FRICTION_BEYOND = Kind(
     WRONG,
     SEE_HYPOTHESES,
     f"{_REQUIRES}expect slip{_TYPICAL}",
-    setting=BY_FRICTION,
+    more=f" {SOLVED}.",
+    setting=by_friction,
 )
 FRICTION_ABOVE_LOAD = Kind(
     "friction_above_load", WRONG, SEE_HYPOTHESES,
     f"{_REQUIRES}friction, not the contact, carries the load there, so that the ball slips{_TYPICAL}",
-    setting=BY_FRICTION,
+    more=f" {SOLVED}.",
+    setting=by_friction,
 )  # fmt: skip
 FRICTIONS = (
     (FRICTION_DOUBTFUL, LEAST_TYPICAL, MOST_TYPICAL),
@@ -137,11 +157,15 @@ def _friction(of: CaseRange) -> Iterator[Holding]:
             continue
         friction = of.rows(side.required_friction)
         largest = friction.max(axis=-1)
+        instead = instead_of_slip(solution) if (friction > MOST_TYPICAL).any() else {}
         for kind, least, most in FRICTIONS:
 
-            def requested(i: int, kind: Kind = kind, name: str = name, friction: NDArray = friction) -> Remark:
+            def requested(
+                i: int, kind: Kind = kind, name: str = name, friction: NDArray = friction, instead: Any = instead
+            ) -> Remark:
                 typical = {"typical_least": LEAST_TYPICAL, "typical_most": MOST_TYPICAL}
-                return remark(kind, name, friction[i] > LEAST_TYPICAL, required=friction[i].max(), **typical)
+                more = typical | ({} if kind is FRICTION_DOUBTFUL else instead)
+                return remark(kind, name, friction[i] > LEAST_TYPICAL, required=friction[i].max(), **more)
 
             yield (largest > least) & (largest <= most), requested
 

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.case_index import CasePlace
+from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.groups import GROUPS, OF_AZIMUTH, OF_PRELOAD, RING, channels
-from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Result, value_at
+from qsbearing.model.solution.result_keys import BALL, STIFFNESS, Group, Result, value_at
 from qsbearing.model.solution.rounding import least_force, matrix_without_rounding, rounding_of
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Status

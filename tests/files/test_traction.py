@@ -137,7 +137,8 @@ def test_balls_carried_round_to_the_digits_of_the_trial() -> None:
     orbits = [each["orbital_speed_rpm"] / 1e4 for each in quarters]
     np.testing.assert_allclose(orbits, [0.441464, 0.444415, 0.450439, 0.448085], rtol=1e-5)
     assert of["traction"]["heat_W"] == pytest.approx(2719.4, rel=1e-4)
-    assert of["load"]["moment_z_Nm"] is None, "not worked out"
+    assert of["load"]["moment_z_Nm"] == pytest.approx(-159.9, abs=0.1)
+    assert of["locked_stiffness"]["tilt_z_Nm_per_mrad"] is None, "not worked out"
 
 
 def test_a_file_written_is_the_file_read() -> None:

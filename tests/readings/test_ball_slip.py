@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import tomllib
 from dataclasses import replace
 from typing import Any
 
@@ -9,8 +11,13 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.readings import ball_slip, friction
 from qsbearing.readings.asked import take_asked
+from qsbearing.remarks.remark import told
+from qsbearing.results.readings_record import all_taken
+from qsbearing.results.remarks import every_remark
+from qsbearing.studies.chooser.choose_set import solve_any
 from tests.qsbearing.scenes import solved, turning
 
 OIL = {"drag_coefficient": 1.5, "least_oil_share": 0.02, "most_oil_share": 0.2}
@@ -18,7 +25,7 @@ B218 = turning(10e3, axial_load=17.8e3)
 
 
 def codes(reading: Any) -> set[str]:
-    return {said.code for _, said in reading.remarks}
+    return {said.code for said in told(reading.remarks, None)}
 
 
 def test_the_gyroscopic_moment_by_hand() -> None:
@@ -99,6 +106,53 @@ def test_what_is_beyond_its_limit_is_said(load, mu, more, code) -> None:  # type
     found = ball_slip(solved(turning(10e3, axial_load=load)), mu, **more)
     assert code in codes(found)
     assert code not in codes(ball_slip(solved(turning(1e3, axial_load=17.8e3)), 0.1, **more))
+
+
+def document(**operation: float) -> dict[str, Any]:
+    """Of B218 at 10,000 rpm, a file's tables."""
+    effects = {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"}
+    return {"bearing": {"name": "B218"}, "operation": {"speed_rpm": 10e3} | operation, "effects": effects}
+
+
+def made(of: dict[str, Any]) -> Any:
+    return scene_or_set_of(copy.deepcopy(of), "", "")
+
+
+def said_of(of: dict[str, Any]) -> dict[str, str]:
+    """The remarks of a scene or set with their sentences, by their codes."""
+    solution = solve_any(made(of))
+    return {each.code: each.said() for each in every_remark(solution, all_taken(solution))}
+
+
+HELD_TILTS = {"tilt_y_mrad": 0.0, "tilt_z_mrad": 0.0}
+SLIPPING = [
+    ({"axial_load_N": 8e3}, {"readings": {"ball_slip": {"friction_coefficient": 0.05}}}, {}, "axis_not_held"),
+    ({"axial_load_N": 17.8e3}, {}, {"raceway_control": "inner"}, "friction_beyond"),
+    ({"axial_load_N": 17.8e3}, {"readings": {"friction": {"friction_coefficient": 0.07}}}, {}, "friction_may_be_low"),
+    ({"axial_load_N": 8e3}, {}, {"friction_coefficient": 0.05}, "balls_slip"),
+]
+
+
+@pytest.mark.parametrize(("load", "more", "effects", "code"), SLIPPING, ids=lambda each: str(each))
+def test_slip_names_the_line_that_solves_for_it(load: Any, more: Any, effects: Any, code: str) -> None:
+    """Which is taken where it is written in place of the hypothesis, and of the coefficient that bounds it."""
+    line, of = 'raceway_control = "friction"', document(**load) | more
+    assert line in said_of(of | {"effects": of["effects"] | effects})[code]
+    assert solve_any(made(of | {"effects": of["effects"] | tomllib.loads(line)})).friction is not None
+
+
+def test_slip_names_no_line_that_would_be_refused() -> None:
+    """Free tilts under radial load, rows of a set, another coefficient of the reading."""
+    slip = {"readings": {"ball_slip": {"friction_coefficient": 0.05}}}
+    held = document(axial_load_N=8e3, radial_load_y_N=500.0, **HELD_TILTS) | slip
+    free = document(axial_load_N=8e3, radial_load_y_N=500.0, moment_z_Nm=0.0) | slip
+    assert "friction" in said_of(held)["axis_not_held"].partition("raceway_control")[2]
+    assert "raceway_control =" not in said_of(free)["axis_not_held"]
+    other = document(axial_load_N=8e3) | {"readings": {"friction": {"friction_coefficient": 0.05}}}
+    assert "raceway_control =" not in said_of(other)["friction_given_exceeded"]
+    pair = document(axial_load_N=8e3) | {"rows": [{"position_mm": 30.0 * k, "carries": "+x"} for k in (0, 1)]}
+    pair["readings"] = {"ball_slip": {"friction_coefficient": 0.02}}
+    assert "raceway_control =" not in said_of(pair)["axis_not_held"]
 
 
 def test_friction_of_contacts_says_when_it_may_be_too_low() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,28 @@ from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import Traction
-from qsbearing.model.validation import ErrorDetail
+from qsbearing.model.validation import ErrorDetail, SceneError
 
 BOTH = {CentrifugalForce.name, GyroscopicMoment.name}
 """The ball effects of which none can be left out of the balance."""
+
+
+def friction_instead(scene: Any, *, without_bound: bool = False) -> dict[str, str]:
+    """{"instead": what to write} where a scene may have friction move its balls, and needs nothing else for it.
+
+    Args:
+        without_bound: of a scene without the friction coefficient of its gyroscopic moment.
+    """
+    effects = scene.ball_effects
+    if without_bound:
+        effects = tuple(
+            replace(each, friction_coefficient=None) if isinstance(each, GyroscopicMoment) else each for each in effects
+        )
+    try:
+        replace(scene, ball_effects=effects, raceway_control=RacewayControl.FRICTION)
+    except SceneError:
+        return {}
+    return {"instead": f'raceway_control = "{RacewayControl.FRICTION}"'}
 
 
 def friction_errors(scene: Any) -> list[ErrorDetail]:

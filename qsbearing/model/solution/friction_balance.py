@@ -21,11 +21,14 @@ from qsbearing.model.kernel.case import RESULT
 from qsbearing.model.kernel.traction import contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.ring_moments import ring_moments
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 
 INNER, OUTER = range(2)
 NO_FORCE = 1e-12
 """Of a case's largest contact load: less is what rounding leaves."""
+TILTS = slice(3, 5)
+"""Of the ring's five channels."""
 
 _OF_CONTACT = {
     "load": (kernel.LOAD, "force"),
@@ -111,7 +114,7 @@ class FrictionMotion:
     """Words of `Reason` where there is no equilibrium; empty elsewhere."""
     displacement: NDArray
     load: NDArray
-    """On the inner ring, (*cases, 5): the balls' forces with their weights; moments are not worked out."""
+    """On the inner ring, (*cases, 5): against the balls' forces and moments, with their weights."""
     residual: NDArray
     iterations: NDArray
     angular_velocity: NDArray
@@ -285,6 +288,10 @@ def balanced(
             solve_motions(*given, results[part], positions[part], *found)
 
     in_threads(solve_stretch, count, threads)
+    if start is not None:  # of four arcs, moments are not worked out
+        are_held = cases["displacement_given"][:, TILTS] != 0
+        moments = -ring_moments(cases, contacts[:, :, INNER], places)
+        results["load"][:, TILTS] = np.where(are_held, moments, results["load"][:, TILTS])
     inside = Inside(shape, cases, laws, points, carried, results, places, shims)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
     return _read(

@@ -72,7 +72,8 @@ def turning_stiffness(motion: FrictionMotion, frequency: ArrayLike) -> TurningSt
 
     Args:
         motion: under thrust.
-        frequency: nu, angular, of one axis [rad/s]; positive as the shaft turns about +x.
+        frequency: nu, angular, (n,) or (*cases, n) [rad/s]; positive as the shaft turns about +x. At rest there is no
+            number.
 
     Raises:
         ValueError: radial displacement, which makes balls unlike.
@@ -81,16 +82,20 @@ def turning_stiffness(motion: FrictionMotion, frequency: ArrayLike) -> TurningSt
         raise ValueError("turning_stiffness knows thrust alone: balls under radial load are unlike")
     inside = motion.inside
     nu = np.atleast_1d(np.asarray(frequency, float))
-    values = np.full((3, inside.cases.size, nu.size), np.nan)
+    count = nu.shape[-1]
+    nu = np.broadcast_to(nu, (*motion.status.shape, count)).reshape(-1, count)
+    values = np.full((3, inside.cases.size, count), np.nan)
     for k, blocks in enumerate(_blocks(motion)):
         case = inside.cases[k]
         orbit = inside.places[k, 0, ORBIT]
-        for n, each in enumerate(nu / case["speed"]):
+        if orbit == 0.0:
+            continue
+        for n, each in enumerate(nu[k] / case["speed"]):
             if abs(each - orbit) > NEAREST * abs(orbit):
                 values[:2, k, n] = _turning(blocks, orbit, orbit - each)
             values[2, k, n] = -_response(blocks, orbit, each, 0)[0].real
         values[:, k] *= case["ball_count"] * case["force"] / case["length"]
-    return TurningStiffness(*values.reshape(3, *motion.status.shape, nu.size))
+    return TurningStiffness(*values.reshape(3, *motion.status.shape, count))
 
 
 def motion_rates(motion: FrictionMotion) -> NDArray:

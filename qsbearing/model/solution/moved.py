@@ -48,7 +48,8 @@ class Moved:
                 self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
 
     def stiffness(self) -> NDArray:
-        """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held; NaN for tilts, whose moments are not worked out."""
+        """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held. NaN for tilts: a ring that tilts turns about another
+        axis, whose slip, the ring's speed times the tilt, is no part of the balls' equations."""
         out = np.full((*self.motion.status.shape, 5, 5), np.nan)
         out[..., :3, :3] = motion_stiffness(self.motion)
         return self._with_static(out, self.motion.start.stiffness, 2) if self._has_static else out

@@ -44,7 +44,7 @@ def solve_moved(
     maker = CaseMaker(scene, under_outer.maker.axial)
     motion = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
     which, cases, results = spanned(under_outer.maker.shape, maker.shape), motion.inside.cases, motion.inside.results
-    turns = _turns(motion)
+    turns = cases["inner_speed"] != cases["outer_speed"]
     results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
     moved = Moved(motion, turns, which, scene.operating_bearing)

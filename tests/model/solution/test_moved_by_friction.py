@@ -129,11 +129,6 @@ def test_both_rings_carry_the_same() -> None:
     assert of_hypothesis.momentum_gap > 0.05, "or the test tells nothing"
 
 
-def test_moments_that_are_not_worked_out_have_no_number() -> None:
-    held, free = qs.solve(moved(None, RADIAL)), qs.solve(moved())
-    assert np.isnan(held.load[3:]).all() and (free.load[3:] == 0.0).all()
-
-
 def test_arrays_of_the_law_are_cases() -> None:
     many = qs.solve(
         moved(qs.Traction(np.array([0.03, 0.07, 0.1])), THRUST | {"axial_load": np.array([[17.8e3], [9e3]])})
