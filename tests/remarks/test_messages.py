@@ -23,6 +23,7 @@ from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
+from tests.remarks.test_data import typed
 
 SEPARATED = "No axial load keeps the raceways together"
 
@@ -274,7 +275,7 @@ def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:
     shown = CliRunner().invoke(cli, ["run", str(scene)], env={"COLUMNS": "100"}).stdout
     words = " ".join(shown.split())
     said = [each.remark.said(IN_FILE) for each in qs.warnings(solution)]
-    places = [words.index(" ".join(each.line.split())) for each in said]
+    places = [words.index(typed(each.line, each.remark.paste(IN_FILE))) for each in said]
     assert len({each.rank for each in qs.warnings(solution)}) > 1
     assert places == sorted(places)
 
