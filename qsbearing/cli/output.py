@@ -84,6 +84,10 @@ def print_text(text: str) -> None:
     stream = sys.stdout
     encoding = getattr(stream, "encoding", None) or "utf-8"
     try:
+        from qsbearing.documents.numbers import MINUS
+
+        if not _is_shown(MINUS, encoding):  # a sign must not become a question mark
+            text = text.replace(MINUS, "-")
         stream.write(text.encode(encoding, "replace").decode(encoding))
         stream.flush()
     except BrokenPipeError:
@@ -92,6 +96,14 @@ def print_text(text: str) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     except OSError as error:
         raise OSError(error.errno, error.strerror, "standard output") from None
+
+
+def _is_shown(letter: str, encoding: str) -> bool:
+    try:
+        letter.encode(encoding)
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 @contextmanager

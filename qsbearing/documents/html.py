@@ -31,11 +31,11 @@ QUANTITY = re.compile(
 """The space within a number, before its unit, within that, and after ≈."""
 
 
-POWER = re.compile(r"\b\d[\d.]*e-\d+\b")
+POWER = re.compile(r"\b\d[\d.]*e[-−]\d+\b")
 """A number that browsers would break after its hyphen."""
 
 
-EQUAL = re.compile(r"(?<=\b\w) = (?=[+-]?\d)|(?<=\bF[arxyz]) = (?=[+-]?\d)")
+EQUAL = re.compile(r"(?<=\b\w) = (?=[+\-−]?\d)|(?<=\bF[arxyz]) = (?=[+\-−]?\d)")
 """Between a symbol and its value."""
 
 

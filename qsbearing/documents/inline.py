@@ -7,6 +7,7 @@ from typing import Any
 
 from qsbearing.documents.formula import forms
 from qsbearing.documents.model import Md
+from qsbearing.documents.numbers import with_minus
 
 STYLES = {"strong_open": "strong", "em_open": "emph", "s_open": "strike"}
 Run = dict[str, Any]
@@ -24,7 +25,7 @@ def parser() -> Any:
 def runs(text: str) -> list[Run]:
     """Text as runs: {"text", "styles", "href"}, a formula with "math", its forms; plain text is one run."""
     if not isinstance(text, Md):
-        return [{"text": text, "styles": [], "href": None}]
+        return [{"text": with_minus(text), "styles": [], "href": None}]
     return runs_of(parser().parseInline(text)[0].children)
 
 
@@ -53,6 +54,7 @@ def runs_of(tokens: Any) -> list[Run]:
                     continue
                 content = " "
             kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
+            content = content if token.type == "code_inline" else with_minus(content)
             if of_line and "math" not in of_line[-1] and of_line[-1]["styles"] == kinds and of_line[-1]["href"] == href:
                 of_line[-1]["text"] += content
             else:

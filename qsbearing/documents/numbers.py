@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
 
 LEAST, MOST = 1e-7, 1e9
@@ -21,6 +22,16 @@ def plain(number: float, spec: str = ".5g") -> str:
     if "e" not in text or not LEAST <= abs(number) < MOST:
         return text
     return format(Decimal(text.strip()), "+f" if "+" in spec else "f")
+
+
+MINUS = "\N{MINUS SIGN}"
+_HYPHEN = re.compile(r"(?<![\w.)\]\-])-(?=\.?\d|∞)|(?<=\de)-(?=\d)")
+"""That of a number and of its power of ten, neither within a name or a date nor in a range."""
+
+
+def with_minus(text: str) -> str:
+    """A text whose numbers have the sign of minus in place of a hyphen; nothing that programs read."""
+    return _HYPHEN.sub(MINUS, text) if "-" in text else text
 
 
 def unit_of(seconds: float) -> tuple[str, float]:

@@ -13,6 +13,7 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from qsbearing.documents.model import Badge, Block, Callout, Cell, Facts, Paragraph, RowGroup, Table
+from qsbearing.documents.numbers import with_minus
 
 NARROWEST, USUAL, WIDEST = 80, 100, 140
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; a file has the usual ones; wider than the
@@ -33,7 +34,8 @@ def text_of(shown: RenderableType | Sequence[Block], width: int | None = None) -
         console.width = max(min(console.width, WIDEST), NARROWEST) if known else USUAL
     with console.capture() as capture:
         is_of_blocks = isinstance(shown, Sequence) and not isinstance(shown, str)
-        console.print(laid_out(shown, console.width) if is_of_blocks else shown)  # type: ignore[arg-type]
+        # Lines to be pasted are longer than the terminal: it breaks them where they may be marked as one.
+        console.print(laid_out(shown, console.width) if is_of_blocks else shown, crop=False)  # type: ignore[arg-type]
     return "\n".join(line.rstrip() for line in capture.get().splitlines()) + "\n"
 
 
@@ -68,7 +70,7 @@ def laid_out(blocks: Sequence[Block], width: int = USUAL) -> Group:
 
 
 def _text(text: str, lead: str, style: str) -> Text:
-    styled = Text(text)
+    styled = Text(with_minus(text))
     styled.stylize(style, 0, len(lead))
     return styled
 
@@ -156,7 +158,7 @@ def _widths(table: Table, part: list[int], width: int) -> dict[int, int]:
 
 
 def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
-    title = Text(table.caption, "bold") if table.caption and not count else None
+    title = Text(with_minus(table.caption), "bold") if table.caption and not count else None
     rich_table = RichTable(title=title, box=box.SIMPLE_HEAD, show_edge=False, title_justify="left")
     rich_table.pad_edge, rich_table.padding, widths = False, (0, 1, 0, 0), _widths(table, part, width)
     for number in part:
@@ -164,7 +166,7 @@ def _part(table: Table, part: list[int], width: int, count: int) -> RichTable:
         rich_table.add_column(Text(table.headings[number]), justify=justify, overflow="fold", width=widths.get(number))  # type: ignore[arg-type]
         rich_table.columns[-1].no_wrap = number not in widths
     for number, row in enumerate(table.rows):
-        cells = [row.text] if isinstance(row, RowGroup) else [_cell(row[each]) for each in part]
+        cells = [with_minus(row.text)] if isinstance(row, RowGroup) else [_cell(row[each]) for each in part]
         rich_table.add_row(*cells, style="dim" if number in table.faint else None)
     return rich_table
 
@@ -188,4 +190,4 @@ def _notes(table: Table) -> RichTable:
 
 
 def _cell(cell: Cell) -> Text:
-    return Text(cell.word, STYLES.get(cell.kind, "")) if isinstance(cell, Badge) else Text(cell)
+    return Text(cell.word, STYLES.get(cell.kind, "")) if isinstance(cell, Badge) else Text(with_minus(cell))

@@ -23,7 +23,7 @@ def test_a_page_is_sound_and_says_all() -> None:
     assert NASTY in page.text
     assert "Plain, leaning, heavy, typed_code and a table." in page.text
     assert "qsbearing run b218\n\n# αi = 41.49°" in page.text
-    assert page.tables[0][2] == ["beta", "-2.5", "fail"]
+    assert page.tables[0][2] == ["beta", "−2.5", "fail"]
     assert page.tables[1][-1] == [NASTY, "2"]
     assert "fem-check run patch_test --level quick" in page.text
 
@@ -95,7 +95,7 @@ def test_a_unit_is_not_parted() -> None:
 
 def test_a_power_of_ten_and_the_value_of_a_symbol_are_not_parted() -> None:
     text = html(Document("One", "two", [Section("Three", [Paragraph("Within 3.4e-5 at a/b = 50, and Z = 3.")])]))
-    assert 'Within <span class="whole">3.4e-5</span> at a/b\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}50' in text
+    assert 'Within <span class="whole">3.4e−5</span> at a/b\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}50' in text
     assert "Z\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}3." in text
 
 
@@ -205,5 +205,5 @@ def test_a_heading_keeps_the_letter_of_its_raceway_or_axis() -> None:
 
 def test_no_line_ends_within_a_power_of_ten_or_after_an_estimate_s_sign() -> None:
     page = html(Document("T", "", [Section("S", [Paragraph("within 1e-11, ≈ 400 %")])]))
-    assert "1e-11" in WHOLE.findall(page)
+    assert "1e−11" in WHOLE.findall(page)
     assert "≈\N{NO-BREAK SPACE}400\N{NO-BREAK SPACE}%" in page

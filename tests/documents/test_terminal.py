@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Badge, Block, Bullets, Callout, Paragraph, RowGroup, Table
+from qsbearing.documents.numbers import with_minus
 from qsbearing.documents.terminal import text_of
 from tests.documents.names import broken
 
@@ -59,7 +60,7 @@ def test_a_group_s_long_text_cuts_no_number(width: int) -> None:
     rows = [RowGroup(text), ("approach", "1.00482", "-0.004 ± 0.030", Badge("pass"))]
     lines = text_of([Table(("", "found", "deviation", ""), rows, "lrrl")], width).splitlines()
     assert max(map(len, lines)) <= width
-    assert lines[-1].split() == ["approach", "1.00482", "-0.004", "±", "0.030", "pass"]
+    assert lines[-1].split() == ["approach", "1.00482", "−0.004", "±", "0.030", "pass"]
     assert " ".join(line.strip() for line in lines[2:-1]) == text
 
 
@@ -99,7 +100,7 @@ def test_columns_are_left_out_by_their_order_and_said_to_be(table: Table, width:
     assert sorted(left) == sorted(table.headings[number] for number in table.spare[: len(left)])
     assert sum("─" in line for line in text.splitlines()) == 1 or len(left) == len(table.spare)
     numbers = [n for n, side in enumerate(table.alignment) if side == "r" and n not in table.spare[: len(left)]]
-    assert {row[number] for row in table.rows for number in numbers} <= set(text.split())
+    assert {with_minus(str(row[number])) for row in table.rows for number in numbers} <= set(text.split())
 
 
 def test_tables_and_what_is_apart_follow_an_empty_line() -> None:
@@ -110,3 +111,20 @@ def test_tables_and_what_is_apart_follow_an_empty_line() -> None:
 def test_a_piece_that_a_terminal_cannot_show_is_refused() -> None:
     with pytest.raises(TypeError, match="Bullets"):
         text_of([Bullets(["one"])])
+
+
+@pytest.mark.parametrize(
+    ("typed", "printed"),
+    [
+        ("-5.2 µm", "−5.2 µm"), ("(-3)", "(−3)"), ("= -17", "= −17"), ("1.1e-17", "1.1e−17"), ("-.5", "−.5"),
+        ("2026-11-28", "2026-11-28"), ("7210-C", "7210-C"), ("ISO 16281-1", "ISO 16281-1"), ("-y", "-y"), ("-", "-"),
+        ("3-5", "3-5"), ("-4 to -2 °C", "−4 to −2 °C"), ("name-1", "name-1"), ("--5", "--5"), ("-∞", "−∞"),
+    ],
+)  # fmt: skip
+def test_numbers_have_the_sign_of_minus(typed: str, printed: str) -> None:
+    assert with_minus(typed) == printed
+    block = [Paragraph(typed), Table(("", "a"), [("b", typed)])]
+    words = [word for word in text_of(block, 100).split() if "─" not in word]
+    assert words == [*printed.split(), "a", "b", *printed.split()]
+    page = html.unescape(re.sub(r"<[^>]*>", " ", part(block))).replace("\N{NO-BREAK SPACE}", " ")
+    assert page.count(printed) == 2

@@ -24,6 +24,7 @@ from qsbearing.app.inputs import ON_PAGE
 from qsbearing.cli import cli
 from qsbearing.documents.guide import topics
 from qsbearing.documents.model import Callout, Section
+from qsbearing.documents.numbers import with_minus
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_or_set import load_scene_or_set
@@ -268,10 +269,11 @@ def test_remarks_have_the_values_that_the_guide_says_and_are_plain_data(reached:
             "turn_deg",
             "edge_pressure_MPa",
             "limit_MPa",
+            "alternative",
         }  # of a cut ellipse, where computed
         assert set(said.values) - optional == set(every_kind()[code].values) - optional, code
         found = json.loads(json.dumps(said.record(PYTHON), allow_nan=False))
-        assert set(found) == {"code", "severity", "of", "values", "text"}
+        assert set(found) == {"code", "severity", "of", "values", "text", "paste"}
         assert found["text"] == said.text == str(said.said())
 
 
@@ -444,20 +446,28 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
     assert json.loads(CliRunner().invoke(cli, ["explain", file, "--json"]).output)["remarks"] == data
     assert shown.found_remarks(SimpleNamespace(scene=loaded)) == said  # type: ignore[arg-type]
     for words in (command("run", file), command("explain", file)):
-        begins = [words.index(" ".join(line.split())) for line in lines]
+        begins = [
+            words.index(typed(line, each.paste(IN_FILE))) for line, each in zip(lines, together(said), strict=True)
+        ]
         assert begins == sorted(begins)
         assert sum(words.count(f"{each.words}: ") for each in Severity) == len(lines)
     html = solution._repr_html_()
-    assert [html_text(each) for each in html.split('<p class="remark ')[2:]] == of_python
+    assert [html_text(each) for each in html.split('<p class="remark ')[1:-1]] == list(map(with_minus, of_python))
     if isinstance(loaded, qs.Scene):
         whole = document.document(solution, loaded, "", "")
         compared = compare([file, file]).remarks
         assert [replace(each, of=replace(each.of, bearings=())) for each in compared] == said * 2
         page = answers.solved(input_tables(loaded), "")["warnings"]
-        assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == of_page
+        assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == list(map(with_minus, of_page))
     else:
         whole = set_document.document(solution, "", "")
     assert [each.text for each in whole.head if isinstance(each, Callout)][1:] == lines
+
+
+def typed(line: str, paste: str) -> str:
+    """A remark as a terminal has it, its lines joined: the command that says more stands below it, and there alone."""
+    said = line.removesuffix(f" (see {paste}).").removesuffix(".") + "."
+    return " ".join(f"{with_minus(said)} {paste}".split())
 
 
 def html_text(paragraph: str) -> str:

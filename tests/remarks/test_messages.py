@@ -28,6 +28,7 @@ from qsbearing.remarks.preload import PRELOAD_LOST
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
 from qsbearing.reports.guide_lists import every_kind
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
+from tests.remarks.test_data import typed
 
 SEPARATED = "No axial load keeps the raceways together"
 
@@ -279,7 +280,7 @@ def test_a_run_shows_the_rank_of_each_warning(tmp_path: Path) -> None:
     shown = CliRunner().invoke(cli, ["run", str(scene)], env={"COLUMNS": "100"}).stdout
     words = " ".join(shown.split())
     said = [each.remark.said(IN_FILE) for each in qs.warnings(solution)]
-    places = [words.index(" ".join(each.line.split())) for each in said]
+    places = [words.index(typed(each.line, each.remark.paste(IN_FILE))) for each in said]
     assert len({each.rank for each in qs.warnings(solution)}) > 1
     assert places == sorted(places)
 

@@ -22,6 +22,7 @@ PAIR = (
     '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 18000\naxial_load_N = 300\n[preload]\nrigid_N = 300\n'
     '[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 40\ncarries = "-x"\n'
 )
+ISO_281 = '[readings.life]\nrating = "iso_281"\n'
 RADIAL = B218.replace("17800", "8000\nradial_load_y_N = 4000\ntilt_z_mrad = 0\ntilt_y_mrad = 0")
 OWN = (
     "[bearing]\nball_count = 16\nball_diameter_mm = 22.225\npitch_diameter_mm = 125.26\ninner_groove_radius_mm = 12\n"
@@ -43,7 +44,7 @@ def remarks(*words: str | Path) -> list[dict[str, Any]]:
         (B218 + EFFECTS, {"hypotheses_differ", "friction_doubtful", "effect_data_missing"}),
         (RADIAL + EFFECTS, {"momentum_gap"}),
         (B218 + EFFECTS.replace("outer", "friction"), {"friction_assumed"}),
-        (OWN + B218.partition("\n")[2].partition("\n")[2] + EFFECTS + "[readings.life]\n", {"life_grooves_uncovered"}),
+        (OWN + B218.partition("\n")[2].partition("\n")[2] + EFFECTS + ISO_281, {"life_grooves_uncovered"}),
         (PAIR, {"effects_missing", "effect_data_missing"}),
         (PAIR + EFFECTS, {"hypotheses_differ"}),
     ],

@@ -51,7 +51,7 @@ def groups_of_heat(state: ThermalState | NetworkNames | None) -> list[Group]:
     return [nodes._replace(results=tuple(each for each in nodes.results if each.entry not in known)), *others]
 
 
-def recorded_groups(state: ThermalState) -> list[Group]:
+def recorded_groups(state: ThermalState | NetworkNames) -> list[Group]:
     """All that a balance has: nodes, sources, paths, and numbers of the whole."""
     nodes = _one_each(state.temperatures, "temperature", "C", "temperatures_C", "temperatures")
     sources = _one_each(state.powers, "power", "W", "powers_W", "powers")
