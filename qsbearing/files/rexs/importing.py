@@ -14,7 +14,7 @@ from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.keys import OPERATION, PRELOAD, Key
-from qsbearing.files.limits import MOST_MODEL_FILES
+from qsbearing.files.limits import MOST_MODEL_FILES, MOST_OF_SHAFT
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, BearingRow, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
@@ -28,7 +28,7 @@ from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
-from qsbearing.files.toml import tables_of
+from qsbearing.files.toml import read_back
 from qsbearing.model.validation import printable
 from qsbearing.systems.sets.row import OUT_OF_LINE
 
@@ -77,6 +77,7 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
         SceneFileError: everything that is wrong with the model, at once.
     """
     model = model_in(opened(path))
+    _refuse_too_many(model, path, shaft)
     errors: Errors = []
     cases: list[LoadCase | None] = [*model.load_cases] or [None]
     files: list[SceneText] = []
@@ -104,6 +105,25 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     ]  # fmt: skip
     named = [str(each) + f": {plain.word(each, 'bearing_type')}" * (each.kind in ROLLING) for each in others]
     return Imported(files, named, remarks, unread(model, {each.number for each in others}))
+
+
+def _refuse_too_many(model: Model, path: Path, shaft: str | None) -> None:
+    """Before work begins.
+
+    Raises:
+        SceneFileError: a model with more of something than is read.
+    """
+    reader = AttributeReader(model, None, [])
+    counts = [(len(model.load_cases), "load cases", "Take the load cases out that do not matter")]
+    for each in _chosen(reader, shaft):
+        relations = model.relations_of(each.number)
+        bearings = {one.of("assembly") for one in model.related("side", "inner_part", each.number)}
+        rows = sum(max(len(model.parts(one, "rolling_bearing_row")), 1) for one in bearings if one is not None)
+        cause = "Is it one shaft? Split the model, or name another one with --shaft"
+        counts += [(rows, f"rows of bearings on {each}", cause), (len(relations), f"relations of {each}", cause)]
+    for count, what, cause in counts:
+        if count > MOST_OF_SHAFT:
+            raise refused(path, f"has {count:,} {what}; at most {MOST_OF_SHAFT:,} are read", cause)
 
 
 def _chosen(reader: AttributeReader, shaft: str | None) -> list[Component]:
@@ -348,9 +368,7 @@ def _finished(document: NotedTable, name: str, title: str, path: Path) -> SceneT
     missing: list[str] = []
     heading = f"# {title}\n# of {printable(path.name)}. Run it with: qsbearing run {name}\n\n"
     text = heading + text_of(document)
-    tables = tables_of(text, Path(name))
-    if tables != _plain(document):
-        raise refused(path, f"cannot be written as {name}: its text is read as something else")
+    tables = read_back(text, _plain(document), Path(name))
     try:
         scene_or_set_of(tables, name, may_infer=True)
     except SceneFileError as error:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.files.rexs import importing
 from qsbearing.files.rexs.importing import Imported, import_model
 from qsbearing.files.rexs.names import current
 from qsbearing.files.scene_or_set import scene_or_set_of
@@ -174,3 +175,34 @@ def test_new_names_have_their_versions(version: str) -> None:
     name = current("preload_distance", of)
     assert name == ("initial_load_shift" if of < (1, 1) else "preload_distance", "mum")
     assert (current("mass_of_component", of) is None) == (of < (1, 3))
+
+
+# Too many of something -----------------------------------------------------------------------------------------------
+
+
+def many(what: str, count: int) -> dict[str, Any]:
+    model = b218("1.7")
+    for number in range(1000, 1000 + count):
+        if what == "load cases":
+            model["load_cases"].append({3: {"rotational_speed": ("1 / min", number)}})
+        elif what == "rows":
+            model["components"].append(part(number, "rolling_bearing_row"))
+            model["relations"].append(("ordered_assembly", number, {"assembly": 6, "part": number}))
+        else:
+            model["components"].append(part(number, "shaft_section"))
+            model["relations"].append(("assembly", 0, {"assembly": 3, "part": number}))
+    return model
+
+
+@pytest.mark.parametrize(
+    ("what", "told"),
+    [("load cases", "1,001 load cases"), ("rows", "1,002 rows of bearings on component 3"),
+     ("relations", "1,005 relations of component 3")],
+)  # fmt: skip
+def test_more_than_a_thousand_is_refused_before_work_begins(
+    imported: Any, what: str, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(importing, "_of_shaft", None)
+    with pytest.raises(qs.SceneFileError) as caught:
+        imported(many(what, 1001))
+    assert f"has {told}" in str(caught.value) and "at most 1,000 are read" in str(caught.value)
