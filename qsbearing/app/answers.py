@@ -23,7 +23,7 @@ from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import is_set, scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
-from qsbearing.files.toml import check_tables, tables_of
+from qsbearing.files.toml import check_tables, read_back, tables_of
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.effects import EFFECTS, QUANTITIES, Entry
 from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
@@ -195,7 +195,9 @@ def saved(document: Tables, label: str) -> Answer:
     of = _read(document, label)
     own = of.name if isinstance(of, BearingSet) else of.bearing.name
     name = "".join(letter if letter.isalnum() else "_" for letter in own.lower()) or "scene"
-    text = tomli_w.dumps(input_tables(of))
+    tables = input_tables(of)
+    text = tomli_w.dumps(tables)
+    read_back(text, tables, Path(f"{name}.toml"))
     command = f"cat > {name}.toml <<'END'\n{text}END\nqsbearing run {name}.toml\n"
     return {"file": f"{name}.toml", "text": text, "command": command}
 

@@ -44,6 +44,8 @@ def import_model(model: str, shaft: str | None, out: str) -> None:
             lines += [f"{', '.join(names)}: missing", *(f"    {each}" for each in lacks)]
     if converted.not_ours:
         lines += ["not modelled:", *(f"    {each}" for each in converted.not_ours)]
+    if converted.unread:
+        lines += ["not read:", *(f"    {each}" for each in converted.unread)]
     if not converted.files:
         lines.append("no ball bearing that is modelled")
     print_wrote(makers)

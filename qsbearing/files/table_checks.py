@@ -230,7 +230,7 @@ def material(path: str, value: Any, errors: Errors) -> Material:
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
         return unknown
     known = material_named(value)
-    if known is STAINLESS_STEEL and not value[:1].isdigit() and path.rpartition(".")[2] in MATERIALS:
+    if known is STAINLESS_STEEL and value.lower().startswith("stainless") and path.rpartition(".")[2] in MATERIALS:
         cause = "Bearings are of 440C, which write; if it really is the steel of shafts and housings, write 1.4301"
         errors.append(FileErrorDetail(path, "is the name of several materials", value, cause=cause))
         return unknown

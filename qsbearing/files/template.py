@@ -9,6 +9,7 @@ from typing import Any
 
 from qsbearing.files.catalogue import CatalogueEntry
 from qsbearing.files.file_keys import reading_tables
+from qsbearing.files.toml import read_back, tables_of
 
 
 def scene_template(entry: CatalogueEntry, by_name: bool) -> str:
@@ -34,7 +35,12 @@ def scene_template(entry: CatalogueEntry, by_name: bool) -> str:
             lines.append(f"{setting:<35}  #{note}" if note else setting)
         elif line.startswith("# ") or not key.isidentifier():
             lines.append(line)
-    return "\n".join(lines) + "\n"
+    text = "\n".join(lines) + "\n"
+    named = {"bearing": {"name": entry.name}} if by_name else {"bearing": dict(entry.bearing)}
+    path, wanted = Path("template.toml"), named | entry.example
+    tables = tables_of(text, path)
+    read_back(text, tables | {table: tables.get(table, {}) | own for table, own in wanted.items()}, path)
+    return text
 
 
 def _readings() -> str:
@@ -53,7 +59,10 @@ def set_template(entry: CatalogueEntry) -> str:
     """The text of a file of a set: two rows of a catalogue entry, back to back."""
     template = Template(Path(__file__).with_name("set_template.toml").read_text("utf-8"))
     width = f"{0.2857 * entry.bearing['pitch_diameter_mm']:.0f}"  # of the ISO series 2, about; a place to start from
-    return template.substitute(name=entry.name, description=entry.description, width=width)
+    text = template.substitute(name=entry.name, description=entry.description, width=width)
+    path = Path("set_template.toml")
+    read_back(text, tables_of(text, path) | {"bearing": {"name": entry.name}}, path)
+    return text
 
 
 @cache

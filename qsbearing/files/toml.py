@@ -59,6 +59,26 @@ def tables_of(text: str, path: Path) -> dict[str, Any]:
         raise refused(path, problem, _line_of(text, str(error))) from None
 
 
+def read_back(text: str, document: dict[str, Any], path: Path) -> dict[str, Any]:
+    """The tables of a text that was written of these.
+
+    Args:
+        path: what to call it in errors.
+
+    Raises:
+        SceneFileError: it is read as something else, such as a name with a line break in it.
+    """
+    try:
+        tables = tables_of(text, path)
+    except SceneFileError as error:
+        cause = getattr(error.errors[0], "problem", "")
+        raise refused(path, "cannot be written: its text is not read again", cause) from None
+    if tables != document:
+        other = sorted({name for name in {*tables, *document} if tables.get(name) != document.get(name)})
+        raise refused(path, f"cannot be written: its text is read as something else in {', '.join(other)}")
+    return tables
+
+
 def check_tables(document: dict[str, Any], path: Path) -> None:
     """See that tables from elsewhere than a text have what one can have: no more keys, and no null.
 

@@ -48,13 +48,13 @@ def reactions() -> dict[str, dict[str, float]]:
     row = qs.Row(ball, 0.0, offset=-200 * qs.um)
     at_rest = qs.Operation(SPEED, moment_y=0.0, moment_z=0.0)
     solution = qs.solve_set(qs.BearingSet((row,), at_rest, shaft=qs.Shaft(supports=supports, gears=(pinion(),))))
-    found = -solution.support_loads[:, :3] / POUND
-    return {name: dict(zip("xyz", map(float, each), strict=True)) for name, each in zip("AB", found, strict=True)}
+    each_way = -solution.support_loads[:, :3] / POUND
+    return {name: dict(zip("xyz", map(float, each), strict=True)) for name, each in zip("AB", each_way, strict=True)}
 
 
 def run() -> CaseResult:
     """Forces and reactions, each beside what is printed."""
-    forces, found = pinion().forces(SPEED), reactions()
+    forces, by_bearing = pinion().forces(SPEED), reactions()
     digits = "half the last printed digit"
     rows = [
         compared("pinion", f"{name} force", "lbf", printed, float(getattr(forces, name)) / POUND, SOURCE, 0.05, digits)
@@ -66,13 +66,20 @@ def run() -> CaseResult:
     for bearing, printed_of in REACTIONS.items():
         rows += [
             compared(
-                f"bearing {bearing}", f"reaction in {axis}", "lbf", printed, found[bearing][axis], SOURCE, 0.115, why
+                f"bearing {bearing}",
+                f"reaction in {axis}",
+                "lbf",
+                printed,
+                by_bearing[bearing][axis],
+                SOURCE,
+                0.115,
+                why,
             )
             for axis, printed in printed_of.items()
         ]
     names = [f"{bearing}{axis}" for bearing, of in REACTIONS.items() for axis in of]
     printed = [value for of in REACTIONS.values() for value in of.values()]
-    computed = [found[bearing][axis] for bearing, of in REACTIONS.items() for axis in of]
+    computed = [by_bearing[bearing][axis] for bearing, of in REACTIONS.items() for axis in of]
     worst = float(np.max(np.abs(np.subtract(printed, computed))))
     return CaseResult(
         f"Three forces, the torque and five reactions come out as printed, reactions within {worst:.2f} lbf.",

@@ -21,9 +21,9 @@ ALONG = 1e-6
 def turned(reader: AttributeReader, bearing: Component, shaft: Component | None) -> NDArray:
     """What takes loads and displacements (x, y, z, about y, about z) from the shaft's axes to the bearing's; (5, 5)."""
     within = reader.whole(bearing, "reference_component_for_position")
-    own, other = _axes(reader, bearing), np.eye(3)
+    own, other = unit_vectors(reader, bearing), np.eye(3)
     if shaft is not None and within != shaft.number:
-        other = _axes(reader, shaft)
+        other = unit_vectors(reader, shaft)
     turn = np.eye(5)
     rotation = own @ other.T
     if abs(abs(rotation[0, 0]) - 1.0) > ALONG:
@@ -35,7 +35,7 @@ def turned(reader: AttributeReader, bearing: Component, shaft: Component | None)
     return np.where(np.abs(turn) > ALONG, turn, 0.0)
 
 
-def _axes(reader: AttributeReader, component: Component) -> NDArray:
+def unit_vectors(reader: AttributeReader, component: Component) -> NDArray:
     """Unit vectors u, v, w as rows; those of the whole model where the component states none."""
     given = [reader.array(component, f"{name}_axis_vector") for name in "uw"]
     u, w = (None if each is None else np.asarray(each, float) for each in given)

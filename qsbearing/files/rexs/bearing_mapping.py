@@ -24,6 +24,7 @@ from qsbearing.files.rexs.scene_text import NotedTable
 from qsbearing.files.table_checks import Errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.material import STEEL
+from qsbearing.model.units import mm
 from qsbearing.systems.sets.shaft import REFERENCE_TEMPERATURE
 
 ROLLING = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
@@ -56,6 +57,8 @@ _SEATS = (
 )  # fmt: skip
 """Of each seat: what of the bearing it is fitted to, the sign of interference, whose limits make it, and its wall."""
 _ENDS = ("minimum", "maximum")
+SAME_PLACE = 1e-6
+"""Metres: places of inner and outer side that are nearer are the same (files round to a micrometre)."""
 _DIRECTIONS = {"positive": 1.0, "negative": -1.0, "both_directions": 1.0}
 NO_DIRECTION = "no_direction"
 
@@ -81,6 +84,10 @@ class BearingRow:
     """Ring and ball expansion, where the model tells of fits or temperatures."""
     first_azimuth: float | None
     """Of the first ball, in the axes of the scene [rad]."""
+    offset: float | None = None
+    """By which it is preloaded [m]."""
+    out_of_line: tuple[float | None, ...] = (None,) * 4
+    """Of its housing along y and z [m] and about them [rad], in the shaft's axes; None: not told."""
 
 
 def is_ours(reader: AttributeReader, component: Component) -> bool:
@@ -95,7 +102,9 @@ def rows_of(reader: AttributeReader, bearing: Component, shaft: Component | None
     parts = parts or [None] * min(count, 4)
     turn = turned(reader, bearing, shaft)
     middle = reader.number(bearing, "u_coordinate_on_shaft_inner_side")
+    outside = reader.number(bearing, "u_coordinate_on_shaft_outer_side")
     distance = reader.number(bearing, "distance_between_bearing_rows") or 0.0
+    offset, out_of_line = reader.positive(bearing, "preload_distance"), _out_of_line(reader, bearing, turn)
     rows = []
     for number, part in enumerate(parts):
         along = (number - 0.5 * (len(parts) - 1)) * distance * turn[0, 0]
@@ -108,11 +117,15 @@ def rows_of(reader: AttributeReader, bearing: Component, shaft: Component | None
         effects = _expansion(reader, bearing, part, table)
         _materials(reader, bearing, part, table, needs_expansion=bool(effects))
         _name(reader, bearing, table)
+        if middle is not None and outside is not None and abs(outside - middle) > SAME_PLACE:
+            shift = f"{(outside - middle) / mm:.6g} mm"
+            table.note("", f"its outer side lies {shift} from its inner side along the shaft, which is left out")
         rows.append(
             BearingRow(
                 bearing, table, turn, 1.0 if is_either else None if direction is None else direction * turn[0, 0],
                 absorbs == NO_DIRECTION, _located(absorbs, turn[0, 0]) if is_either else "",
-                None if middle is None else middle + along, effects, _first_azimuth(reader, part, turn, table),
+                None if middle is None else middle + along, effects, _first_azimuth(reader, part, turn, table), offset,
+                out_of_line,
             )
         )  # fmt: skip
     return rows
@@ -127,6 +140,19 @@ def _located(absorbs: str, along: float) -> str:
     if absorbs in ("positive", "negative"):
         return "+x" if _DIRECTIONS[absorbs] * along > 0.0 else "-x"
     return {"both_directions": "both", NO_DIRECTION: "none"}.get(absorbs, "")
+
+
+def _out_of_line(reader: AttributeReader, bearing: Component, turn: NDArray) -> tuple[float | None, ...]:
+    """How far the place of its outer ring is off the shaft's line, in the shaft's axes."""
+    both: list[float | None] = []
+    for names in (
+        [f"misalignment_in_{axis}_direction" for axis in "vw"],
+        [f"angular_misalignment_around_{axis}_axis" for axis in "vw"],
+    ):
+        given = [reader.number(bearing, name) for name in names]
+        own = turn[3:, 3:].T @ np.array([each or 0.0 for each in given])
+        both += [float(each) or None for each in own] if any(given) else [None, None]
+    return tuple(both)
 
 
 def elements_of(reader: AttributeReader, part: Component | None) -> list[Component]:

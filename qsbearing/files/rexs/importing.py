@@ -14,23 +14,27 @@ from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import ORIGIN
 from qsbearing.files.keys import OPERATION, PRELOAD, Key
-from qsbearing.files.limits import MOST_MODEL_FILES
+from qsbearing.files.limits import MOST_MODEL_FILES, MOST_OF_SHAFT
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, BearingRow, is_ours, readings, rows_of
 from qsbearing.files.rexs.model import Component, LoadCase, Model
 from qsbearing.files.rexs.names import NEWEST
 from qsbearing.files.rexs.reader import AttributeReader
 from qsbearing.files.rexs.scene_text import NotedTable, text_of
+from qsbearing.files.rexs.shaft_parts import gravity_of
 from qsbearing.files.rexs.source import model_in, opened
+from qsbearing.files.rexs.unread import unread
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.set_keys import OF_SET, SET_NUMBERS
 from qsbearing.files.spectrum_table import WHOLE
 from qsbearing.files.table_checks import Errors
-from qsbearing.files.toml import tables_of
+from qsbearing.files.toml import read_back
 from qsbearing.model.validation import printable
+from qsbearing.systems.sets.row import OUT_OF_LINE
 
 _OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _PRELOAD, _ROW = ({key.field: key for key in keys} for keys in (PRELOAD, SET_NUMBERS["rows"]))
+_OUT_OF_LINE = tuple(name for name, *_ in OUT_OF_LINE)
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 _ALONE = {
     *("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing", "bevel_gear", "cylindrical_gear"),
@@ -59,6 +63,8 @@ class Imported:
     files: list[SceneText]
     not_ours: list[str]
     remarks: list[str]
+    unread: list[str]
+    """Attributes that state something and that nobody read, by kinds of components."""
 
 
 def import_model(path: Path, shaft: str | None = None) -> Imported:
@@ -71,6 +77,7 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
         SceneFileError: everything that is wrong with the model, at once.
     """
     model = model_in(opened(path))
+    _refuse_too_many(model, path, shaft)
     errors: Errors = []
     cases: list[LoadCase | None] = [*model.load_cases] or [None]
     files: list[SceneText] = []
@@ -79,6 +86,7 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
     if len(cases) * len(ours) > MOST_MODEL_FILES:
         cause = "Take the load cases out that do not matter, or name one shaft"
         raise refused(path, f"would make more than {MOST_MODEL_FILES:,} files", cause)
+    acting: set[int] = set()
     for case in cases:
         reader = AttributeReader(model, case, errors)
         chosen = _chosen(reader, shaft)
@@ -86,13 +94,36 @@ def import_model(path: Path, shaft: str | None = None) -> Imported:
             if shaft is None or shaft_mapping.sides(reader, each).get("inner_part") in chosen:
                 files.append(_of_bearing(reader, path, each))
         files += [_of_shaft(reader, path, each) for each in chosen if shaft_mapping.bearings_on(reader, each)]
+        acting |= {load.component.number for each in chosen for load in shaft_mapping.loads(reader, each)}
     remarks = _remarks(model)
     files += list(_with_spectra(model, path, files, errors, remarks))
     if errors:
         raise SceneFileError(str(path), errors)
-    others = [each for each in model.components.values() if each.kind in _ALONE and not is_ours(plain, each)]
+    others = [
+        each for each in model.components.values()
+        if each.kind in _ALONE and not is_ours(plain, each) and each.number not in acting
+    ]  # fmt: skip
     named = [str(each) + f": {plain.word(each, 'bearing_type')}" * (each.kind in ROLLING) for each in others]
-    return Imported(files, named, remarks)
+    return Imported(files, named, remarks, unread(model, {each.number for each in others}))
+
+
+def _refuse_too_many(model: Model, path: Path, shaft: str | None) -> None:
+    """Before work begins.
+
+    Raises:
+        SceneFileError: a model with more of something than is read.
+    """
+    reader = AttributeReader(model, None, [])
+    counts = [(len(model.load_cases), "load cases", "Take the load cases out that do not matter")]
+    for each in _chosen(reader, shaft):
+        relations = model.relations_of(each.number)
+        bearings = {one.of("assembly") for one in model.related("side", "inner_part", each.number)}
+        rows = sum(max(len(model.parts(one, "rolling_bearing_row")), 1) for one in bearings if one is not None)
+        cause = "Is it one shaft? Split the model, or name another one with --shaft"
+        counts += [(rows, f"rows of bearings on {each}", cause), (len(relations), f"relations of {each}", cause)]
+    for count, what, cause in counts:
+        if count > MOST_OF_SHAFT:
+            raise refused(path, f"has {count:,} {what}; at most {MOST_OF_SHAFT:,} are read", cause)
 
 
 def _chosen(reader: AttributeReader, shaft: str | None) -> list[Component]:
@@ -141,8 +172,8 @@ def _speeds(reader: AttributeReader, bearing: Component, table: NotedTable) -> b
     for side, field in (("inner", "speed"), ("outer", "outer_speed")):
         part = parts.get(f"{side}_part")
         value = reader.number(bearing, f"speed_{side}_ring")
-        if value is None and part is not None and part.kind == "shaft":
-            value = reader.number(part, "rotational_speed")
+        of_shaft = reader.number(part, "rotational_speed") if part is not None and part.kind == "shaft" else None
+        value = of_shaft if value is None else value
         if field == "speed" or value:
             table.put(_OPERATION[field], value or 0.0, "" if value is not None else ASSUMED)
     return any(table.get(_OPERATION[field].name) for field in ("speed", "outer_speed"))
@@ -237,12 +268,15 @@ def _load(reader: AttributeReader, bearing: Component, row: BearingRow, sign: fl
     """Loads of a shaft that this bearing alone carries, else by the results in the model; what else bears on the shaft
     shares its loads and presses the bearing, so that the load is missing. Without a shaft a preload is all there is."""
     shaft, operation = shaft_mapping.sides(reader, bearing).get("inner_part"), document["operation"]
-    forces, note, is_alone = None, "the sum of the forces on the shaft", True
+    forces, note, is_alone, weighs = None, "the sum of the forces on the shaft", True, False
+    carried: list[Any] = []
     tilts, of_tilts = np.zeros(2), "assumed: shaft and housing hold it"
     if shaft is not None and shaft.kind == "shaft":
         carried = [each for each in reader.model.relations_of(shaft.number) if each.of("inner_part") == shaft.number]
         given = shaft_mapping.loads(reader, shaft)
-        is_alone = len(carried) == 1 and not shaft_mapping.lacking(reader, shaft)
+        # What weighs on a shaft, its own file adds up.
+        weighs = any(gravity_of(reader, shaft))
+        is_alone = len(carried) == 1 and not weighs and not shaft_mapping.lacking(reader, shaft)
         if given and is_alone:
             forces = np.sum([load.values[:3] for load in given], axis=0)
     if forces is None and (forces := _results(reader, bearing, row.turn)) is not None:
@@ -252,9 +286,14 @@ def _load(reader: AttributeReader, bearing: Component, row: BearingRow, sign: fl
             tilts, of_tilts = row.turn[3:, 3:].T @ np.array(angles, float) * sign, note
     if forces is None and not is_alone and shaft is not None:
         solved = f"`qsbearing run shaft_{shaft.number}{_suffix(reader.case, reader.model)}.toml` prints it of its row"
-        return [f"the load of {bearing}, which shares {shaft} with others: {solved}, preload included"]
+        share = f"carries the weight of {shaft}" if len(carried) == 1 and weighs else f"shares {shaft} with others"
+        return [f"the load of {bearing}, which {share}: {solved}, preload included"]
     if forces is None:
-        _preload(document, [force for force in [reader.positive(bearing, "preload_force")] if force is not None])
+        force = reader.positive(bearing, "preload_force")
+        _preload(document, [] if force is None else [force])
+        if force is None and row.offset is not None and row.offset > 0.0:
+            table = document["preload"] = NotedTable()
+            table.put(_PRELOAD["axial_displacement"], row.offset, "assumed: held rigidly; programs differ")
         return []
     for field, value in zip(_LOADS[:3], forces * (sign, 1.0, 1.0), strict=True):
         operation.put(_OPERATION[field], float(value) + 0.0, note)
@@ -279,6 +318,9 @@ def _row(row: BearingRow) -> NotedTable:
     elif row.direction is not None:
         said = "assumed: the direction of the shaft's force that it carries"
         table.set("carries", "+x" if row.direction > 0.0 else "-x", said)
+    table.put(_ROW["offset"], row.offset, "the preload distance: assumed before fitting; programs differ")
+    for name, value in zip(_OUT_OF_LINE, row.out_of_line, strict=True):
+        table.put(_ROW[name], value)
     table["bearing"] = row.table
     table.update(row.effects)
     table.notes |= row.effects.notes
@@ -291,7 +333,9 @@ def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneTex
     rows = [row for each in bearings for row in rows_of(reader, each, shaft)]
     document["rows"] = [_row(each) for each in rows]
     given = shaft_mapping.loads(reader, shaft)
-    table = document["shaft"] = shaft_mapping.shaft_table(reader, shaft, given)
+    is_warm = any(name.endswith("ring_temperature_C") for row in rows for name in row.effects.get("ring_expansion", ()))
+    table, of_weight = shaft_mapping.shaft_table(reader, shaft, given, is_warm)
+    document["shaft"] = table
     reference = rows[0].position or 0.0
     (key,) = OF_SET
     table.put(key, reference)
@@ -307,7 +351,7 @@ def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneTex
     document["effects"] = _effects(turns, NotedTable())
     casing = shaft_mapping.sides(reader, bearings[0]).get("outer_part")
     document["readings"] = readings(reader, bearings[0], casing)
-    lacks = shaft_mapping.lacking(reader, shaft)
+    lacks = [*shaft_mapping.lacking(reader, shaft), *of_weight]
     if note := table.notes.get("sections"):
         lacks.append(f"sections that follow one another: {note}")
     document[ORIGIN] = _origin(reader, [row.bearing.number for row in rows], shaft=shaft.number)
@@ -327,9 +371,7 @@ def _finished(document: NotedTable, name: str, title: str, path: Path) -> SceneT
     missing: list[str] = []
     heading = f"# {title}\n# of {printable(path.name)}. Run it with: qsbearing run {name}\n\n"
     text = heading + text_of(document)
-    tables = tables_of(text, Path(name))
-    if tables != _plain(document):
-        raise refused(path, f"cannot be written as {name}: its text is read as something else")
+    tables = read_back(text, _plain(document), Path(name))
     try:
         scene_or_set_of(tables, name, may_infer=True)
     except SceneFileError as error:

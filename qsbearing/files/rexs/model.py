@@ -82,6 +82,8 @@ class Model:
     """Of the lists `components` and `relations`; `accumulation`: where one may be put after the load cases."""
     accumulation: LoadCase | None = None
     """What all load cases do together; number 0."""
+    read: set[tuple[int, str]] = field(default_factory=set)
+    """The attributes that somebody has read so far, by component and by their name in the file."""
 
     @property
     def version(self) -> tuple[int, ...]:

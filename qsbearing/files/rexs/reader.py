@@ -33,6 +33,7 @@ class AttributeReader:
             for each in spellings(name, self.model.version) if holder else ():
                 attribute = holder.attributes.get(each) if holder else None
                 if attribute is not None and attribute.value is not None:
+                    self.model.read.add((component.number, attribute.name))
                     return attribute
         return None
 
@@ -60,6 +61,12 @@ class AttributeReader:
         """A text or the word of a choice; empty where there is none."""
         attribute = self.attribute(component, name)
         return printable(attribute.value.strip()) if attribute is not None and isinstance(attribute.value, str) else ""
+
+    def flag(self, component: Component, name: str) -> bool | None:
+        """True or false; None where there is neither."""
+        attribute = self.attribute(component, name)
+        value = None if attribute is None else str(attribute.value).strip().lower()
+        return {"true": True, "1": True, "false": False, "0": False}.get(value or "")
 
     def array(self, component: Component, name: str) -> list[float] | None:
         """Numbers in SI."""

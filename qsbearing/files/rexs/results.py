@@ -30,6 +30,17 @@ _CONTACT = {
 }  # fmt: skip
 
 
+WRITTEN = (
+    *(f"operating_point_stiffness_{force}_{move}" for force in _FORCES for move in _MOMENTS),
+    *(*_LOADS, *_MOVES, *_CONTACT, "rolling_element_contact_type"),
+    *("maximum_hertzian_pressure", "maximum_hertzian_pressure_inner_ring", "maximum_hertzian_pressure_outer_ring"),
+    *("speed_rolling_element_set", "operating_radial_bearing_clearance", "static_safety_factor_iso_76_2006"),
+    *(f"{kind}_reference_rating_life_time_iso_16281_2008" for kind in ("nominal", "modified")),
+    *("u_coordinates_of_beam_nodes", *(f"displacement_{axis}_of_nodes" for axis in "uvw")),
+)
+"""Every attribute that results are put into."""
+
+
 class RowResult(NamedTuple):
     """A solved row of a bearing."""
 

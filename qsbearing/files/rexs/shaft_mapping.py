@@ -11,6 +11,7 @@ from qsbearing.files.rexs.bearing_mapping import ASSUMED, is_ours, material
 from qsbearing.files.rexs.model import Component
 from qsbearing.files.rexs.reader import AttributeReader
 from qsbearing.files.rexs.scene_text import NotedTable
+from qsbearing.files.rexs.shaft_parts import GAUSS, GEARS, gear_forces, gears, has_forces, put_weight
 from qsbearing.files.set_keys import SET_NUMBERS
 from qsbearing.model.units import mm
 from qsbearing.systems.sets.shaft import LOADS
@@ -20,7 +21,14 @@ _SHAFT, _LOADS = ({key.field: key for key in SET_NUMBERS[name]} for name in ("sh
 SAME = 1e-6
 """Metres within which one section ends where the next begins (chosen: files round to a micrometre)."""
 HARMLESS = {
-    *("shaft_section", "external_load", "shaft_shoulder", "shaft_shoulder_with_undercut", "round_groove"),
+    *(
+        "shaft_section",
+        "external_load",
+        "additional_mass",
+        "shaft_shoulder",
+        "shaft_shoulder_with_undercut",
+        "round_groove",
+    ),
     *("rectangular_groove", "v_notch", "transverse_bore", "notch_effect_shaft_hub_connection", "notch_effect_generic"),
 }
 """Parts of a shaft that neither load nor carry it, and those that are read."""
@@ -39,6 +47,8 @@ class Load(NamedTuple):
     """[m]"""
     values: NDArray
     """Forces x, y, z and moments about y, z; SI."""
+    said: str = ""
+    """What there is to say of it."""
 
 
 def shafts(reader: AttributeReader) -> list[Component]:
@@ -67,6 +77,8 @@ def lacking(reader: AttributeReader, shaft: Component) -> list[str]:
     model, sentences = reader.model, []
     for number in {each.of("part"): each for each in model.related("assembly", "assembly", shaft.number)}:
         part = model.components[number] if number is not None else None
+        if part is not None and part.kind in GEARS and has_forces(reader, part):
+            continue
         if part is not None and part.kind not in HARMLESS:
             sentences.append(f"the forces of {part}: write them as [[shaft.loads]]")
     for each in model.relations_of(shaft.number):
@@ -88,12 +100,23 @@ def lacking(reader: AttributeReader, shaft: Component) -> list[str]:
 
 
 def loads(reader: AttributeReader, shaft: Component) -> list[Load]:
-    """The external loads on a shaft."""
-    external = []
+    """The external loads on a shaft, one over a width as its halves; and the forces of gears that the model holds in
+    some load case."""
+    acting = []
     for each in reader.model.parts(shaft.number, "external_load"):
-        values = [reader.number(each, name) or 0.0 for name in _LOAD]
-        external.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), np.array(values)))
-    return external
+        values = np.array([reader.number(each, name) or 0.0 for name in _LOAD])
+        position, width = reader.number(each, "u_coordinate_on_shaft"), reader.positive(each, "width_of_external_load")
+        if width is None or position is None:
+            acting.append(Load(each, position, values))
+            continue
+        said = f"half of a load over {width / mm:.6g} mm, {ASSUMED}, evenly and about its position"
+        acting += [Load(each, position + way * GAUSS * width, 0.5 * values, said) for way in (-1.0, 1.0)]
+    for each in gears(reader, shaft):
+        cases = [AttributeReader(reader.model, case, []) for case in reader.model.load_cases]
+        if any(has_forces(one, each) for one in (reader, *cases)):
+            forces, said = gear_forces(reader, each, shaft)
+            acting.append(Load(each, reader.number(each, "u_coordinate_on_shaft"), forces, said))
+    return acting
 
 
 def _ever(reader: AttributeReader, shaft: Component) -> NDArray:
@@ -102,10 +125,16 @@ def _ever(reader: AttributeReader, shaft: Component) -> NDArray:
     return np.any([[load.values != 0.0 for load in loads(each, shaft)] for each in (reader, *cases)], axis=0)
 
 
-def shaft_table(reader: AttributeReader, shaft: Component, given: list[Load]) -> NotedTable:
-    """[shaft] with its sections and loads; without sections it is rigid."""
+def shaft_table(
+    reader: AttributeReader, shaft: Component, given: list[Load], is_warm: bool
+) -> tuple[NotedTable, list[str]]:
+    """[shaft] with its sections, loads and weight; without sections it is rigid. And what is missing of them.
+
+    Args:
+        is_warm: whether rings on it have temperatures, so that its material needs an expansion.
+    """
     table = NotedTable()
-    sections, start = _sections(reader, shaft, table)
+    sections, start = _sections(reader, shaft, table, is_warm)
     if sections:
         table.put(_SHAFT["start"], start)
         table["sections"] = sections
@@ -119,14 +148,16 @@ def shaft_table(reader: AttributeReader, shaft: Component, given: list[Load]) ->
             one.put(key, value if acts else None)
         if reader.number(load.component, "torque_around_u_axis"):
             one.note("", "its torque about the axis is no part of the model")
-        one.note("", str(load.component))
+        one.note("", "; ".join(filter(None, (str(load.component), load.said))))
         listed += [one] if ever.any() else []
     if listed:
         table["loads"] = listed
-    return table
+    return table, put_weight(reader, shaft, table)
 
 
-def _sections(reader: AttributeReader, shaft: Component, table: NotedTable) -> tuple[list[NotedTable], float]:
+def _sections(
+    reader: AttributeReader, shaft: Component, table: NotedTable, is_warm: bool
+) -> tuple[list[NotedTable], float]:
     """The sections along the shaft, and where the first begins [m]; what is between them is noted."""
     parts = reader.model.parts(shaft.number, "shaft_section")
     placed = [(reader.number(each, "u_coordinate_on_shaft"), each) for each in parts]
@@ -134,7 +165,7 @@ def _sections(reader: AttributeReader, shaft: Component, table: NotedTable) -> t
         table.note("", f"sections without u_coordinate_on_shaft: {ASSUMED}, they follow one another as in the file")
         placed = [(None, each) for each in parts]
     placed.sort(key=lambda each: each[0] or 0.0)
-    of, note = material(reader, reader.model.referenced(shaft.number, "material"), needs_expansion=False)
+    of, note = material(reader, reader.model.referenced(shaft.number, "material"), needs_expansion=is_warm)
     sections: list[NotedTable] = []
     start = end = placed[0][0] or 0.0 if placed else 0.0
     for at, part in placed:

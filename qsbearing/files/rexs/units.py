@@ -40,6 +40,9 @@ _KINDS: dict[str, dict[str, float]] = {
     "stiffness": {"N/m": 1.0, "N/mm": 1e3, "N/mum": 1e6},
     "force over angle": {"N/rad": 1.0},
     "moment over angle": {"Nmm/rad": 1e-3, "Nm/rad": 1.0},
+    "mass": {"kg": 1.0, "g": 1e-3, "t": 1e3},
+    "inertia": {"kgm^2": 1.0, "kgmm^2": 1e-6, "kgcm^2": 1e-4},
+    "acceleration": {"m/s^2": 1.0, "mm/s^2": 1e-3},
     "time": {"h": 3600.0, "min": 60.0, "s": 1.0},
 }
 _UNITS = {text: RexsUnit(kind, size) for kind, texts in _KINDS.items() for text, size in texts.items()} | {

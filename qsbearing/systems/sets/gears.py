@@ -37,6 +37,8 @@ STEEPEST_HELIX = 60.0 * deg
 """Beyond it friction decides, as in a worm."""
 USUAL_ANGLE = 20.0 * deg
 """Pressure angle of the basic rack of ISO 53."""
+ROUNDING = 1e-15
+"""Of a sine: a mesh at 90 degrees pushes in no other plane, and shows no arrow there."""
 WIDEST = 10.0
 """Metres; it catches mistakes of unit."""
 
@@ -168,7 +170,7 @@ def carried_to_axis(along: Any, outwards: Any, axial: Any, azimuth: ArrayLike, r
         along, outwards, axial: parts of the force along the circumference, away from the axis and along +x [N].
         azimuth, radius: of the point [rad, m].
     """
-    y, z = np.cos(azimuth), np.sin(azimuth)
+    y, z = (np.where(np.abs(each) < ROUNDING, 0.0, each) for each in (np.cos(azimuth), np.sin(azimuth)))
     forces = axial, outwards * y - along * z, outwards * z + along * y
     moments = axial * radius * z, -axial * radius * y
     return tuple(np.asarray(each, float) for each in (*forces, *moments))

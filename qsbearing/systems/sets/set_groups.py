@@ -152,9 +152,15 @@ BELT = unasked(
         Result("slack_tension", "N", "tension of the slack strand", path="slack"),
     )
 )
+
+
+def _transmits(of: BearingSet) -> bool:
+    return of.shaft is not None and bool(of.shaft.gears or of.shaft.belts)
+
+
 TORQUES = Group(
     unasked((Result("torque_sum", "N m", "torques of gears and belts together, about +x", path="", is_signed=True),)),
-    before=SHAFT, holder="torque_sum", table=(SHAFT,), is_requested=lambda of: bool(of.shaft.gears or of.shaft.belts),
+    before=SHAFT, holder="torque_sum", table=(SHAFT,), is_requested=_transmits,
 )  # fmt: skip
 
 

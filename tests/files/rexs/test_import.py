@@ -232,7 +232,7 @@ ROLLERS = {"bearing_type": "radial_tapered_roller_bearing"}
 OTHERS: dict[str, Any] = {
     "another ball bearing": (ROLLING, "inner_part", BALLS), "rollers": (ROLLING, "inner_part", ROLLERS),
     "a spring": ("concept_bearing", "inner_part", {}), "a gear": ("cylindrical_gear", "part", {}),
-    "a coupling": ("coupling", "part", {}), "a mass": ("additional_mass", "part", {}),
+    "a coupling": ("coupling", "part", {}),
     "what nobody knows": ("custom_thing", "part", {}),
 }  # fmt: skip
 """What may bear on a shaft beside a bearing of it."""

@@ -25,7 +25,7 @@ from qsbearing.files.rexs.write_back import WriteBack
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.units import MPa, deg, mm
 from qsbearing.results.readings_record import taken
-from tests.files.rexs.models import b218, gearbox, json_text, xml, zipped
+from tests.files.rexs.models import b218, gearbox, json_text, part, xml, zipped
 from tests.files.rexs.test_import import double_row, loaded_spindle, spindle
 
 Result = tuple[dict[str, Any], Any, Any]
@@ -214,6 +214,48 @@ def test_the_lives_of_a_set_over_its_load_cases_go_to_each_bearing(tmp_path: Pat
     for number, row in zip((5, 6), qs.solve_set(qs.load_set(scene)).rows, strict=True):
         [life] = found.components[number].attributes.values()
         assert float(life.value) == pytest.approx(taken(row)["spectrum"].duration / 3600.0, rel=1e-12)
+
+
+def test_a_gearbox_s_shaft_comes_back_with_the_lives_of_its_set(tmp_path: Path) -> None:
+    """Gear forces in three load cases, a rotor, weight; each life is that of the cases alone, added up by hours."""
+    model, file = loaded_spindle(), tmp_path / "model.rexs"
+    model["components"] += [
+        part(11, "cylindrical_gear", "pinion", u_coordinate_on_shaft=("mm", 200), mass_of_component=("kg", 1.5)),
+        part(12, "additional_mass", "rotor", u_coordinate_on_shaft=("mm", 280), mass_of_component=("kg", 4.0)),
+    ]
+    model["relations"] += [("assembly", 0, {"assembly": 2, "part": at}) for at in (11, 12)]
+    next(each for each in model["components"] if each["id"] == 9)["attributes"] |= {
+        "account_for_gravity": ("none", "true"), "direction_vector_gravity_v": ("none", -1.0)
+    }  # fmt: skip
+    forces = ((0.3, -0.6, 1.5), (0.1, -0.3, 0.8), (-0.2, 0.5, -1.2))
+    model["load_cases"] = [
+        {
+            9: {"operating_time_fraction": ("%", share)}, 2: {"rotational_speed": ("1 / min", speed)},
+            11: {f"force_acting_on_shaft_{axis}": ("kN", value) for axis, value in zip("uvw", force, strict=True)}
+            | {"torque_acting_on_shaft_w": ("N m", 30.0 * force[0]), "torque_acting_on_shaft_v": ("N m", 0.0)},
+        }
+        for share, speed, force in zip((20, 50, 30), (9000, 6000, 3000), forces, strict=True)
+    ]  # fmt: skip
+    file.write_bytes(xml(model))
+    made = import_model(file)
+    assert made.unread == []
+    texts = {each.name: each.text for each in made.files}
+    scene = tmp_path / "spectrum.toml"
+    scene.write_text(texts["shaft_2_spectrum.toml"], encoding="utf-8")
+    call = ["run", str(scene), "--into", str(file)]
+    assert CliRunner().invoke(cli, call, catch_exceptions=False).exit_code == 0
+    rates = np.zeros(2)
+    for number, share in enumerate((0.2, 0.5, 0.3), 1):
+        _, solution, readings = solved(file, f"shaft_2_case_{number}.toml")
+        loads = solution.set.shaft.loads
+        assert [float(load.axial) for load in loads if load.position == 0.2] == [1e3 * forces[number - 1][0]]
+        assert solution.set.shaft.gravity == (0.0, -9.80665, 0.0) and len(solution.set.shaft.masses) == 2
+        rates += [share / float(each["life"].duration) for each in readings[:2]]
+    together = model_in(opened(file)).accumulation
+    assert together is not None
+    for number, rate in zip((5, 6), rates, strict=True):
+        [life] = together.components[number].attributes.values()
+        assert float(life.value) == pytest.approx(1.0 / rate / 3600.0, rel=1e-9)
 
 
 def lines_of(file: Path) -> list[bytes]:

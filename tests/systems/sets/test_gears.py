@@ -344,3 +344,34 @@ def test_all_faults_of_a_file_are_told_at_once() -> None:
     with pytest.raises(qs.SceneFileError) as caught:
         read(broken)
     assert len(caught.value.errors) == 3
+
+
+def test_a_mesh_in_a_plane_pushes_in_that_plane_alone() -> None:
+    spur = replace(HELICAL, helix_angle=0.0, azimuth=90 * qs.deg, torque=0.0)
+    inwards = replace(spur, torque=40.0)
+    assert not np.any(spur.load(SPEED))
+    _, y, z, moment_y, moment_z = inwards.load(SPEED)
+    assert (
+        y == -40.0 / 0.03 and z == pytest.approx(-40.0 / 0.03 * np.tan(20 * qs.deg)) and not moment_y and not moment_z
+    )
+    flat = replace(HELICAL, azimuth=90 * qs.deg).load(SPEED)
+    assert flat[4] == 0.0 and flat[3] == pytest.approx(flat[0] * 0.03)
+
+
+def test_a_spectrum_has_a_torque_of_each_of_its_points() -> None:
+    points = """
+[[spectrum]]
+share = 0.25
+speed_rpm = 1800
+"shaft.gears.2.torque_Nm" = 3
+[[spectrum]]
+share = 0.75
+speed_rpm = -900
+"shaft.gears.2.torque_Nm" = 6
+[readings.life]
+"""
+    of = read(SET.replace("[operation]\nspeed_rpm = 1800\n", "") + points)
+    assert of.shaft is not None
+    shares = qs.solve_set(of).torque_sum
+    torque = 1000.0 / SPEED
+    assert shares == pytest.approx([3.0 + 4.0 - torque, -6.0 - 4.0 + 2.0 * torque], rel=1e-9)
