@@ -284,7 +284,7 @@ _ALL = (
          "100 % they slip, and hypotheses of raceway control err."),
     Kind("balls_near_skidding", CHECK, AXIS,
          "Drag is {used_percent:.0f} % of what drives the balls: at half the load they may skid."),
-    Kind("apex_passed", WRONG, AXIS, "Ellipses on the {raceway} raceway would pass the apex of its groove by "
+    Kind("apex_passed", WRONG, AXIS, "Ellipses on {raceways:the} raceway would pass the apex of its groove by "
          "{beyond_mm:.2g} mm: loads and pressures are not those of the bearing. A larger shim keeps them apart."),
     Kind("pressure_dents", WRONG, "limits",
          "The contact pressure reaches {pressure_MPa:.0f} MPa, above ISO 76's static limit of {limit_MPa:.0f} MPa: "
