@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -54,11 +55,18 @@ def _printed(bearing: BallBearing) -> dict[str, float]:
     if entry is None or drawn is None:
         return {}
     numbers, words = [key.field for key in BEARING], ["kind", *MATERIALS]
-    changed = {each for each in numbers if not np.allclose(getattr(bearing, each), getattr(drawn, each), rtol=1e-9)}
+    changed = {each for each in numbers if _differ(getattr(bearing, each), getattr(drawn, each))}
     changed |= {each for each in words if getattr(bearing, each) != getattr(drawn, each)}
     if changed and not bearing.name.endswith(MODIFIED):
         return {}  # another bearing of this name, such as that of a file called so
     return kept(entry, changed)
+
+
+def _differ(one: Any, other: Any) -> bool:
+    """Whether two numbers do, of which neither may be given."""
+    if one is None or other is None:
+        return one is not other
+    return not np.allclose(one, other, rtol=1e-9)
 
 
 @cache

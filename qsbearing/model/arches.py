@@ -97,7 +97,7 @@ def arch_errors(bearing: Any, is_good: bool) -> list[ErrorDetail]:
         detail = "a four-point bearing has two arcs in the groove of one ring or of both"
         cause = "Give inner_shim or outer_shim, the distance of their centres, or the axial clearance"
         errors.append(ErrorDetail("bearing.inner_shim", "missing", cause=cause, detail=detail))
-    if np.any(np.asarray(bearing.radial_interference) != 0.0):
+    if is_good and np.any(np.asarray(bearing.radial_interference) != 0.0):
         problem = "is given of a four-point bearing, whose clearance follows from its shims"
         cause = "Leave it out: shims that leave a negative axial clearance press the balls"
         errors.append(

@@ -165,7 +165,7 @@ SUBJECTS = Subject(preloads, RING, BALLS, _of_model, EXPANSION)
 
 APEX_PASSED = Kind(
     "apex_passed", WRONG, SEE_AXIS,
-    "Ellipses on the {raceway} raceway would pass the apex of its groove by {beyond_mm:.2g} mm: loads and pressures "
+    "Ellipses on {raceways:the} raceway would pass the apex of its groove by {beyond_mm:.2g} mm: loads and pressures "
     "are not those of the bearing. A larger shim keeps them apart.",
 )  # fmt: skip
 

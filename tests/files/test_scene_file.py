@@ -157,7 +157,10 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
     assert {key.field for key in scene_keys.OPERATION} == operation
     bearing = {field.name for field in dataclasses.fields(qs.BallBearing)} - {"ball_material", "ring_material"}
     # A radial interference is a negative clearance in a file. The outline is printed numbers, and so is a data sheet.
-    numbers = bearing - {"kind", "name", "radial_interference", "outline", "inferred"} | {"diametral_clearance"}
+    numbers = bearing - {"kind", "name", "radial_interference", "outline", "inferred"} | {
+        "diametral_clearance",
+        "axial_clearance",
+    }
     assert {key.field for key in scene_keys.BEARING} == numbers
     models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):

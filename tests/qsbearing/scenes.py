@@ -49,6 +49,18 @@ DEEP_GROOVE = qs.BallBearing(
 )
 """The bearing of a published set of ISO/TS 16281 results, without clearance."""
 
+QJ = qs.BallBearing.from_axial_clearance(
+    axial_clearance=120 * qs.um,
+    ball_count=16,
+    ball_diameter=22.225 * qs.mm,
+    pitch_diameter=125.26 * qs.mm,
+    inner_groove_radius=0.52 * 22.225 * qs.mm,
+    outer_groove_radius=0.52 * 22.225 * qs.mm,
+    free_contact_angle=35 * qs.deg,
+    name="QJ",
+)
+"""A four-point bearing of B218's balls, both rings arched."""
+
 CENTRIFUGAL = (qs.CentrifugalForce(),)
 BOTH = (qs.CentrifugalForce(), qs.GyroscopicMoment())
 BOTH_HARRIS = (qs.CentrifugalForce(), qs.GyroscopicMoment(qs.MomentShares.HARRIS))
@@ -66,6 +78,14 @@ DISPLACEMENTS = ("axial_displacement", "radial_displacement_y", "radial_displace
 def resting(bearing: qs.BallBearing = B218, *, hertz_angle: str = "free", **operation: Any) -> qs.Scene:
     """A static scene: no ball effect, no kinematics."""
     return qs.Scene(bearing, qs.Operation(**operation), hertz_angle=qs.HertzAngle(hertz_angle))
+
+
+def rubbing(
+    rpm: ArrayLike, bearing: qs.BallBearing = QJ, traction: qs.Traction | None = None, **operation: Any
+) -> qs.Scene:
+    """With balls that friction moves."""
+    given = qs.Operation(speed=np.asarray(rpm, float)[()] * qs.rpm, **operation)
+    return qs.Scene(bearing, given, BOTH, "friction", traction=traction)  # type: ignore[arg-type]
 
 
 def turning(

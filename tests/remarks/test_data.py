@@ -54,10 +54,12 @@ from tests.qsbearing.scenes import (
     DEEP_GROOVE,
     INNER,
     PER_BALL,
+    QJ,
     SPINDLE,
     UPRIGHT,
     grown_scenes,
     resting,
+    rubbing,
     turning,
 )
 from tests.qsbearing.source_text import trees
@@ -176,6 +178,8 @@ def of_solutions() -> Iterator[Any]:
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
         qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
+    shallow = replace(QJ, inner_shim=1 * qs.um, outer_shim=1 * qs.um)
+    yield qs.solve(rubbing(0.0, shallow, axial_load=5e3))
     yield from (in_housing(interference, radial_load_y=10e3) for interference in (-1 * qs.um, -18 * qs.um))
     yield from map(qs.solve_set, (pair("DB", 720.0, axial_load=1300.0), pair("DB", 720.0, axial_load=3000.0)))
     across = qs.Operation(radial_load_y=1000.0, moment_z=0.0)
@@ -206,6 +210,7 @@ def of_readings() -> Iterator[Any]:
         resting(replace(B218, free_contact_angle=50 * qs.deg), axial_load=1e3, radial_load_y=2e3, **UPRIGHT)
     )
     yield from (read.life(steep), read.static_safety(steep))
+    yield read.life(qs.solve(rubbing(1e4, axial_load=5e3)))
     yield read.life(qs.solve(resting(replace(B218, pitch_diameter=2.0), axial_load=1e3)), rating="iso_281")  # type: ignore[arg-type]
     slow = qs.solve(turning(np.full(3, 300.0), axial_load=np.array([5e3, 15e3, 60e3])))
     yield from (

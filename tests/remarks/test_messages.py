@@ -176,7 +176,7 @@ def test_the_catalogue_is_as_full_as_the_warning_says(name: str) -> None:
         ("pressure", "Did you mean max_pressure[?]"),
         ("loads", "Did you mean load[?]"),
         ("axis", "semi_major_axis or semi_minor_axis"),
-        ("foo", "There are angle, approach"),
+        ("foo", "There are angle, apex_margin, approach"),
     ],
 )
 def test_a_misspelt_result_names_the_nearest(many: qs.Solution, name: str, words: str) -> None:

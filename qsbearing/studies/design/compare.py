@@ -259,6 +259,7 @@ def _inputs(bearings: list[BallBearing]) -> tuple[Compared, ...]:
     lines = [
         Compared(key.name, key.unit, tuple(key.in_file(float(getattr(bearing, key.field))) for bearing in bearings))
         for key in BEARING
+        if getattr(bearings[0], key.field) is not None  # shims, of four-point bearings
     ]
     for side in MATERIALS:
         for key in required_of(Material):
