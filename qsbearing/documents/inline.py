@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import Any
 
@@ -21,10 +22,19 @@ def parser() -> Any:
     return MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, allow_space=False, allow_digits=False)
 
 
+MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|∞|x\b)")
+"""A hyphen that is the sign of a number or of a direction; powers of ten are written as programs read them."""
+
+
+def with_minus(text: str) -> str:
+    """Text in which negative numbers have the sign for it."""
+    return MINUS.sub("\N{MINUS SIGN}", text)
+
+
 def runs(text: str) -> list[Run]:
     """Text as runs: {"text", "styles", "href"}, a formula with "math", its forms; plain text is one run."""
     if not isinstance(text, Md):
-        return [{"text": text, "styles": [], "href": None}]
+        return [{"text": with_minus(text), "styles": [], "href": None}]
     return runs_of(parser().parseInline(text)[0].children)
 
 
@@ -47,7 +57,7 @@ def runs_of(tokens: Any) -> list[Run]:
                 {"text": forms(token.content)["text"], "styles": [], "href": href, "math": forms(token.content)}
             )
         elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
-            content = token.content
+            content = token.content if token.type == "code_inline" else with_minus(token.content)
             if not content:  # before a mark that begins a line there is an empty text
                 if token.type == "text":
                     continue

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 
 LEAST, MOST = 1e-7, 1e9
@@ -21,6 +22,16 @@ def plain(number: float, spec: str = ".5g") -> str:
     if "e" not in text or not LEAST <= abs(number) < MOST:
         return text
     return format(Decimal(text.strip()), "+f" if "+" in spec else "f")
+
+
+def that_matter(number: float) -> str:
+    """In three digits, whole numbers below ten thousand in all of theirs; thousands apart from there on."""
+    if not math.isfinite(number):
+        return "-"
+    size = abs(number)
+    if size < 100.0:
+        return plain(number + 0.0, ".3g")
+    return f"{number:.0f}" if size < 1e4 else f"{float(f'{number:.3g}'):,.0f}"
 
 
 def unit_of(seconds: float) -> tuple[str, float]:

@@ -12,7 +12,7 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Badge, Block, Callout, Cell, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Bar, Block, Callout, Cell, Paragraph, RowGroup, Table
 
 NARROWEST, WIDEST = 80, 100
 """Columns: a narrower terminal breaks the lines itself, which loses no digit; wider, no table is easier to read."""
@@ -171,4 +171,6 @@ def _notes(table: Table) -> RichTable:
 
 
 def _cell(cell: Cell) -> Text:
+    if isinstance(cell, Bar):
+        return Text(cell.word)
     return Text(cell.word, STYLES.get(cell.kind, "")) if isinstance(cell, Badge) else Text(cell)

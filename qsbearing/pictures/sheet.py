@@ -11,7 +11,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
-from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
+from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of, scale_of
 from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
@@ -108,8 +108,9 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
     planes = planes_of(solution, place)
     figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.8)
     panels = figure.subplots(len(planes), 1, squeeze=False)[:, 0]
+    scale = scale_of(solution, place)
     for axes, plane in zip(panels, planes, strict=True):
-        draw_deformed_shaft(axes, solution, place, plane)
+        draw_deformed_shaft(axes, solution, place, plane, scale)
     legend(figure, *panels)
     write_title_of_set(figure, solution, place)
     return figure
@@ -181,7 +182,7 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     if planes:
         drawn.extend(figure.add_subfigure(grid[0, :]).subplots(1, len(planes), squeeze=False)[0])
         for axes, plane in zip(drawn, planes, strict=True):
-            draw_deformed_shaft(axes, solution, place, plane)
+            draw_deformed_shaft(axes, solution, place, plane, scale_of(solution, place))
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]
         span = min(low for low, _ in spans), max(high for _, high in spans)
@@ -189,7 +190,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
             line, column = divmod(number, columns)
             place_of_panel = above + line * len(drawings) + k, column
             axes = figure.add_subplot(grid[place_of_panel], projection=drawing.projection)
-            drawing.draw(axes, row, place, span)
+            labelled = {"is_labelled": number == 0} if drawing is LOADS else {}
+            drawing.draw(axes, row, place, span, **labelled)
             own = solution.set.rows[number]
             name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))
             axes.set_title(f"Row {number + 1} ({name})\n{axes.get_title()}", fontsize=10, pad=18 if k == 0 else 6)

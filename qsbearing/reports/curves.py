@@ -18,6 +18,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import MPa, deg, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, legend_within, plain
+from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
@@ -33,25 +34,35 @@ SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
 
 
-def section(solution: Solution) -> Section:
-    """Both sweeps; what cannot be varied is said."""
-    words = (
-        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
-        "the ball with the largest inner load. Points without a solution are left out."
-    )
-    return Section("Around the operating point", [Paragraph(words), *_speed(solution), *_load(solution)], "curves")
-
-
-def _speed(solution: Solution) -> list[Block]:
+def over_speed(solution: Solution) -> Swept | None:
+    """The case at other speeds; None where nothing depends on the speed."""
     scene = solution.scene
     operation = scene.operation
     own = float(np.asarray(operation.speed))
     if own == 0.0 or not (scene.ball_effects or scene.ring_effects):
+        return None
+    speeds = own * np.linspace(*SPEED_RANGE, POINTS)
+    return Swept(solve(replace(scene, operation=replace(operation, speed=speeds))), speeds, own)
+
+
+def section(solution: Solution, swept: Swept | None) -> Section:
+    """Both sweeps; what cannot be varied is said.
+
+    Args:
+        swept: as `over_speed` has it.
+    """
+    words = (
+        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
+        "the ball with the largest inner load. Points without a solution are left out."
+    )
+    return Section("Around the operating point", [Paragraph(words), *_speed(swept), *_load(solution)], "curves")
+
+
+def _speed(swept: Swept | None) -> list[Block]:
+    if swept is None:
         return [Callout("No curve over the speed: the inner ring stands still, or nothing in the scene depends on it.")]
-    parts = np.linspace(*SPEED_RANGE, POINTS)
-    swept = solve(replace(scene, operation=replace(operation, speed=own * parts)))
-    figure = _figure(swept, own * parts / rpm, own / rpm, "inner ring, rpm")
-    return shown(swept, figure, "the speed of the inner ring", CURVES)
+    figure = _figure(swept.solution, swept.speeds / rpm, swept.own / rpm, "inner ring, rpm")
+    return shown(swept.solution, figure, "the speed of the inner ring", CURVES)
 
 
 def _load(solution: Solution) -> list[Block]:

@@ -12,8 +12,8 @@ from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
-from qsbearing.reports.front import head, made_with
-from qsbearing.reports.key_results import key_results
+from qsbearing.reports.facts import facts_of
+from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
@@ -22,7 +22,9 @@ from qsbearing.results.requirements import answered
 from qsbearing.studies.chooser.explain import explain
 
 
-def document(solution: Solution, requested: Scene, source: str, command: str) -> Document:
+def document(
+    solution: Solution, requested: Scene, source: str, command: str, of_all: OfAllPoints | None = None
+) -> Document:
     """The whole report of one solved case.
 
     Args:
@@ -30,6 +32,7 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
         asked: the scene as it was given.
         source: the text of its file; empty for an example of the catalogue.
         command: that makes this report.
+        of_all: where the case is one point of a load spectrum.
     """
     scene = solution.scene
     report_of, name = inputs.document(source).get("report", {}), scene.bearing.name or "Ball bearing"
@@ -39,28 +42,30 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
     readings, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
+    said, swept = every_remark(solution, readings), curves.over_speed(solution)
+    hot = heat.sections(solution.thermal)
+    page_one = front(
+        report_of, answered(solution, readings), said, heat.glance(solution.thermal) or glance(solution),
+        [effects.left_out(rows, tolerance, solution.friction is not None)], None if hot else swept,
+        facts_of(solution, readings), evidence.in_short(checks), solution, of_all,
+    )  # fmt: skip
     return Document(
         title,
         "Design report",
         [
+            remarks(said, of_all),
             _results(solution),
-            *heat.sections(solution.thermal),
+            *hot,
             *([Section("Readings", readings_tables(readings, scene))] if readings else []),
-            curves.section(solution),
+            curves.section(solution, swept),
             effects.section(solution, requested, rows, tolerance),
             inputs.section(scene, source, requested.thermal),
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
         f"{capital(bearing)}. {point}.",
-        head(
-            report_of,
-            answered(solution, readings),
-            every_remark(solution, readings),
-            [key_results(solution, readings)],
-            [*effects.is_right(rows, tolerance, solution.friction is not None), evidence.in_short(checks)],
-            solution,
-        ),
+        page_one,
+        has_front_page=True,
     )
 
 

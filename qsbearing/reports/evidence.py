@@ -52,12 +52,12 @@ def statements(solutions: Sequence[Solution], of: BearingSet | None = None) -> l
     return rows
 
 
-def in_short(rows: Sequence[Sequence[Cell]]) -> Paragraph:
-    """How many of the statements that apply cover the case."""
+def in_short(rows: Sequence[Sequence[Cell]]) -> str:
+    """How many of the statements that apply cover the case, as Markdown."""
     words = [badge.word for _, _, badge, _ in rows if isinstance(badge, Badge)]
     counts = ", ".join(f"{words.count(each.word)} {each.word}" for each in (COVERED, SIMILAR, NOT_COVERED))
     said = f"of {len(words)} checks that apply to this case: {counts}; [each with its reason](#evidence)."
-    return Paragraph(Md(f"**Evidence**, {said} {UNMEASURED}"))
+    return f"**Evidence**, {said} {UNMEASURED}"
 
 
 def section(rows: Sequence[Sequence[Cell]], what: str) -> Section:

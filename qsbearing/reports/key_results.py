@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.model import Table
+from qsbearing.documents.numbers import that_matter
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.groups import (
     ANGLE,
@@ -36,7 +37,6 @@ from qsbearing.results.report import freedom
 from qsbearing.systems.sets.set_groups import AXIAL_LOAD, PRELOAD, SYSTEM
 from qsbearing.systems.sets.set_solution import SetSolution
 
-HEADINGS = ("key result", "value")
 OF_EACH_ROW = (
     ("largest pressure\nMPa", MAX_PRESSURE),
     ("largest ball load\nN", CONTACT_LOAD),
@@ -93,11 +93,6 @@ class KeyResult(NamedTuple):
         return name, ": ".join(filter(None, (", ".join(part.text for part in self.parts), self.note)))
 
 
-def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
-    """Those of a single case, as `results_of` has them."""
-    return Table(HEADINGS, [each.line for each in results_of(solution, readings)], "ll")
-
-
 def results_of(solution: Solution, readings: Mapping[str, Any]) -> list[KeyResult]:
     """Those of a single case of a bearing.
 
@@ -108,16 +103,6 @@ def results_of(solution: Solution, readings: Mapping[str, Any]) -> list[KeyResul
     ring = ring_lines(solution, "inner ring", lever)
     heat = _heat_lines(solution)
     return [*contact_lines(solution), *ring, *_preload_lines(solution), *heat, *_life_lines(readings)]
-
-
-def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[Table]:
-    """Those of a single case of a set: of the shaft, and of each row.
-
-    Args:
-        readings: what each row was asked to be read off, by name.
-    """
-    lines = [each.line for each in results_of_shaft(solution, readings)]
-    return [Table(HEADINGS, lines, "ll"), _rows_table(solution, readings)]
 
 
 def results_of_shaft(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
@@ -144,8 +129,12 @@ def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, An
     return [*lines, *contact_lines(solution.rows[number]), *_life_lines(readings)]
 
 
-def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
-    """A line for each row; what no row has is left out."""
+def rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
+    """The key results of each row, a line for each; what no row has is left out.
+
+    Args:
+        readings: what each row was asked to be read off, by name.
+    """
     rows: list[dict[str, str]] = []
     for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):
         cells = {"": capital(row_name(solution.set.rows[number], number))}
@@ -292,4 +281,6 @@ def _system_life_lines(solution: SetSolution, readings: Sequence[Mapping[str, An
 
 def _number(value: float, digits: int = 4) -> str:
     """So many digits, without an exponent where it is long."""
+    if digits == 3:
+        return that_matter(value)
     return f"{value:.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"

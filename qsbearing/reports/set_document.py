@@ -14,8 +14,10 @@ from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft,
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
-from qsbearing.reports.front import head, made_with
-from qsbearing.reports.key_results import key_results_of_set
+from qsbearing.reports.facts import facts_of_set
+from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
+from qsbearing.reports.key_results import rows_table
+from qsbearing.reports.yields import what_yields
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, all_taken
 from qsbearing.results.readings_report import readings_tables
@@ -26,40 +28,43 @@ from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summar
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def document(solution: SetSolution, source: str, command: str) -> Document:
+def document(solution: SetSolution, source: str, command: str, of_all: OfAllPoints | None = None) -> Document:
     """The whole report of one solved case of a set.
 
     Args:
         solution: of a single case, converged.
         source: the text of the set's file.
         command: that makes this report.
+        of_all: where the case is one point of a load spectrum.
     """
     of, report_of = solution.set, inputs.document(source).get("report", {})
     readings = all_taken(solution)
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, DEFAULT_ACCURACY)
+    said, swept = every_remark(solution, readings), set_curves.over_speed(of)
+    hot = heat.sections(solution.thermal)
+    page_one = front(
+        report_of, answered(solution, readings), said, heat.glance(solution.thermal) or glance(solution),
+        [what_yields(solution), effects.left_out(effect_rows, DEFAULT_ACCURACY)], None if hot else swept,
+        facts_of_set(solution, readings), evidence.in_short(checks), solution, of_all,
+    )  # fmt: skip
     return Document(
         report_of.get("title", f"{of.name or 'Bearing set'}, {of.arrangement}"),
         "Design report of a set",
         [
+            remarks(said, of_all),
             _results(solution, readings, changes),
-            *heat.sections(solution.thermal),
+            *hot,
             *(_row(solution, number, of_row) for number, of_row in enumerate(readings)),
-            set_curves.section(of, changes),
+            set_curves.section(of, changes, swept),
             effects.section_of_set(solution, effect_rows),
             set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
             evidence.section(checks, "set"),
             made_with(solution.message(), command),
         ],
         _summary(solution),
-        head(
-            report_of,
-            answered(solution, readings),
-            every_remark(solution, readings),
-            key_results_of_set(solution, readings),
-            [*effects.is_right(effect_rows, DEFAULT_ACCURACY), evidence.in_short(checks)],
-            solution,
-        ),
+        page_one,
+        has_front_page=True,
     )
 
 
@@ -112,7 +117,7 @@ def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limit
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
         Section("Load distribution", drawn),
     ]
-    return Section("Results", [*_shaft(solution), *tables, *parts])
+    return Section("Results", [rows_table(solution, readings), *_shaft(solution), *tables, *parts])
 
 
 def _row(solution: SetSolution, number: int, readings: Readings) -> Section:

@@ -37,7 +37,7 @@ def test_a_pdf_says_all_and_holds_its_fonts() -> None:
     assert all(held.values()), held
     text = "\n".join(page.extract_text() for page in reader.pages)
     squeezed = re.sub(r"[\s\u200b]", "", text)
-    for said in ("One of everything", "Plain, leaning, heavy, typed_code", "αi = 41.49°", "-2.5", NASTY):
+    for said in ("One of everything", "Plain, leaning, heavy, typed_code", "αi = 41.49°", "−2.5", NASTY):
         assert re.sub(r"\s", "", said) in squeezed, said
     assert reader.metadata.title == "One of everything"
     assert [entry.title for entry in reader.outline if not isinstance(entry, list)] == ["Words", "Numbers", "Pictures"]

@@ -26,6 +26,7 @@ from qsbearing.systems.heat.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
 from tests.drawing import drawing
+from tests.reports.test_report import FRONT
 from tests.systems.sets.arrangements import PAIR_FILE
 
 PAIR = (
@@ -181,7 +182,7 @@ def test_the_input_names_every_row(folder: Path) -> None:
 def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     pair, triple = page_of(folder / "out", "pair"), page_of(folder / "out", "triple")
     assert titles(pair) == [
-        "pair, DB (back to back)", "Results", "Preload", "Load distribution", "Row 1 (7210C, carries +x)",
+        "pair, DB (back to back)", *FRONT, "Remarks", "Results", "Preload", "Load distribution", "Row 1 (7210C, carries +x)",
         "Row 2 (7210C, carries -x)", "Around the operating point", "Assumptions and effects", "Input",
         "Evidence that applies", "Made with",
     ]  # fmt: skip
@@ -228,14 +229,14 @@ def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> N
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
     solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
     page = page_of(folder / "out", "pair")
-    (shaft,) = tables_with(page, "key result", "value")
     (rows,) = tables_with(page, "preload mounted N", "largest pressure MPa", "life h")
     x, y = (float(np.asarray(each)) / qs.um for each in solution.displacement[:2])
-    assert dict(shaft)["displacement of the shaft"].startswith(f"axial {x:.4g} µm, radial y {y:.4g} µm")
+    facts = dict(page.facts)
+    assert facts["displacement of the shaft"].startswith(f"axial {x:.3g} µm, radial y {y:.3g} µm")
     hours = (
         qs.system_life([qs.readings.life(row, dynamic_load_rating=47.5e3).duration for row in solution.rows]) / 3600.0
     )
-    assert dict(shaft)["basic life of the set"] == f"{hours:.0f} h"
+    assert facts["basic life of the set"] == f"{float(f'{hours:.3g}'):,.0f} h"
     for number, (row, line) in enumerate(zip(solution.rows, rows, strict=True)):
         assert line[:3] == [
             f"Row {number + 1} (7210C, carries {'+-'[number]}x)",
