@@ -121,7 +121,7 @@ def draw_deformed_shaft(
     drawn.points(top)
     axes.set_title(f"{_plane(plane)}: deflection × {factor:,.0f}", fontsize=11, fontweight="bold")
     axes.set_xlabel("x, mm", fontsize=9)
-    axes.set_ylim(-1.3 * top / mm, 1.3 * top / mm)
+    axes.set_ylim(-1.3 * top / mm, 1.45 * top / mm)
     axes.set_yticks([])
     axes.margins(x=0.04)
     axes.set_aspect("equal")

@@ -39,8 +39,8 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
-FLAT = 2.1
-"""Height of the angles of rows below each other, so that a page has room for them beside the loads."""
+FLAT = 2.4
+"""Width and height of the angles of rows where there are many, so that four have room side by side [inches]."""
 SHAFT_HEIGHT, SHAFT_WIDTH = 3.4, 6.6
 """Of a shaft in one plane [inches]."""
 ABOVE, FLATTER = 4.2, 0.72
@@ -168,8 +168,11 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     lines = -(-count // (PER_SHEET if is_sheet else PER_LINE))
     columns = -(-count // lines)
     panels = [drawing.panel if is_sheet else drawing.small for drawing in drawings]
-    if drawings == [ANGLES] and lines > 1:
-        panels = [(ANGLES.small[0], FLAT)]
+    is_flat = drawings == [ANGLES] and lines > 1
+    if is_flat:
+        columns = min(count, PER_SHEET)
+        lines = -(-count // columns)
+        panels = [(FLAT, FLAT)]
     shaft = solution.set.shaft
     planes = planes_of(solution, place) if shaft is not None and shaft.sections and is_sheet else []
     above = int(bool(planes))
@@ -194,7 +197,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
             drawing.draw(axes, row, place, span, **labelled)
             own = solution.set.rows[number]
             name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))
-            axes.set_title(f"Row {number + 1} ({name})\n{axes.get_title()}", fontsize=10, pad=18 if k == 0 else 6)
+            title = f"Row {number + 1}, {own.carries}" if is_flat else f"Row {number + 1} ({name})\n{axes.get_title()}"
+            axes.set_title(title, fontsize=10, pad=18 if k == 0 and not is_flat else 6)
             drawn.append(axes)
     legend(figure, *reversed(drawn))
     write_title_of_set(figure, solution, place)

@@ -31,6 +31,8 @@ FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
 SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 """Parts of the scene's own speed and loads."""
 
+SIZE = 11.5, 2.5
+"""Of four panels side by side [inches]."""
 CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
 
 
@@ -107,8 +109,8 @@ def shown(
 
 
 def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
-    figure = figure_of_size(9.0, 4.4)
-    angles, pressures, displacement, stiffness = figure.subplots(2, 2).ravel()
+    figure = figure_of_size(*SIZE)
+    angles, pressures, displacement, stiffness = figure.subplots(1, 4)
     solved = swept.converged
     load = np.where(solved[:, None], swept.inner.load, np.nan)
     heaviest = np.where(solved, np.argmax(np.nan_to_num(load, nan=-1.0), axis=-1), 0)[:, None]
@@ -124,7 +126,7 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
     axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
     displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("contact angle, deg", "maximum pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
+    names = ("contact angle, deg", "max. pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
     finish((angles, pressures, displacement, stiffness), names, own, label)
     legend(figure, angles)
     return figure
@@ -141,7 +143,8 @@ def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArr
 def finish(panels: Sequence[Axes], names: Sequence[str], own: float, label: str) -> None:
     """What each panel shows, over what, and where along it the operating point is."""
     for axes, name in zip(panels, names, strict=True):
-        axes.set_title(name, fontsize=10)
+        axes.set_title(name, fontsize=9.5)
+        axes.locator_params(axis="x", nbins=4)
         axes.axvline(own, color=GREY, linewidth=0.8, linestyle=":")
         axes.set_xlabel(label, fontsize=9)
         plain(axes)

@@ -7,13 +7,14 @@ from qsbearing.documents.model import Document, Section
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution
 from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.facts import facts_of
 from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
+from qsbearing.reports.layout import in_pairs
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
@@ -56,7 +57,7 @@ def document(
             remarks(said, of_all),
             _results(solution),
             *hot,
-            *([Section("Readings", readings_tables(readings, scene))] if readings else []),
+            *([Section("Readings", in_pairs(readings_tables(readings, scene)))] if readings else []),
             curves.section(solution, swept),
             effects.section(solution, requested, rows, tolerance),
             inputs.section(scene, source, requested.thermal),
@@ -70,35 +71,24 @@ def document(
 
 
 def _results(solution: Solution) -> Section:
-    are_alike = carry_alike(solution, ())
-    which = "a ball" if are_alike else "the ball with the largest contact load"
-    drawn = [
-        picture(
-            section(solution),
-            f"Section through {which}, with the lines of action of its contacts.",
-            f"Section through {which}: contact angles, loads and pressures. Of the rings only the grooves are to scale",
-        )
-    ]
+    """Tables and pictures; what page 1 shows is not shown again."""
+    are_alike, is_hot = carry_alike(solution, ()), solution.thermal is not None
+    drawn = [glance(solution).blocks[0]] if is_hot else []
     if not are_alike:  # else all is the same around the bearing
-        drawn += [
-            picture(
-                load_distribution(solution),
-                "Polar picture of the contact loads of all balls around the bearing.",
-                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
-            ),
+        drawn.append(
             picture(
                 contact_angles(solution),
                 "Both contact angles of every ball by its azimuth.",
                 "Contact angles by azimuth; the dotted line is the free contact angle",
-            ),
-        ]
-    drawn.append(
-        picture(
-            contact_ellipses(solution),
-            "Outlines of the contact ellipses to one scale, with their maximum pressures.",
-            "Contact ellipses of the balls, with their maximum pressures",
+            )
         )
-    )
+        drawn.append(
+            picture(
+                contact_ellipses(solution),
+                "Outlines of the contact ellipses to one scale, with their maximum pressures.",
+                "Contact ellipses of the balls, with their maximum pressures",
+            )
+        )
     if "ball_advance" in solution.scene.readings and not are_alike:
         drawn.append(
             picture(
@@ -107,13 +97,13 @@ def _results(solution: Solution) -> Section:
                 "Advance of the balls in the cage over one turn; grey: the clearance of its pockets",
             )
         )
-    if solution.scene.elastic_rings is not None:
+    if solution.scene.elastic_rings is not None and not are_alike:
         drawn.append(
             picture(
-                ring_shape(solution),
-                "Grooves of the elastic rings around the bearing, as they move away from the balls.",
-                "Grooves of the elastic rings around the bearing, their movement far enlarged, to the scale of the bar "
-                "at 0 deg",
+                load_distribution(solution),
+                "Polar picture of the contact loads of all balls around the bearing.",
+                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
             )
         )
-    return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])
+    pictures = [Section("Pictures", drawn)] if drawn else []
+    return Section("Results", [*in_pairs(report.tables(solution)), *pictures])

@@ -111,7 +111,7 @@ def _section(
     headings = (
         "effect or choice",
         "in scene",
-        *(f"{WORDS[name]}, {unit_of(name)}" for name in QUANTITIES),
+        *("\n".join([*WORDS[name].split(), unit_of(name)]) for name in QUANTITIES),
         "assessment",
     )
     lines = [_line(row) for row in rows]

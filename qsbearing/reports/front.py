@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Callout, Cell, Columns, Facts, Md, Paragraph, Section
-from qsbearing.files.file_keys import OTHER_TABLES, REPORT
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
@@ -29,6 +28,10 @@ REMARKS = "remarks"
 """Name of their section."""
 MOST_ROWS = 12
 """Requirements and limits beside which page 1 has room for curves over the speed; they stand on later pages too."""
+
+
+PEOPLE = ("customer", "author", "document")
+"""Keys of a file's [report] that page 1 repeats."""
 
 
 class OfAllPoints(NamedTuple):
@@ -68,7 +71,7 @@ def front(
         solution: of a single case.
         of_all: where it is one point of several.
     """
-    people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in OTHER_TABLES[REPORT][1:] if key in report]
+    people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in PEOPLE if key in report]
     wrong = [each for each in said if each.kind.severity is Severity.WRONG_MODEL]
     others = [each for each in said if each.kind.severity is not Severity.WRONG_MODEL]
     has_room = len(limits.required) + len(limits.built_in) <= MOST_ROWS and of_all is None

@@ -54,10 +54,19 @@ def section(swept: Swept | None, required: Sequence[Answer]) -> Section | None:
     """The picture; None where nothing depends on the speed."""
     if swept is None or not np.asarray(swept.solution.converged).any():
         return None
-    panels = [*_required(swept, required), *_usual(swept.solution)][:PANELS]
+    panels = _panels(swept, required)
     titles = " and ".join(each.title for each in panels)
     drawn = picture(_figure(swept, panels), f"Curves over the speed: {titles}; the operating point is marked.")
     return Section("Over the speed", [drawn], "over-speed")
+
+
+def figure_of(swept: Swept, required: Sequence[Answer]) -> Any:
+    """The picture alone."""
+    return _figure(swept, _panels(swept, required))
+
+
+def _panels(swept: Swept, required: Sequence[Answer]) -> list[Panel]:
+    return [*_required(swept, required), *_usual(swept.solution)][:PANELS]
 
 
 def _required(swept: Swept, required: Sequence[Answer]) -> Iterator[Panel]:

@@ -13,7 +13,7 @@ from qsbearing.documents.model import Block, Callout, Paragraph, Section
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
-from qsbearing.reports.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
+from qsbearing.reports.curves import LOAD_RANGE, POINTS, SIZE, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.preload_limits import (
@@ -117,8 +117,8 @@ def _what(change: StateChange) -> str:
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
-    figure = figure_of_size(9.0, 4.4)
-    panels = list(figure.subplots(2, 2).ravel())
+    figure = figure_of_size(*SIZE)
+    panels = list(figure.subplots(1, 4))
     loads, pressures, displacement, stiffness = panels
     solved = np.asarray(swept.converged)
     for number, (row, (colour, line)) in enumerate(zip(swept.rows, _lines(len(swept.rows)), strict=True)):
@@ -129,8 +129,8 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
         pressures.plot(along, np.where(solved, greatest, np.nan) / MPa, **style)
     answer = _answer(displacement, along, swept)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("axial load of each row, N", "maximum pressure of each row, MPa", answer)
-    finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
+    names = ("axial load of rows, N", "max. pressure of rows, MPa", answer)
+    finish(panels, (*names, "locked stiffness, N/µm"), own, label)
     if not displacement.lines[:-1]:  # all but the line of the operating point
         displacement.clear()
         displacement.set_axis_off()

@@ -28,6 +28,8 @@ class Page(HTMLParser):
     text: str = ""
     facts: list[tuple[str, str]] = field(default_factory=list)
     """Names and what they are."""
+    notes: list[tuple[str, str]] = field(default_factory=list)
+    """Below tables: marks and what they say."""
     beside: frozenset[str] = frozenset()
     """Files of the same folder that it may lead to and load."""
 
@@ -94,6 +96,11 @@ class Page(HTMLParser):
         )  # they keep a quantity on one line
         data = data.replace("\N{MINUS SIGN}", "-")  # as programs read numbers
         self.text += data
+        if "li" in self._open and self._open[-1] == "b":
+            self.notes.append((data, ""))
+        elif self._open[-1] == "li" and self.notes:
+            mark, known = self.notes[-1]
+            self.notes[-1] = mark, (known + data).strip()
         if self._open[-1] in ("dt", "dd"):
             if self._open[-1] == "dt":
                 self.facts.append((data, ""))

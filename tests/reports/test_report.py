@@ -78,11 +78,12 @@ def b218(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_pictures_by_azimuth_only_where_balls_differ(spindle: Path, b218: Path) -> None:
     """A section in any report; of a bearing under thrust alone no circles and level lines."""
-    heads = "Section through", "Contact loads by the azimuth", "Contact angles by azimuth", "Contact ellipses"
-    for path, shown in ((spindle / "out", (1, 1, 1, 1)), (b218, (1, 0, 0, 1))):
+    heads = "Contact angles by azimuth", "Contact ellipses"
+    for path, shown in ((spindle / "out", (1, 1)), (b218, (0, 0))):
         (page,) = path.glob("*.html")
         text = page.read_text(encoding="utf-8")
         assert tuple(len(re.findall(f"<figcaption[^>]*>{head}", text)) for head in heads) == shown
+        assert len(re.findall('aria-label="Section through the ball that carries most', text)) == 1, "of page 1"
 
 
 @cache
@@ -92,9 +93,14 @@ def page_of(folder: Path, name: str) -> Page:
 
 
 def input_of(folder: Path, name: str) -> dict[str, list[str]]:
-    """The rows of the Input table by their keys: value, unit, source."""
+    """The rows of the Input tables by their keys: value, unit, source; a source that stands below is put back."""
+    page = page_of(folder, name)
+    notes = dict(page.notes)
     return {
-        row[0]: row[1:] for row in next(t for t in page_of(folder, name).tables if t[0][0] == "key of a scene file")
+        row[0]: [notes.get(each, each) for each in row[1:]]
+        for table in page.tables
+        if table[0][0] == "key of a scene file"
+        for row in table
     }
 
 
@@ -320,8 +326,8 @@ def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, b218: Pa
     asked = page_of(spindle / "out", "spindle")
     titles = [text.removesuffix(" #") for _, text in asked.headings]
     assert titles == [
-        "7210C, modified", *FRONT, "Remarks", "Results", "Pictures", "Readings", "Around the operating point", "Assumptions and effects",
-        "Input", "Evidence that applies", "Made with",
+        "7210C, modified", *FRONT, "Remarks", "Results", "Pictures", "Readings", "Around the operating point",
+        "Assumptions and effects", "Input", "Evidence that applies", "Made with",
     ]  # fmt: skip
     assert "basic reference rating life" in asked.text
     assert "Ball-pass frequencies" in asked.text
@@ -426,7 +432,7 @@ def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
         rows += "e => [e.className, ...['left', 'top', 'right', 'bottom'].map(k => e.getBoundingClientRect()[k])]))"
         placed = [[each for each in row if each[1] != each[3]] for row in browser.value(rows)]
         below = [row for row in placed if row[-1][2] >= row[0][4]]
-        assert len(below) > 20, "cells are below their row's first where there is no room beside it"
+        assert len(below) > 10, "cells are below their row's first where there is no room beside it"
         named = [(row[0], each) for row in placed for each in row if each[0] == "verdict"]
         assert len(named) > 10
         for name, verdict in named:
@@ -506,4 +512,6 @@ def test_elastic_rings_are_drawn_and_what_they_touch_has_its_key(tmp_path: Path)
     (tmp_path / "elastic.toml").write_text(ELASTIC)
     assert call(str(tmp_path / "elastic.toml"), "--out", str(tmp_path)).exit_code == 0
     assert input_of(tmp_path, "elastic")["elastic_rings.inner.shaft"][0] == "solid"
-    assert "Grooves of the elastic rings around the bearing" in page_of(tmp_path, "elastic").text
+    page = (tmp_path / "elastic_report.html").read_text(encoding="utf-8")
+    assert "beside it the grooves of the elastic rings" in page, "of page 1"
+    assert "Contact loads by the azimuth" in page_of(tmp_path, "elastic").text

@@ -24,8 +24,8 @@ def report_of(folder: Path, text: str) -> Page:
 
 
 def rows_of(page: Page, *heading: str) -> list[list[str]]:
-    (found,) = (table for table in page.tables if table[0][: len(heading)] == list(heading))
-    return found[1:]
+    found = [table for table in page.tables if table[0][: len(heading)] == list(heading)]
+    return [row for table in found for row in table[1:]]
 
 
 def test_it_opens_with_the_life_and_goes_on_with_the_worst_point(tmp_path: Path) -> None:
