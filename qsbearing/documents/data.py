@@ -33,11 +33,11 @@ def data(document: model.Document) -> Plain:
         ],
         "depth": document.depth,
         "numbered": document.is_numbered,
+        "front": document.has_front_page,
         "made_from": document.made_from,
         "pictures": counted.pictures,
     }
-    names = {section.name for section, _ in document.walk()}
-    lost = sorted({href for href in links(plain) if href.startswith("#") and href[1:] not in names})
+    lost = sorted({href for href in links(plain) if href.startswith("#") and href[1:] not in document.names})
     if lost:
         raise BrokenLinkError(f"{document.title}: no section for {', '.join(lost)}")
     return plain
@@ -73,7 +73,7 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
                 "whole": block.is_whole, "blocks": _blocks(block.blocks, level + 1, counted),
             }  # fmt: skip
         case model.Paragraph():
-            return {"is": "paragraph", "text": runs(block.text)}
+            return {"is": "paragraph", "text": runs(block.text), "small": block.is_small}
         case model.Bullets():
             return {"is": "list", "items": [runs(item) for item in block.items], "numbered": block.numbered}
         case model.Code():
@@ -82,7 +82,13 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
             latex, number = split(block.latex)
             return {"is": "formula", "number": number, **forms(latex, True)}
         case model.Callout():
-            return {"is": "remark", "text": runs(block.text), "status": block.status}
+            rest = block.text.removeprefix(block.lead).strip() if type(block.text) is str else block.text
+            lead = "" if rest is block.text else block.lead
+            # A sentence stands on a line of its own, a word before what it leads.
+            return {
+                "is": "remark", "text": runs(rest), "status": block.status, "lead": lead,
+                "headline": lead.endswith("."),
+            }  # fmt: skip
         case model.Facts():
             return {"is": "facts", "pairs": [[runs(name), _cell(value)] for name, value in block.pairs]}
         case model.Trace():
@@ -98,6 +104,10 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
                     for row in block.rows
                 ],
             }  # fmt: skip
+        case model.Shares():
+            return {"is": "shares", "parts": [{"name": name, "part": part} for name, part in block.parts]}
+        case model.Columns():
+            return {"is": "columns", "columns": [_blocks(column, level, counted) for column in block.columns]}
         case model.Picture():
             counted.pictures.append(block)
             return {
@@ -110,6 +120,8 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
 def _cell(cell: model.Cell) -> Plain:
     if isinstance(cell, model.Badge):
         return {"badge": cell.word, "status": cell.kind}
+    if isinstance(cell, model.Bar):
+        return {"bar": cell.length, "limit": 1.0 / model.LONGEST_BAR, "word": cell.word, "status": cell.status}
     return {"text": runs(cell)}
 
 

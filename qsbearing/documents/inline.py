@@ -48,13 +48,12 @@ def runs_of(tokens: Any) -> list[Run]:
                 {"text": forms(token.content)["text"], "styles": [], "href": href, "math": forms(token.content)}
             )
         elif token.type in ("text", "code_inline", "softbreak", "hardbreak"):
-            content = token.content
+            content = token.content if token.type == "code_inline" else with_minus(token.content)
             if not content:  # before a mark that begins a line there is an empty text
                 if token.type == "text":
                     continue
                 content = " "
             kinds = [*styles, "code"] if token.type == "code_inline" else list(styles)
-            content = content if token.type == "code_inline" else with_minus(content)
             if of_line and "math" not in of_line[-1] and of_line[-1]["styles"] == kinds and of_line[-1]["href"] == href:
                 of_line[-1]["text"] += content
             else:

@@ -6,6 +6,7 @@ from records and files stay plain, so that none of their characters means anythi
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -32,7 +33,30 @@ class Badge:
         return self.status or self.word
 
 
-Cell: TypeAlias = "str | Badge"
+@dataclass(frozen=True)
+class Bar:
+    """How much of a limit is used, as a bar with a mark at the limit."""
+
+    used: float
+    """Part of it."""
+    status: str = "pass"
+    """As a badge has it."""
+
+    @property
+    def word(self) -> str:
+        """The part, for those who do not see the bar."""
+        return f"{100.0 * self.used:.0f} %" if math.isfinite(self.used) else "-"
+
+    @property
+    def length(self) -> float:
+        """Part of the room for it, which ends at `LONGEST_BAR`: beyond it, the number tells."""
+        return min(max(self.used, 0.0), LONGEST_BAR) / LONGEST_BAR if math.isfinite(self.used) else 0.0
+
+
+LONGEST_BAR = 1.25
+"""Part of a limit at which a bar ends."""
+
+Cell: TypeAlias = "str | Badge | Bar"
 
 
 @dataclass(frozen=True)
@@ -51,6 +75,8 @@ class Paragraph:
     """What it begins with, which a terminal shows in bold."""
     is_apart: bool = False
     """Whether a terminal has an empty line before it."""
+    is_small: bool = False
+    """Whether a page has it in small letters."""
 
 
 @dataclass(frozen=True)
@@ -160,6 +186,21 @@ class Picture:
 
 
 @dataclass(frozen=True)
+class Shares:
+    """Parts of a whole, by name, as one bar."""
+
+    parts: Sequence[tuple[str, float]]
+    """Names and parts, which are 1 together."""
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Blocks side by side, where a page is wide enough."""
+
+    columns: Sequence[Sequence[Block]]
+
+
+@dataclass(frozen=True)
 class Section:
     """A heading and what stands below it."""
 
@@ -175,7 +216,9 @@ class Section:
         return self.anchor or anchor_of(self.title)
 
 
-Block: TypeAlias = "Paragraph | Bullets | Code | Formula | Callout | Facts | Trace | Table | Picture | Section"
+Block: TypeAlias = (
+    "Paragraph | Bullets | Code | Formula | Callout | Facts | Trace | Table | Picture | Shares | Columns | Section"
+)
 
 
 @dataclass(frozen=True)
@@ -195,9 +238,11 @@ class Document:
     """Whether tables and pictures with a caption are numbered."""
     made_from: str = ""
     """What the HTML says of its source, for programs."""
+    has_front_page: bool = False
+    """Whether the head is the first page of paper, by itself."""
 
     def __post_init__(self) -> None:
-        names = [section.name for section, _ in self.walk()]
+        names = [section.name for section, _ in (*_walk(self.head, 1), *self.walk())]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
             raise ValueError(f"sections of the same name: {', '.join(twice)}")
@@ -206,12 +251,20 @@ class Document:
         """Every section with its level, 1 for the outermost, in the order of reading."""
         yield from _walk(self.sections, 1)
 
+    @property
+    def names(self) -> set[str]:
+        """What links within it may lead to."""
+        return {section.name for section, _ in (*_walk(self.head, 1), *self.walk())}
+
 
 def _walk(blocks: Sequence[Block], level: int) -> Iterator[tuple[Section, int]]:
     for block in blocks:
         if isinstance(block, Section):
             yield block, level
             yield from _walk(block.blocks, level + 1)
+        if isinstance(block, Columns):
+            for column in block.columns:
+                yield from _walk(column, level)
 
 
 def anchor_of(title: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from decimal import Decimal
 
@@ -32,6 +33,16 @@ _HYPHEN = re.compile(r"(?<![\w.)\]\-])-(?=\.?\d|∞)|(?<=\de)-(?=\d)")
 def with_minus(text: str) -> str:
     """A text whose numbers have the sign of minus in place of a hyphen; nothing that programs read."""
     return _HYPHEN.sub(MINUS, text) if "-" in text else text
+
+
+def that_matter(number: float) -> str:
+    """In three digits, whole numbers below ten thousand in all of theirs; thousands apart from there on."""
+    if not math.isfinite(number):
+        return "-"
+    size = abs(number)
+    if size < 100.0:
+        return plain(number + 0.0, ".3g")
+    return f"{number:.0f}" if size < 1e4 else f"{float(f'{number:.3g}'):,.0f}"
 
 
 def unit_of(seconds: float) -> tuple[str, float]:

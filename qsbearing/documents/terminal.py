@@ -12,7 +12,7 @@ from rich.padding import Padding
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from qsbearing.documents.model import Badge, Block, Callout, Cell, Facts, Paragraph, RowGroup, Table
+from qsbearing.documents.model import Badge, Bar, Block, Callout, Cell, Facts, Paragraph, RowGroup, Table
 from qsbearing.documents.numbers import with_minus
 
 NARROWEST, USUAL, WIDEST = 80, 100, 140
@@ -190,4 +190,6 @@ def _notes(table: Table) -> RichTable:
 
 
 def _cell(cell: Cell) -> Text:
+    if isinstance(cell, Bar):
+        return Text(with_minus(cell.word))
     return Text(cell.word, STYLES.get(cell.kind, "")) if isinstance(cell, Badge) else Text(with_minus(cell))

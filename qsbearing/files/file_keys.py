@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from functools import cache
 from itertools import chain
 from typing import TYPE_CHECKING, Any
@@ -32,12 +33,24 @@ if TYPE_CHECKING:
 
 REPORT = "report"
 """The table that says what a design report is about and for whom."""
+BALL_TABLES = "ball_tables"
+"""Its key for how much a report of a set has of single balls."""
+
+
+class ShownBalls(StrEnum):
+    """Which balls of a set's rows a design report has tables of."""
+
+    FOLDED = "folded"
+    """None: each row is a line, with the range over its balls."""
+    EACH = "each"
+
+
 REQUIRE = "require"
 """The table of limits that results must keep, under their names."""
 ORIGIN = "rexs"
 """The table that says of which part of a REXS model a file was made; and what must still be given, under `missing`."""
 OTHER_TABLES = {
-    REPORT: ("title", "customer", "author", "document"),
+    REPORT: ("title", "customer", "author", "document", BALL_TABLES),
     ORIGIN: ("bearings", "shaft", "load_case", "x_along", "missing"),
 }
 """Tables that change no result, with their keys."""

@@ -13,7 +13,7 @@ from qsbearing.files import catalogue, result_file
 from qsbearing.files.bearing_table import read_bearing
 from qsbearing.files.effects_table import read_effects
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused, translate
-from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_tables
+from qsbearing.files.file_keys import BALL_TABLES, ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_tables
 from qsbearing.files.keys import (
     EFFECT_SECTIONS,
     MAKES_SET,
@@ -33,6 +33,7 @@ from qsbearing.files.table_checks import (
     as_it_is,
     as_word,
     checked,
+    choice_fields,
     made,
     si,
     table_model,
@@ -53,7 +54,7 @@ STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
 _OPERATION = table_model("operation", OPERATION)
 _PRELOAD = table_model("preload", PRELOAD)
-_REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word))
+_REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word) | choice_fields(BALL_TABLES))
 _ORIGIN = table_model(ORIGIN, (), dict.fromkeys(OTHER_TABLES[ORIGIN], as_it_is))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from qsbearing.files import catalogue, thermal_keys
 from qsbearing.files.effects_table import AUTO, BALL_EFFECTS
-from qsbearing.files.file_keys import ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_keys, reading_tables
+from qsbearing.files.file_keys import BALL_TABLES, ORIGIN, OTHER_TABLES, REPORT, REQUIRE, reading_keys, reading_tables
 from qsbearing.files.fits import CLASS, FITTED, classes, names
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
@@ -90,7 +90,7 @@ def scene_schema() -> Schema:
         "readings": _ref("readings"),
         "thermal": _thermal(),
         REQUIRE: _required(),
-        REPORT: closed(dict.fromkeys(OTHER_TABLES[REPORT], _WORD)),
+        REPORT: closed(dict.fromkeys(OTHER_TABLES[REPORT], _WORD) | {BALL_TABLES: _choice(BALL_TABLES, REPORT)}),
         ORIGIN: closed({key: {"not": {"type": "null"}} for key in OTHER_TABLES[ORIGIN]}),
         **_of_set(),
         "spectrum": {"anyOf": [_list(_point(), 1), closed({"file": _WORD}) | {"required": ["file"]}]},
@@ -124,7 +124,7 @@ def _bearing() -> Schema:
 
 
 def _effects() -> Schema:
-    elsewhere = ("kind", *SHEET_CHOICES, "law")
+    elsewhere = ("kind", *SHEET_CHOICES, "law", BALL_TABLES)
     choices = {name: _choice(name, "effects") for name in CHOICES_OF_FILES if name not in elsewhere}
     choices[Traction.name] = _traction()
     own = {"ball": _list({"enum": list(BALL_EFFECTS)}), **choices, **_numbers(EFFECTS, "effects")}

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
-from qsbearing.files.file_keys import find
+from qsbearing.files.file_keys import BALL_TABLES, ShownBalls, find
 from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS, Key, named, required_of
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
@@ -35,6 +35,7 @@ CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
     "clearance_class": ClearanceClass,
     "moment_shares": MomentShares,
     "law": TractionLaw,
+    BALL_TABLES: ShownBalls,
     **CHOICES,
 }
 """The keys of a file whose words are those of a choice."""

@@ -14,6 +14,7 @@ from qsbearing.pictures.sheet import (
     ring_shape,
     section,
 )
+from qsbearing.pictures.under_load import under_load
 
 __all__ = [
     "ball_advance",
@@ -24,4 +25,5 @@ __all__ = [
     "overview",
     "ring_shape",
     "section",
+    "under_load",
 ]

@@ -25,7 +25,13 @@ NODES = {"inner ring": "inner", "outer ring": "outer"}
 """Nodes that are drawn as their raceways are elsewhere."""
 
 
-def over_speed(speeds: dict[str, Any], own: float, title: str = "", whole: dict[str, Any] | None = None) -> Figure:
+HEIGHT = 4.7
+"""Of a picture [inches]."""
+
+
+def over_speed(
+    speeds: dict[str, Any], own: float, title: str = "", whole: dict[str, Any] | None = None, height: float = HEIGHT
+) -> Figure:
     """Steady states over speed.
 
     Args:
@@ -33,10 +39,11 @@ def over_speed(speeds: dict[str, Any], own: float, title: str = "", whole: dict[
         own: the scene's speed [rpm].
         title: names the bearing.
         whole: "whole_bearing" of the same, whose onset of runaway is marked as well.
+        height: of the picture [inches].
     """
     fold, at_whole = speeds["fold"], None if whole is None else whole["fold"]
     states, at_fold = along_curve(speeds)
-    figure, axes = _two("speed, rpm", title, states)
+    figure, axes = _two("speed, rpm", title, states, height)
     _draw(axes, states, [each["speed_rpm"] for each in states], at_fold)
     for each in axes:
         each.axvline(own, color=GREY, linewidth=0.8, linestyle=":", label="the scene's speed")
@@ -62,8 +69,8 @@ def over_time(transient: dict[str, Any], title: str = "") -> Figure:
     return figure
 
 
-def _two(along: str, title: str, states: list[dict[str, Any]]) -> tuple[Figure, Any]:
-    figure = figure_of_size(9.0, 4.7)
+def _two(along: str, title: str, states: list[dict[str, Any]], height: float = HEIGHT) -> tuple[Figure, Any]:
+    figure = figure_of_size(9.0, height)
     if title:
         write_above(figure, title)
     axes = figure.subplots(1, 2)

@@ -11,7 +11,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
-from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of
+from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of, scale_of
 from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
@@ -39,8 +39,8 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
-FLAT = 2.1
-"""Height of the angles of rows below each other, so that a page has room for them beside the loads."""
+FLAT = 2.4
+"""Width and height of the angles of rows where there are many, so that four have room side by side [inches]."""
 SHAFT_HEIGHT, SHAFT_WIDTH = 3.4, 6.6
 """Of a shaft in one plane [inches]."""
 ABOVE, FLATTER = 4.2, 0.72
@@ -108,8 +108,9 @@ def deformed_shaft(solution: SetSolution, index: Index = None) -> Figure:
     planes = planes_of(solution, place)
     figure = figure_of_size(9.0, SHAFT_HEIGHT * len(planes) + 0.8)
     panels = figure.subplots(len(planes), 1, squeeze=False)[:, 0]
+    scale = scale_of(solution, place)
     for axes, plane in zip(panels, planes, strict=True):
-        draw_deformed_shaft(axes, solution, place, plane)
+        draw_deformed_shaft(axes, solution, place, plane, scale)
     legend(figure, *panels)
     write_title_of_set(figure, solution, place)
     return figure
@@ -167,8 +168,11 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     lines = -(-count // (PER_SHEET if is_sheet else PER_LINE))
     columns = -(-count // lines)
     panels = [drawing.panel if is_sheet else drawing.small for drawing in drawings]
-    if drawings == [ANGLES] and lines > 1:
-        panels = [(ANGLES.small[0], FLAT)]
+    is_flat = drawings == [ANGLES] and lines > 1
+    if is_flat:
+        columns = min(count, PER_SHEET)
+        lines = -(-count // columns)
+        panels = [(FLAT, FLAT)]
     shaft = solution.set.shaft
     planes = planes_of(solution, place) if shaft is not None and shaft.sections and is_sheet else []
     above = int(bool(planes))
@@ -181,7 +185,7 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
     if planes:
         drawn.extend(figure.add_subfigure(grid[0, :]).subplots(1, len(planes), squeeze=False)[0])
         for axes, plane in zip(drawn, planes, strict=True):
-            draw_deformed_shaft(axes, solution, place, plane)
+            draw_deformed_shaft(axes, solution, place, plane, scale_of(solution, place))
     for k, drawing in enumerate(drawings):
         spans = [drawing.span(row, place) for row in solution.rows]
         span = min(low for low, _ in spans), max(high for _, high in spans)
@@ -189,10 +193,12 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
             line, column = divmod(number, columns)
             place_of_panel = above + line * len(drawings) + k, column
             axes = figure.add_subplot(grid[place_of_panel], projection=drawing.projection)
-            drawing.draw(axes, row, place, span)
+            labelled = {"is_labelled": number == 0} if drawing is LOADS else {}
+            drawing.draw(axes, row, place, span, **labelled)
             own = solution.set.rows[number]
             name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))
-            axes.set_title(f"Row {number + 1} ({name})\n{axes.get_title()}", fontsize=10, pad=18 if k == 0 else 6)
+            title = f"Row {number + 1}, {own.carries}" if is_flat else f"Row {number + 1} ({name})\n{axes.get_title()}"
+            axes.set_title(title, fontsize=10, pad=18 if k == 0 and not is_flat else 6)
             drawn.append(axes)
     legend(figure, *reversed(drawn))
     write_title_of_set(figure, solution, place)

@@ -6,7 +6,6 @@ colour-blind eyes. A ball without contact is marked as such. matplotlib's global
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -90,7 +89,7 @@ def legend(figure: Figure, *axes: Any) -> None:
             known.setdefault(label, handle)
     if known:
         widest = LEGEND_LINE + LEGEND_LETTER * max(map(len, known))
-        columns = min(len(known), max(int(figure.get_size_inches()[0] / widest), 2))
+        columns = min(len(known), max(int(figure.bbox.width / figure.dpi / widest), 2))
         figure.legend(
             list(known.values()), list(known), loc="outside lower center", ncols=columns, fontsize=9, frameon=False
         )
@@ -190,65 +189,38 @@ def line_style(side: str, count: int) -> dict[str, Any]:
     return STYLE[side] | {"linewidth": 1.2, "markersize": size, "label": f"{side} raceway"}
 
 
-def label_circles(axes: Any, azimuth: NDArray, loads: Sequence[NDArray], top: float) -> None:
-    """Draw the circles of a polar picture and label them away from its curves; the arguments are `label_places`'s."""
-    from matplotlib.ticker import MaxNLocator
-
-    circles: list[float] = []
-    most = FEWEST_CIRCLES
-    while len(circles) < FEWEST_CIRCLES:
-        most += 1
-        circles = [value for value in MaxNLocator(most).tick_values(0.0, top) if 0.0 < value <= 0.9 * top]
-    axes.set_rgrids(circles, [""] * len(circles))
-    if not np.isfinite(loads).all() or not azimuth.size:
-        return
-    extent = axes.get_window_extent()
-    radius = 0.5 * min(extent.width, extent.height) / axes.figure.dpi
-    angle, labelled = label_places(azimuth, loads, circles, top, max(1.0, RADIUS / radius))
-    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4}
-    for value in labelled:
-        axes.text(np.radians(angle), value, f"{value:g}", fontsize=7.5, ha="center", va="center", bbox=box, zorder=2.0)
+STEPS_OF_CIRCLES = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+"""Of a decade: the values that a circle may have."""
+BEYOND = 1.02
+"""The least circle over the largest value: the curve's marks stay within."""
 
 
-FEWEST_CIRCLES = 3
-"""Of a polar picture: fewer show no scale."""
-LABEL = (0.11, 0.05)
-"""Half the width and height of a circle's label, as parts of the radius of a picture of 2.5 inches."""
-RADIUS = 1.9
-"""Of such a picture, as its axes are before it is laid out [inches]: letters are larger parts of a smaller one."""
-CLEAR = 1.2
-"""How far from a curve's points a label's centre is, in `LABEL`: the points are drawn as marks."""
+def circle_beyond(largest: float) -> float:
+    """A round number beyond the largest value of a polar picture; 1 where there is none."""
+    if largest <= 0.0:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(largest))
+    steps = (step * power for step in (*STEPS_OF_CIRCLES, 12.0))
+    return float(f"{next(each for each in steps if each >= BEYOND * largest):.3g}")
 
 
-def label_places(
-    azimuth: NDArray, loads: Sequence[NDArray], circles: Sequence[float], top: float, size: float = 1.0
-) -> tuple[float, list[float]]:
-    """The azimuth [deg] at which most circles of a polar picture have room for a label, and these circles.
+AT = 45.0
+"""Azimuth of a circle's label, between the names of the axes [deg]."""
 
-    A circle close to a curve all round has no label: the others show the scale. If none has room, all are labelled.
 
-    Args:
-        azimuth: of the curves' points, once round [rad].
-        loads: curves, with one value per azimuth.
-        circles: values that are labelled.
-        top: the largest value that the picture holds.
-        size: of a label, as a multiple of `LABEL`.
-    """
-    tried = np.arange(15.0, 360.0, 5.0)
-    tried = tried[np.abs((tried + 45.0) % 90.0 - 45.0) >= 15.0]  # beside the names of the axes
-    around = np.radians(np.arange(0.0, 360.0))
-    at = np.exp(1j * np.radians(tried))[:, None, None] * (np.asarray(circles) / top)[:, None]
-    curves = np.concatenate([np.interp(around, azimuth, load, period=2.0 * np.pi) / top for load in loads])
-    between = at - curves * np.tile(np.exp(1j * around), len(loads))
-    away = np.maximum(np.abs(between.real) / LABEL[0], np.abs(between.imag) / LABEL[1]).min(axis=2) / size
-    is_clear = away >= CLEAR
-    nearest = np.where(is_clear, away, 3.0).min(axis=1, initial=3.0)
-    if not is_clear.any():
-        nearest = away.min(axis=1, initial=3.0)
-    best = np.argmax(is_clear.sum(axis=1) + nearest / 4.0)
-    return float(tried[best]), [
-        value for value, clear in zip(circles, is_clear[best], strict=True) if clear or not is_clear.any()
-    ]
+def scale_circle(axes: Any, value: float, unit: str = "", is_labelled: bool = True) -> None:
+    """The frame of a polar picture: a circle of this value, the scale of all pictures of a sheet, labelled on one of
+    them; and a fainter one at half of it."""
+    axes.set_ylim(0.0, value)
+    axes.set_rgrids([0.5 * value], [""])
+    axes.set_thetagrids(range(0, 360, 90), ["y", "z", "", ""])
+    axes.grid(color="0.88", linewidth=0.6)
+    axes.spines["polar"].set(color="0.5", linewidth=0.9)
+    if is_labelled:
+        axes.annotate(
+            f"{value:g} {unit}".rstrip(), (np.radians(AT), value), (2, 2), textcoords="offset points", fontsize=9,
+            ha="left", va="bottom",
+        )  # fmt: skip
 
 
 def round_length(most: float) -> float:

@@ -127,6 +127,12 @@ def take_asked(solution: Solution) -> dict[str, Any]:
     return taken
 
 
+def arguments_of(solution: Solution, name: str) -> Any:
+    """What a reading that the solution's scene asks for is taken from: its record, with the oil where it has one."""
+    requested = solution.scene.readings
+    return READINGS[name].arguments(requested[name], _oil(requested)[0])
+
+
 def with_defaults(name: str, given: Arguments) -> dict[str, Any]:
     """The arguments of a reading or of the oil, and what counts for those that were left out; nothing for what is then
     derived, or not computed."""

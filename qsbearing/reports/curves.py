@@ -18,6 +18,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import MPa, deg, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, legend_within, plain
+from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
@@ -30,28 +31,40 @@ FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
 SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 """Parts of the scene's own speed and loads."""
 
+SIZE = 11.5, 2.5
+"""Of four panels side by side [inches]."""
 CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
 
 
-def section(solution: Solution) -> Section:
-    """Both sweeps; what cannot be varied is said."""
-    words = (
-        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
-        "the ball with the largest inner load. Points without a solution are left out."
-    )
-    return Section("Around the operating point", [Paragraph(words), *_speed(solution), *_load(solution)], "curves")
-
-
-def _speed(solution: Solution) -> list[Block]:
+def over_speed(solution: Solution) -> Swept | None:
+    """The case at other speeds; None where nothing depends on the speed."""
     scene = solution.scene
     operation = scene.operation
     own = float(np.asarray(operation.speed))
     if own == 0.0 or not (scene.ball_effects or scene.ring_effects):
+        return None
+    speeds = own * np.linspace(*SPEED_RANGE, POINTS)
+    return Swept(solve(replace(scene, operation=replace(operation, speed=speeds))), speeds, own)
+
+
+def section(solution: Solution, swept: Swept | None) -> Section:
+    """Both sweeps; what cannot be varied is said.
+
+    Args:
+        swept: as `over_speed` has it.
+    """
+    words = (
+        "All other inputs are those of the operating point, temperatures among them. Angles are those of "
+        "the ball with the largest inner load. Points without a solution are left out."
+    )
+    return Section("Around the operating point", [Paragraph(words), *_speed(swept), *_load(solution)], "curves")
+
+
+def _speed(swept: Swept | None) -> list[Block]:
+    if swept is None:
         return [Callout("No curve over the speed: the inner ring stands still, or nothing in the scene depends on it.")]
-    parts = np.linspace(*SPEED_RANGE, POINTS)
-    swept = solve(replace(scene, operation=replace(operation, speed=own * parts)))
-    figure = _figure(swept, own * parts / rpm, own / rpm, "inner ring, rpm")
-    return shown(swept, figure, "the speed of the inner ring", CURVES)
+    figure = _figure(swept.solution, swept.speeds / rpm, swept.own / rpm, "inner ring, rpm")
+    return shown(swept.solution, figure, "the speed of the inner ring", CURVES)
 
 
 def _load(solution: Solution) -> list[Block]:
@@ -96,8 +109,8 @@ def shown(
 
 
 def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
-    figure = figure_of_size(9.0, 4.4)
-    angles, pressures, displacement, stiffness = figure.subplots(2, 2).ravel()
+    figure = figure_of_size(*SIZE)
+    angles, pressures, displacement, stiffness = figure.subplots(1, 4)
     solved = swept.converged
     load = np.where(solved[:, None], swept.inner.load, np.nan)
     heaviest = np.where(solved, np.argmax(np.nan_to_num(load, nan=-1.0), axis=-1), 0)[:, None]
@@ -113,7 +126,7 @@ def _figure(swept: Solution, along: NDArray, own: float, label: str) -> Figure:
     axial = swept.displacement[:, 0] / um if is_free else swept.load[:, 0]
     displacement.plot(along, np.where(solved, axial, np.nan), color=GREY)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("contact angle, deg", "maximum pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
+    names = ("contact angle, deg", "max. pressure, MPa", FOLLOWS[is_free], "locked stiffness, N/µm")
     finish((angles, pressures, displacement, stiffness), names, own, label)
     legend(figure, angles)
     return figure
@@ -130,7 +143,8 @@ def mark_stiffness(axes: Axes, along: NDArray, stiffness: NDArray, solved: NDArr
 def finish(panels: Sequence[Axes], names: Sequence[str], own: float, label: str) -> None:
     """What each panel shows, over what, and where along it the operating point is."""
     for axes, name in zip(panels, names, strict=True):
-        axes.set_title(name, fontsize=10)
+        axes.set_title(name, fontsize=9.5)
+        axes.locator_params(axis="x", nbins=4)
         axes.axvline(own, color=GREY, linewidth=0.8, linestyle=":")
         axes.set_xlabel(label, fontsize=9)
         plain(axes)

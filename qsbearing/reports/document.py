@@ -8,14 +8,15 @@ from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution, ring_shape, section
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution
 from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
-from qsbearing.reports.front import head, made_with
+from qsbearing.reports.facts import facts_of
+from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
+from qsbearing.reports.layout import in_pairs
 from qsbearing.results import report
-from qsbearing.results.key_results import key_results
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
@@ -23,7 +24,9 @@ from qsbearing.results.requirements import answered
 from qsbearing.studies.chooser.explain import explain
 
 
-def document(solution: Solution, requested: Scene, source: str, command: str) -> Document:
+def document(
+    solution: Solution, requested: Scene, source: str, command: str, of_all: OfAllPoints | None = None
+) -> Document:
     """The whole report of one solved case.
 
     Args:
@@ -31,6 +34,7 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
         asked: the scene as it was given.
         source: the text of its file; empty for an example of the catalogue.
         command: that makes this report.
+        of_all: where the case is one point of a load spectrum.
     """
     scene = solution.scene
     refuse_arched(scene.bearing, "`report`", IN_RUN)
@@ -41,61 +45,52 @@ def document(solution: Solution, requested: Scene, source: str, command: str) ->
     readings, checks = taken(solution), evidence.statements([solution])
     _, rows = explain(scene, tolerance)
     point = ". ".join(filter(None, (report.speeds_text(solution), capital(report.loads_text(solution)))))
+    said, swept = every_remark(solution, readings), curves.over_speed(solution)
+    hot = heat.sections(solution)
+    page_one = front(
+        report_of, answered(solution, readings), said, heat.glance(solution.thermal) or glance(solution),
+        [effects.left_out(rows, tolerance, solution.friction is not None)], None if hot else swept,
+        facts_of(solution, readings), evidence.in_short(checks), solution, of_all,
+    )  # fmt: skip
     return Document(
         title,
         "Design report",
         [
+            remarks(said, of_all),
             _results(solution),
-            *heat.sections(solution),
-            *([Section("Readings", readings_tables(readings, scene))] if readings else []),
-            curves.section(solution),
+            *hot,
+            *([Section("Readings", in_pairs(readings_tables(readings, scene)))] if readings else []),
+            curves.section(solution, swept),
             effects.section(solution, requested, rows, tolerance),
             inputs.section(scene, source, requested.thermal),
             evidence.section(checks, "scene"),
             made_with(message(solution), command),
         ],
         f"{capital(bearing)}. {point}.",
-        head(
-            report_of,
-            answered(solution, readings),
-            every_remark(solution, readings),
-            [key_results(solution, readings)],
-            [*effects.is_right(rows, tolerance, solution.friction is not None), evidence.in_short(checks)],
-            solution,
-        ),
+        page_one,
+        has_front_page=True,
     )
 
 
 def _results(solution: Solution) -> Section:
-    are_alike = carry_alike(solution, ())
-    which = "a ball" if are_alike else "the ball with the largest contact load"
-    drawn = [
-        picture(
-            section(solution),
-            f"Section through {which}, with the lines of action of its contacts.",
-            f"Section through {which}: contact angles, loads and pressures. Of the rings only the grooves are to scale",
-        )
-    ]
+    """Tables and pictures; what page 1 shows is not shown again."""
+    are_alike, is_hot = carry_alike(solution, ()), solution.thermal is not None
+    drawn = [glance(solution).blocks[0]] if is_hot else []
     if not are_alike:  # else all is the same around the bearing
-        drawn += [
-            picture(
-                load_distribution(solution),
-                "Polar picture of the contact loads of all balls around the bearing.",
-                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
-            ),
+        drawn.append(
             picture(
                 contact_angles(solution),
                 "Both contact angles of every ball by its azimuth.",
                 "Contact angles by azimuth; the dotted line is the free contact angle",
-            ),
-        ]
-    drawn.append(
-        picture(
-            contact_ellipses(solution),
-            "Outlines of the contact ellipses to one scale, with their maximum pressures.",
-            "Contact ellipses of the balls, with their maximum pressures",
+            )
         )
-    )
+        drawn.append(
+            picture(
+                contact_ellipses(solution),
+                "Outlines of the contact ellipses to one scale, with their maximum pressures.",
+                "Contact ellipses of the balls, with their maximum pressures",
+            )
+        )
     if "ball_advance" in solution.scene.readings and not are_alike:
         drawn.append(
             picture(
@@ -104,13 +99,13 @@ def _results(solution: Solution) -> Section:
                 "Advance of the balls in the cage over one turn; grey: the clearance of its pockets",
             )
         )
-    if solution.scene.elastic_rings is not None:
+    if solution.scene.elastic_rings is not None and not are_alike:
         drawn.append(
             picture(
-                ring_shape(solution),
-                "Grooves of the elastic rings around the bearing, as they move away from the balls.",
-                "Grooves of the elastic rings around the bearing, their movement far enlarged, to the scale of the bar "
-                "at 0 deg",
+                load_distribution(solution),
+                "Polar picture of the contact loads of all balls around the bearing.",
+                "Contact loads by the azimuth of each ball, 0 deg on the y axis",
             )
         )
-    return Section("Results", [*report.tables(solution), Section("Pictures", drawn)])
+    pictures = [Section("Pictures", drawn)] if drawn else []
+    return Section("Results", [*in_pairs(report.tables(solution)), *pictures])

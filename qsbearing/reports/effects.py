@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
 from qsbearing.files.file_keys import IN_FILE
@@ -78,7 +78,7 @@ def assumptions(scene: Scene) -> list[str]:
 
 
 def section(solution: Solution, requested: Scene, rows: Sequence[Assessment], tolerance: float) -> Section:
-    """Assumptions, and a row for each effect and choice.
+    """Whether the model is right, assumptions, and a row for each effect and choice.
 
     Args:
         solution: of the scene with its effects.
@@ -87,18 +87,22 @@ def section(solution: Solution, requested: Scene, rows: Sequence[Assessment], to
         tolerance: above which a change counts.
     """
     said = [] if solution.choice is None else chosen(solution, requested, IN_FILE)
-    return _section(assumptions(solution.scene), said, rows, tolerance)
+    right = is_right(rows, tolerance, solution.friction is not None)
+    return _section(right, assumptions(solution.scene), said, rows, tolerance)
 
 
 def section_of_set(solution: SetSolution, rows: Sequence[Assessment]) -> Section:
     """Likewise of a set."""
     assumed = of_rows({number: assumptions(row.scene) for number, row in enumerate(solution.rows, 1)})
     said = [text if which is None else f"{capital(which)}: {text}" for text, which in assumed]
-    return _section([_of_shaft(solution), *said], [], rows, DEFAULT_ACCURACY)
+    right = is_right(rows, DEFAULT_ACCURACY)
+    return _section(right, [_of_shaft(solution), *said], [], rows, DEFAULT_ACCURACY)
 
 
-def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessment], tolerance: float) -> Section:
-    blocks: list[Block] = [Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
+def _section(
+    right: Sequence[Block], assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessment], tolerance: float
+) -> Section:
+    blocks: list[Block] = [*right, Paragraph("Assumptions of this solution:"), Bullets(assumed), *map(Paragraph, said)]
     words = (
         "How much each effect and choice of the model changes the results: found by solving with and without it; with "
         "≈ under usual parameters where its own are not known. It is needed if leaving it out changes a result by more "
@@ -107,13 +111,47 @@ def _section(assumed: Sequence[str], said: Sequence[str], rows: Sequence[Assessm
     headings = (
         "effect or choice",
         "in scene",
-        *(f"{WORDS[name]}, {unit_of(name)}" for name in QUANTITIES),
+        *("\n".join([*WORDS[name].split(), unit_of(name)]) for name in QUANTITIES),
         "assessment",
     )
     lines = [_line(row) for row in rows]
     why = [Md(f"`{row.effect}`: {row.why}") for row in rows if row.why]
     blocks += [Paragraph(words), Table(headings, lines, "ll" + "r" * len(QUANTITIES) + "l", stack=True), Bullets(why)]
     return Section("Assumptions and effects", blocks, "effects")
+
+
+def _lacking(
+    rows: Sequence[Assessment], tolerance: float, is_by_friction: bool
+) -> Iterator[tuple[Assessment, str, bool]]:
+    """What the model leaves out, or has as a hypothesis, though it changes a result by more than the tolerance, the
+    largest change first; the quantity that it changes most, and whether it is a hypothesis."""
+    what = {entry.name: entry for entry in EFFECTS}
+    for row in sorted(rows, key=lambda row: -row.size(row.largest) if row.largest else 0.0):
+        most = row.largest or QUANTITIES[0]
+        if row.in_scene and row.verdict == NEEDED:
+            continue
+        if row.verdict in (NEEDED, DATA_MISSING):
+            yield row, most, False
+        elif what[row.effect].hypothesis and row.size(most) > tolerance and not is_by_friction:
+            yield row, most, True
+
+
+def left_out(rows: Sequence[Assessment], tolerance: float, is_by_friction: bool = False) -> Section:
+    """In short, for page 1: what the model leaves out, or has as a hypothesis, and how much each would change.
+
+    Args:
+        is_by_friction: whether friction moves the balls, so that no hypothesis is left open.
+    """
+    title = "What the model leaves out"
+    lines: list[list[Cell]] = [
+        [row.what, f"{row.change_in(most)} of the {WORDS[most]}"]
+        for row, most, _ in _lacking(rows, tolerance, is_by_friction)
+    ]
+    more = Paragraph(Md(f"{NEVER} [Every effect, and what to do](#effects)."), is_small=True)
+    if not lines:
+        said = f"Nothing that it lacks changes a result by more than {100 * tolerance:g} %."
+        return Section(title, [Paragraph(said), more], "left-out")
+    return Section(title, [Table(("effect or choice", "would change"), lines, "ll"), more], "left-out")
 
 
 def is_right(rows: Sequence[Assessment], tolerance: float, is_by_friction: bool = False) -> list[Block]:
@@ -123,21 +161,18 @@ def is_right(rows: Sequence[Assessment], tolerance: float, is_by_friction: bool 
         is_by_friction: whether friction moves the balls, so that no hypothesis is left open.
     """
     title = "Is the model right for this case?"
-    what = {entry.name: entry for entry in EFFECTS}
     lines: list[list[Cell]] = []
-    has: list[str] = []
-    for row in sorted(rows, key=lambda row: -row.size(row.largest) if row.largest else 0.0):
-        most = row.largest or QUANTITIES[0]
+    for row, most, is_open in _lacking(rows, tolerance, is_by_friction):
         change = f"{row.change_in(most)} of the {WORDS[most]}"
-        if row.in_scene and row.verdict == NEEDED:
-            has.append(f"{row.what}: {change}")
-        elif row.verdict in (NEEDED, DATA_MISSING):
+        if is_open:
+            where = Md("see [the range below the table of effects](#effects)")
+            lines.append([row.what, Badge("a hypothesis", "finding"), change, where])
+        else:
             advice = f"give {row.needs}" if row.verdict == DATA_MISSING else f"add {', '.join(row.add)}"
             lines.append([row.what, Badge("no", _status(row)), change, advice])
-        elif what[row.effect].hypothesis and row.size(most) > tolerance and not is_by_friction:
-            lines.append(
-                [row.what, Badge("a hypothesis", "finding"), change, "see the range below the table of effects"]
-            )
+    needed = [row for row in rows if row.in_scene and row.verdict == NEEDED]
+    needed.sort(key=lambda row: -row.size(row.largest) if row.largest else 0.0)
+    has = [f"{row.what}: {row.change_in(most)} of the {WORDS[most]}" for row in needed if (most := row.largest)]
     limit = f"changes a result by more than {100 * tolerance:g} %"
     said = f"In the model, and needed: {'; '.join(has)}." if has else f"Nothing that the model has {limit}."
     said = f"{said} {NEVER}"

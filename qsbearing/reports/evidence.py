@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
-from qsbearing.documents.model import Badge, Block, Bullets, Cell, Md, Paragraph, Section, Table
+from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Section, Table
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.wording import numbered
 from qsbearing.reports.conditions import Difference, facts_of
@@ -20,6 +20,8 @@ MEANING = (
     "*Similar*: the same effects and choices, but another bearing, or numbers beyond those that were checked.",
     "*Not covered*: the {what} has an effect or choice that the check did not have: untested, not wrong.",
 )
+MOST_TOLD = 2
+"""Reasons of one check: rows of a set have many that differ in numbers alone."""
 UNMEASURED = "Contact angles, loads and stiffness at speed have not been compared with measurements."
 WORDS = (
     f"Nothing here is a measurement unless it says so. {UNMEASURED} The validation report, `fem-check report`, has "
@@ -52,12 +54,12 @@ def statements(solutions: Sequence[Solution], of: BearingSet | None = None) -> l
     return rows
 
 
-def in_short(rows: Sequence[Sequence[Cell]]) -> Paragraph:
-    """How many of the statements that apply cover the case."""
+def in_short(rows: Sequence[Sequence[Cell]]) -> str:
+    """How many of the statements that apply cover the case, as Markdown."""
     words = [badge.word for _, _, badge, _ in rows if isinstance(badge, Badge)]
     counts = ", ".join(f"{words.count(each.word)} {each.word}" for each in (COVERED, SIMILAR, NOT_COVERED))
     said = f"of {len(words)} checks that apply to this case: {counts}; [each with its reason](#evidence)."
-    return Paragraph(Md(f"**Evidence**, {said} {UNMEASURED}"))
+    return f"**Evidence**, {said} {UNMEASURED}"
 
 
 def section(rows: Sequence[Sequence[Cell]], what: str) -> Section:
@@ -66,7 +68,8 @@ def section(rows: Sequence[Sequence[Cell]], what: str) -> Section:
     Args:
         what: scene or set.
     """
-    blocks: list[Block] = [Bullets([Md(each.format(what=what)) for each in MEANING]), Paragraph(Md(WORDS))]
+    meaning = " ".join(each.format(what=what) for each in MEANING)
+    blocks: list[Block] = [Paragraph(Md(f"{meaning} {WORDS}"), is_small=True)]
     headings = ("check and its command", "result", f"this {what}", "why")
     return Section("Evidence that applies", [*blocks, Table(headings, rows, "llll", stack=True)], "evidence")
 
@@ -76,7 +79,9 @@ def judged(differences: Sequence[Difference]) -> list[Cell]:
     if not differences:
         return [COVERED, ""]
     badge = NOT_COVERED if any(each.in_kind for each in differences) else SIMILAR
-    return [badge, "; ".join(each.reason for each in differences)]
+    told = [each.reason for each in sorted(differences, key=lambda each: not each.in_kind)]
+    more = f"; {len(told) - MOST_TOLD} more numbers outside" if len(told) > MOST_TOLD + 1 else ""
+    return [badge, "; ".join(told[: MOST_TOLD if more else None]) + more]
 
 
 def of_rows(said: Mapping[int, Sequence[Said]]) -> list[tuple[Said, str | None]]:

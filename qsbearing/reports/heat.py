@@ -17,6 +17,23 @@ from qsbearing.results.thermal_report import (
 from qsbearing.systems.heat.state import ThermalState
 
 
+def glance(state: ThermalState | None) -> Section | None:
+    """Of page 1: the temperatures over the speed, with where they run away; None without a heat balance or a curve."""
+    if state is None:
+        return None
+    speeds = speeds_record(state)
+    if not speeds["states"]:
+        return None
+    figure = over_speed(speeds, float(state.speed) / rpm, whole=whole_bearing_record(state), height=LOW)
+    alt = "Temperatures and axial loads of the steady states over speed; the speed of the scene and runaway are marked."
+    caption = "Temperatures and axial load of the steady states over speed"
+    return Section("Temperatures over the speed", [picture(figure, alt, caption)], "temperatures")
+
+
+LOW = 3.4
+"""Height of that picture [inches]."""
+
+
 def sections(solution: SolutionOfCases) -> list[Section]:
     """Of a single case; none without a heat balance."""
     state: ThermalState | None = solution.thermal
@@ -25,11 +42,6 @@ def sections(solution: SolutionOfCases) -> list[Section]:
     speeds, whole = speeds_record(state), whole_bearing_record(state)
     blocks = thermal_tables(thermal_record(solution))
     if speeds["states"]:
-        drawn = picture(
-            over_speed(speeds, float(state.speed) / rpm, whole=whole),
-            "Temperatures and axial loads of the steady states over speed; the speed of the scene is marked.",
-            "Temperatures and axial load of the steady states over speed",
-        )
-        blocks += [drawn, speeds_table(speeds)]
+        blocks.append(speeds_table(speeds))
     said = [speeds["message"], *([] if whole is None else [whole["message"]])]
     return [Section("Heat balance", [*blocks, *map(Paragraph, said)])]

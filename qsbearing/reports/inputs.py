@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Block, Code, Paragraph, RowGroup, Section, Table
+from qsbearing.documents.model import Block, Code, Paragraph, RowGroup, Section
 from qsbearing.files.bearing_table import entry_of
 from qsbearing.files.file_keys import reading_keys
 from qsbearing.files.keys import (
@@ -37,6 +37,7 @@ from qsbearing.model.scene.scene import CHOICES, Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.units import zero_celsius
 from qsbearing.model.validation import printable
+from qsbearing.reports.layout import halves
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.heat.network import Thermal
 
@@ -77,7 +78,7 @@ def section(scene: Scene, source: str, heat: Thermal | None = None) -> Section:
         "All input data, in the units and by the keys of a scene file. A channel of the "
         "ring that is not named carries no load and is free to move."
     )
-    blocks: list[Block] = [Paragraph(words), Table(HEADINGS, rows, "lrll", stack=True)]
+    blocks: list[Block] = [Paragraph(words), halves(HEADINGS, rows, "lrll")]
     return Section("Input", blocks + as_read(source))
 
 

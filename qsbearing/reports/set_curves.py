@@ -13,7 +13,8 @@ from qsbearing.documents.model import Block, Callout, Paragraph, Section
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
-from qsbearing.reports.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
+from qsbearing.reports.curves import LOAD_RANGE, POINTS, SIZE, SPEED_RANGE, finish, mark_stiffness, shown
+from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.preload_limits import (
     MOST,
@@ -43,10 +44,20 @@ NOTHING = "The shaft does not move,\nand no load holds it."
 CURVES = "axial load and maximum pressure of each row, displacement and stiffness of the shaft"
 
 
-def section(of: BearingSet, limits: Limits) -> Section:
+def over_speed(of: BearingSet) -> Swept | None:
+    """The set at other speeds; None where nothing depends on the speed."""
+    own = float(np.asarray(of.operation.speed))
+    if own == 0.0 or not depends_on_speed(of):
+        return None
+    speeds = own * np.linspace(*SPEED_RANGE, POINTS)
+    return Swept(solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={})), speeds, own)
+
+
+def section(of: BearingSet, limits: Limits, swept: Swept | None) -> Section:
     """The sweeps that there are; what cannot be varied is said.
 
     Args:
+        swept: as `over_speed` has it.
         limits: of the set's preload, to be marked.
     """
     speeds, loads = limits
@@ -54,19 +65,16 @@ def section(of: BearingSet, limits: Limits) -> Section:
         "All other inputs are those of the operating point, temperatures among them. Dashed red lines mark "
         "where a row loses its preload, has too much of it or regains it. Points without a solution are left out."
     )
-    blocks = [Paragraph(words), *_speed(of, speeds), *_load(of, loads), *_preload(of)]
+    blocks = [Paragraph(words), *_speed(of, swept, speeds), *_load(of, loads), *_preload(of)]
     return Section("Around the operating point", blocks, "curves")
 
 
-def _speed(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
-    own = float(np.asarray(of.operation.speed))
-    if own == 0.0 or not depends_on_speed(of):
+def _speed(of: BearingSet, swept: Swept | None, changes: Sequence[StateChange]) -> list[Block]:
+    if swept is None:
         return [Callout("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
-    speeds = own * np.linspace(*SPEED_RANGE, POINTS)
-    swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
-    marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
-    figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
-    return shown(swept, figure, "the speed of the shaft", CURVES, speed_sentences(of, changes))
+    marks = [(np.sign(swept.own) * each.value / rpm, _what(each)) for each in changes]
+    figure = _figure(swept.solution, swept.speeds / rpm, swept.own / rpm, "shaft, rpm", marks)
+    return shown(swept.solution, figure, "the speed of the shaft", CURVES, speed_sentences(of, changes))
 
 
 def _load(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
@@ -109,8 +117,8 @@ def _what(change: StateChange) -> str:
 
 
 def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: Sequence[Mark]) -> Figure:
-    figure = figure_of_size(9.0, 4.4)
-    panels = list(figure.subplots(2, 2).ravel())
+    figure = figure_of_size(*SIZE)
+    panels = list(figure.subplots(1, 4))
     loads, pressures, displacement, stiffness = panels
     solved = np.asarray(swept.converged)
     for number, (row, (colour, line)) in enumerate(zip(swept.rows, _lines(len(swept.rows)), strict=True)):
@@ -121,8 +129,8 @@ def _figure(swept: SetSolution, along: NDArray, own: float, label: str, marks: S
         pressures.plot(along, np.where(solved, greatest, np.nan) / MPa, **style)
     answer = _answer(displacement, along, swept)
     mark_stiffness(stiffness, along, swept.locked_stiffness, solved)
-    names = ("axial load of each row, N", "maximum pressure of each row, MPa", answer)
-    finish(panels, (*names, "locked stiffness of the shaft, N/µm"), own, label)
+    names = ("axial load of rows, N", "max. pressure of rows, MPa", answer)
+    finish(panels, (*names, "locked stiffness, N/µm"), own, label)
     if not displacement.lines[:-1]:  # all but the line of the operating point
         displacement.clear()
         displacement.set_axis_off()

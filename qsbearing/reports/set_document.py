@@ -7,59 +7,66 @@ from collections.abc import Sequence
 import numpy as np
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Bullets, Document, Section
+from qsbearing.documents.model import Block, Bullets, Columns, Document, Section
+from qsbearing.files.file_keys import BALL_TABLES, ShownBalls
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.units import mm, rpm
-from qsbearing.pictures import contact_angles, contact_ellipses, deformed_shaft, load_distribution
+from qsbearing.pictures import contact_angles, contact_ellipses
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
-from qsbearing.reports.front import head, made_with
+from qsbearing.reports.facts import facts_of_set
+from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
+from qsbearing.reports.layout import in_pairs
+from qsbearing.reports.yields import what_yields
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
 from qsbearing.results.requirements import answered
-from qsbearing.results.set_key_results import key_results_of_set
+from qsbearing.results.set_key_results import rows_table
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.preload_limits import Limits, limits, preload_summary
 from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def document(solution: SetSolution, source: str, command: str) -> Document:
+def document(solution: SetSolution, source: str, command: str, of_all: OfAllPoints | None = None) -> Document:
     """The whole report of one solved case of a set.
 
     Args:
         solution: of a single case, converged.
         source: the text of the set's file.
         command: that makes this report.
+        of_all: where the case is one point of a load spectrum.
     """
     of, report_of = solution.set, inputs.document(source).get("report", {})
     readings = all_taken(solution)
     changes, checks = limits(of), evidence.statements(solution.rows, of)
     _, effect_rows = explain_set(of, DEFAULT_ACCURACY)
+    said, swept = every_remark(solution, readings), set_curves.over_speed(of)
+    hot = heat.sections(solution)
+    page_one = front(
+        report_of, answered(solution, readings), said, heat.glance(solution.thermal) or glance(solution),
+        [what_yields(solution), effects.left_out(effect_rows, DEFAULT_ACCURACY)], None if hot else swept,
+        facts_of_set(solution, readings), evidence.in_short(checks), solution, of_all,
+    )  # fmt: skip
     return Document(
         report_of.get("title", f"{of.name or 'Bearing set'}, {of.arrangement}"),
         "Design report of a set",
         [
+            remarks(said, of_all),
             _results(solution, readings, changes),
-            *heat.sections(solution),
-            *(_row(solution, number, of_row) for number, of_row in enumerate(readings)),
-            set_curves.section(of, changes),
+            *hot,
+            *_rows(solution, readings, report_of.get(BALL_TABLES) == ShownBalls.EACH),
+            set_curves.section(of, changes, swept),
             effects.section_of_set(solution, effect_rows),
             set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
             evidence.section(checks, "set"),
             made_with(solution.message(), command),
         ],
         _summary(solution),
-        head(
-            report_of,
-            answered(solution, readings),
-            every_remark(solution, readings),
-            key_results_of_set(solution, readings),
-            [*effects.is_right(effect_rows, DEFAULT_ACCURACY), evidence.in_short(checks)],
-            solution,
-        ),
+        page_one,
+        has_front_page=True,
     )
 
 
@@ -81,50 +88,50 @@ def _name(solution: SetSolution, number: int) -> str:
     return capital(row_name(solution.set.rows[number], number))
 
 
-def _shaft(solution: SetSolution) -> list[Block]:
-    """The shaft as it bends; none without one."""
-    if solution.set.shaft is None or not solution.set.shaft.sections:
-        return []
-    return [
-        picture(
-            deformed_shaft(solution),
-            "The shaft's outline as drawn and as it bends, with bearings, loads and named points.",
-            "The shaft as drawn (grey) and as it bends (black), the deflection enlarged by the factor in its title",
-        )
-    ]
-
-
 def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limits) -> Section:
-    drawn: list[Block] = [
-        picture(
-            load_distribution(solution),
-            "Polar pictures of the contact loads of all balls around the bearing, one for each row.",
-            "Contact load of each ball around the bearing, for each row, all to one scale",
-        ),
-        picture(
-            contact_angles(solution),
-            "Both contact angles of every ball by its azimuth, for each row.",
-            "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
-        ),
-    ]
-    tables = set_report.tables(solution, readings)
+    """Tables, and what page 1 does not show."""
+    tables = [rows_table(solution, readings), *set_report.tables(solution, readings)]
+    drawn = [glance(solution).blocks[0]] if solution.thermal is not None else []
+    angles = picture(
+        contact_angles(solution),
+        "Both contact angles of every ball by its azimuth, for each row.",
+        "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
+    )
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
-        Section("Load distribution", drawn),
+        Section("Load distribution", [*drawn, angles]),
     ]
-    return Section("Results", [*_shaft(solution), *tables, *parts])
+    return Section("Results", [*in_pairs(tables), *parts])
 
 
-def _row(solution: SetSolution, number: int, readings: Readings) -> Section:
+def _rows(solution: SetSolution, readings: Sequence[Readings], is_each_ball: bool) -> list[Section]:
+    """What rows have besides their lines in the table of rows; nothing where none has anything."""
+    sections = [part for n, of_row in enumerate(readings) for part in _row(solution, n, of_row, is_each_ball)]
+    if not sections:
+        return []
+    pairs = [sections] if is_each_ball else [sections[n : n + 2] for n in range(0, len(sections), 2)]
+    blocks: list[Block] = []
+    for pair in pairs:
+        blocks += pair if is_each_ball or len(pair) == 1 else [Columns([[each] for each in pair])]
+    return [Section("Rows", blocks)]
+
+
+def _row(solution: SetSolution, number: int, readings: Readings, is_each_ball: bool) -> list[Section]:
+    """What a row has besides its line in the table of rows: its rings, what was read off, and its balls where they are
+    asked for; nothing of a row that has none of these."""
     row = solution.rows[number]
     heat = None if solution.thermal is None else solution.thermal.thermal
-    drawn = picture(
-        contact_ellipses(row),
-        f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
-        f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it carries",
-    )
-    return Section(
-        _name(solution, number),
-        [*report.tables_of_balls(row, heat), drawn, *readings_tables(readings, row.scene)],
-        f"row-{number + 1}",
-    )
+    blocks: list[Block] = [*(report.tables_of_balls if is_each_ball else report.tables_of_rings)(row, heat)]
+    if is_each_ball:
+        blocks.append(
+            picture(
+                contact_ellipses(row),
+                f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
+                f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it "
+                "carries",
+            )
+        )
+    blocks += readings_tables(readings, row.scene)
+    if not blocks:
+        return []
+    return [Section(_name(solution, number), in_pairs(blocks) if is_each_ball else blocks, f"row-{number + 1}")]

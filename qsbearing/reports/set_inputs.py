@@ -27,6 +27,7 @@ from qsbearing.reports.inputs import (
     reading_lines,
     thermal_groups,
 )
+from qsbearing.reports.layout import halves
 from qsbearing.systems.heat.network import Thermal
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.row import Row
@@ -69,7 +70,7 @@ def section(of: BearingSet, source: str, heat: Thermal | None = None) -> Section
     blocks: list[Block] = [
         _rows(of),
         Paragraph(words),
-        Table(("key of the file", "value", "unit", "from"), rows, "lrll", stack=True),
+        halves(("key of the file", "value", "unit", "from"), rows, "lrll"),
     ]
     return Section("Input", blocks + as_read(source))
 

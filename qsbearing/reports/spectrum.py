@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.documents.model import Block, Callout, Document, Paragraph, Table
+from qsbearing.documents.model import Callout, Document, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
@@ -17,7 +17,8 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.reports import document as of_scene
 from qsbearing.reports import set_document
-from qsbearing.reports.verdict import of_requirements
+from qsbearing.reports.answers_table import required_first
+from qsbearing.reports.front import OfAllPoints
 from qsbearing.results.readings_record import all_taken, taken
 from qsbearing.results.requirements import required_answers
 from qsbearing.results.set_spectrum_report import set_spectrum_result
@@ -52,32 +53,21 @@ def document(
     worst = int(np.argmax(damage))
     point = point_of(replace(requested, require=()), worst)  # what is required holds of all points
     solved = solve(point)
-    whole = (
-        of_scene.document(solved, point, source, command)
-        if isinstance(point, Scene)
-        else set_document.document(solved, source, command)
-    )
     part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(readings) > 1 else "")
-    which = f"All results below are those of point {worst + 1}, which does {part}, more than any other point."
+    which = f"All that follows is of point {worst + 1}, which does {part}, more than any other point."
     lives = [Callout(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
-    points, warned = ([each for each in blocks if isinstance(each, kind)] for kind in (Table, Callout))
-    first, second, *_ = (number for number, each in enumerate(whole.head) if isinstance(each, Callout))
-    # Warnings of all points in the place of those of one.
-    rest: list[Block] = [each for each in whole.head[second:] if not isinstance(each, Callout)]
+    points = [each for each in blocks if isinstance(each, Table)]
+    warned = [each for each in blocks if isinstance(each, Callout)]
+    of_all = OfAllPoints(required_first(required, solution), [*lives, *points, Paragraph(which)], warned)
+    whole = (
+        of_scene.document(solved, point, source, command, of_all)
+        if isinstance(point, Scene)
+        else set_document.document(solved, source, command, of_all)
+    )
     return replace(
         whole,
         summary=f"Life under a spectrum of {damage.size} operating points; loads, angles, contacts and stiffness at "
         "the point that does most damage, by the quasi-static model of Jones and Harris.",
-        head=[
-            *whole.head[:first],
-            *of_requirements(required, solution),
-            *lives,
-            *points,
-            Paragraph(which),
-            *whole.head[first:second],
-            *warned,
-            *rest,
-        ],
     )
 
 

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 
-from qsbearing.documents.model import Block, Callout
+from qsbearing.documents.model import Callout
 from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.remark import Remark, row_name
 from qsbearing.remarks.wording import capital, listed
-from qsbearing.results.requirements import blocks, headline, numbers_of
+from qsbearing.results.requirements import headline, numbers_of
 
 THEN = {
     Severity.WRONG_MODEL: "Read the warnings before using any number.",
@@ -37,6 +36,7 @@ def verdict(
     worst = min((each.kind.severity for each in said), default=Severity.GOOD_TO_KNOW)
     beyond = [each for each in every if each.state is Standing.NOT_MET]
     doubts = [each.limit.doubt for each in every if each.limit.doubt]
+    closest = ""
     if beyond:
         first = " ".join(
             f"{capital(listed(_of_limit(one, rows) for one in each))}: "
@@ -47,21 +47,20 @@ def verdict(
         first = "The model does not describe this case."
     else:
         nearest = max(every, key=lambda each: np.nan_to_num(each.used, nan=-1.0))
-        first = f"Within every limit that was checked; the closest is {_of_limit(nearest, rows)}."
-    text = " ".join(filter(None, (headline(required) if required else "", first, *doubts, THEN[worst])))
+        first, closest = "Within every limit that was checked.", f"The closest is {_of_limit(nearest, rows)}."
+    sentences = list(filter(None, (headline(required) if required else "", first, closest, *doubts, THEN[worst])))
     states = {each.state for each in required}
     is_bad = any(each.unless is None for each in beyond) or worst is Severity.WRONG_MODEL or Standing.NOT_MET in states
     is_good = not beyond and not doubts and worst is Severity.GOOD_TO_KNOW and states <= {Standing.MET}
-    return Callout(text, "fail" if is_bad else "pass" if is_good else "warning")
+    status = "fail" if is_bad else "pass" if is_good else "warning"
+    return Callout(" ".join(sentences), status, sentences[0])
 
 
-def of_requirements(required: Sequence[Answer], solution: Any) -> list[Block]:
-    """The answers to what is required alone, with their verdict; nothing where nothing is required."""
-    if not required:
-        return []
+def of_requirements(required: Sequence[Answer]) -> Callout:
+    """How many of what is required are met."""
     states = {each.state for each in required}
     status = "fail" if Standing.NOT_MET in states else "warning" if Standing.OPEN in states else "pass"
-    return [Callout(headline(required), status), *blocks(required, solution)[1:]]
+    return Callout(headline(required), status, headline(required))
 
 
 def unless(answer: Answer) -> str:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.documents.model import Facts, Table
+from qsbearing.documents.model import Facts
+from qsbearing.documents.numbers import that_matter
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.groups import (
     ANGLE,
@@ -34,7 +35,6 @@ from qsbearing.results.report import freedom
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
 
-HEADINGS = ("key result", "value")
 FROM_MIDDLE = Place(OF_MIDDLE, OF_MIDDLE.results[0])
 NOISE = 1e-10
 """Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
@@ -78,11 +78,6 @@ class KeyResult(NamedTuple):
         """Of a table."""
         name = f"{self.name}, {self.condition}" if self.condition else self.name
         return name, ": ".join(filter(None, (", ".join(part.text for part in self.parts), self.note)))
-
-
-def key_results(solution: Solution, readings: Mapping[str, Any]) -> Table:
-    """Those of a single case, as `results_of` has them."""
-    return Table(HEADINGS, [each.line for each in results_of(solution, readings)], "ll")
 
 
 def results_of(solution: Solution, readings: Mapping[str, Any]) -> list[KeyResult]:
@@ -252,4 +247,6 @@ def number_of_life(name: str, life: Any) -> KeyNumber:
 
 def _number(value: float, digits: int = 4) -> str:
     """So many digits, without an exponent where it is long."""
+    if digits == 3:
+        return that_matter(value)
     return f"{value:.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"

@@ -91,6 +91,11 @@ def tables_of_balls(solution: Solution, thermal_of: Thermal | None = None) -> li
     return [*_expansion(solution, of_case), *_of_balls(solution, of_case)]
 
 
+def tables_of_rings(solution: Solution, thermal_of: Thermal | None = None) -> list[Table]:
+    """Those of them that are not of its balls: lengths in operation, rings, temperatures."""
+    return _expansion(solution, record(solution, {}, (), thermal_of, ()))
+
+
 def _tables(solution: Solution, record: dict[str, Any]) -> list[Table]:
     tables = [
         channels_table("Inner ring", solution, record),

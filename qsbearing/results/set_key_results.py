@@ -14,7 +14,6 @@ from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.results.key_results import (
-    HEADINGS,
     KeyNumber,
     KeyResult,
     angles_of,
@@ -40,16 +39,6 @@ OF_EACH_ROW = (
 LOAD_OF_ROW = Place(AXIAL_LOAD, AXIAL_LOAD.results[0])
 IN_OPERATION_OF_ROW = Place(PRELOAD, next(each for each in PRELOAD.results if each.name == "in_operation"))
 MOUNTED_OF_ROW = Place(PRELOAD, next(each for each in PRELOAD.results if each.name == "mounted"))
-
-
-def key_results_of_set(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[Table]:
-    """Those of a single case of a set: of the shaft, and of each row.
-
-    Args:
-        readings: what each row was asked to be read off, by name.
-    """
-    lines = [each.line for each in results_of_shaft(solution, readings)]
-    return [Table(HEADINGS, lines, "ll"), _rows_table(solution, readings)]
 
 
 def results_of_shaft(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
@@ -99,7 +88,7 @@ def results_of_row(solution: SetSolution, number: int, readings: Mapping[str, An
     return [*lines, *contact_lines(solution.rows[number]), *life_lines(readings)]
 
 
-def _rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
+def rows_table(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> Table:
     """A line for each row; what no row has is left out."""
     rows: list[dict[str, str]] = []
     for number, (row, of_row) in enumerate(zip(solution.rows, readings, strict=True)):

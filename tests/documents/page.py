@@ -26,6 +26,10 @@ class Page(HTMLParser):
     tables: list[list[list[str]]] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
     text: str = ""
+    facts: list[tuple[str, str]] = field(default_factory=list)
+    """Names and what they are."""
+    notes: list[tuple[str, str]] = field(default_factory=list)
+    """Below tables: marks and what they say."""
     beside: frozenset[str] = frozenset()
     """Files of the same folder that it may lead to and load."""
 
@@ -90,7 +94,19 @@ class Page(HTMLParser):
         data = data.replace("\N{NO-BREAK SPACE}", " ").replace(
             "\N{WORD JOINER}", ""
         )  # they keep a quantity on one line
+        data = data.replace("\N{MINUS SIGN}", "-")  # as programs read numbers
         self.text += data
+        if "li" in self._open and self._open[-1] == "b":
+            self.notes.append((data, ""))
+        elif self._open[-1] == "li" and self.notes:
+            mark, known = self.notes[-1]
+            self.notes[-1] = mark, (known + data).strip()
+        if self._open[-1] in ("dt", "dd"):
+            if self._open[-1] == "dt":
+                self.facts.append((data, ""))
+            else:
+                name, known = self.facts[-1]
+                self.facts[-1] = name, known + data
         if self.headings and re.search(r"h[1-6]", " ".join(self._open)):
             level, text = self.headings[-1]
             self.headings[-1] = (level, text + data)

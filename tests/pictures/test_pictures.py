@@ -28,8 +28,8 @@ from qsbearing.pictures.style import (  # noqa: E402
     CHANNEL_LINES,
     ROW_LINES,
     STYLE,
+    circle_beyond,
     figure_of_size,
-    label_circles,
     legend,
     legend_within,
     logarithmic,
@@ -302,7 +302,9 @@ def test_a_set_has_a_panel_for_each_row_to_one_scale() -> None:
             assert len(figure.axes) == count
             assert len({axes.get_ylim() for axes in figure.axes}) == 1
             for number, (axes, row) in enumerate(zip(figure.axes, solution.rows, strict=True), 1):
-                assert axes.get_title().startswith(f"Row {number} ({of.rows[number - 1].bearing.name}, carries")
+                name = of.rows[number - 1].bearing.name
+                is_flat = draw is pictures.contact_angles and count > 3
+                assert axes.get_title().startswith(f"Row {number}, " if is_flat else f"Row {number} ({name}, carries")
                 lines = {line.get_label(): line for line in axes.get_lines()}
                 for side in ("inner", "outer"):
                     drawn = np.unique(np.round(lines[f"{side} raceway"].get_ydata(), 9))
@@ -325,8 +327,9 @@ def test_no_label_of_a_circle_touches_a_mark(tmp_path: Path) -> None:
     solution = qs.solve_set(qs.load_set(tmp_path / "bent.toml"))
     for figure in (pictures.overview(solution), pictures.load_distribution(solution)):
         figure.canvas.draw()
-        for axes in (each for each in figure.axes if each.name == "polar"):
-            assert axes.texts, "the scale can be read"
+        polar = [each for each in figure.axes if each.name == "polar"]
+        assert polar[0].texts, "the scale can be read"
+        for axes in polar:
             marks = np.vstack([axes.transData.transform(line.get_xydata()) for line in axes.lines])
             for label in axes.texts:
                 box = label.get_window_extent()
@@ -341,19 +344,30 @@ def test_a_spindle_s_sheet_begins_with_its_shaft_and_fits_a_screen() -> None:
     figure.canvas.draw()
     assert figure.get_size_inches()[1] * figure.dpi <= 1400
     by_height = sorted(figure.axes, key=lambda axes: -axes.get_position().y1)
-    assert [axes.get_title().split()[0] for axes in by_height] == ["Shaft"] * 2 + ["Row"] * 8
+    assert [axes.get_title().split()[0] for axes in by_height] == ["Plane"] * 2 + ["Row"] * 8
+    assert len({axes.get_title().partition(":")[2] for axes in by_height[:2]}) == 1, "one magnification of a figure"
     for axes in by_height[:2]:
         for words in axes.texts:
             assert axes.bbox.y0 <= words.get_window_extent().y0 and words.get_window_extent().y1 <= axes.bbox.y1
 
 
-@pytest.mark.parametrize("top", [1.0, 11.9, 406.0, 2.2e3, 7.1e-3])
-def test_a_polar_picture_has_three_circles(top: float) -> None:
-    axes = figure_of_size(3.0, 3.0).add_subplot(projection="polar")
-    axes.set_ylim(0.0, top)
-    azimuth = np.linspace(0.0, 6.0, 7)
-    label_circles(axes, azimuth, [np.full(7, 0.9 * top)], top)
-    assert 3 <= len(axes.yaxis.get_ticklocs()) <= 8
+@pytest.mark.parametrize("largest", [0.0, 1.0, 11.9, 406.0, 2.2e3, 7.1e-3, 9.99e4])
+def test_the_circle_of_a_polar_picture_is_a_round_number_just_beyond_its_curves(largest: float) -> None:
+    circle = circle_beyond(largest)
+    assert largest < circle and (circle <= 1.4 * largest or largest == 0.0)
+    assert float(f"{circle:.2g}") == circle
+
+
+def test_one_circle_is_labelled_on_a_sheet_of_one_scale() -> None:
+    """All rows to one scale, whose value stands once."""
+    rows = (qs.Row(b218(), 0.0, "+x"), qs.Row(b218(), 60 * qs.mm, "-x"))
+    solution = qs.solve_set(qs.BearingSet(rows, COMBINED, preload=qs.Preload(rigid=1500.0)))
+    for draw in (pictures.load_distribution, pictures.under_load):
+        figure = draw(solution)
+        polar = [axes for axes in figure.axes if axes.name == "polar"]
+        assert len(polar) == 2 and len({axes.get_ylim() for axes in polar}) == 1
+        (label,) = (text.get_text() for axes in polar for text in axes.texts)
+        assert label == f"{polar[0].get_ylim()[1]:g} N"
 
 
 def test_logarithmic_axes_show_numbers_not_powers() -> None:

@@ -6,18 +6,19 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.documents.model import LONGEST_BAR, Bar, Paragraph, Table
 from qsbearing.files.scene_file import scene_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.solution.limit import Answer, Standing
-from qsbearing.pictures import margins as picture
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
+from qsbearing.reports.answers_table import answers_table
 from qsbearing.reports.verdict import verdict
 from qsbearing.results.built_in_limits import BUILT_IN, built_in_answers
+from qsbearing.results.requirements import Answered
 from tests.systems.heat.spindle import BEARING, EFFECTS, scene, tables
 
 B218 = qs.load_scene("B218").bearing
@@ -103,7 +104,7 @@ def test_the_row_that_is_closest_stands_for_its_set() -> None:
 @pytest.mark.parametrize(
     ("load", "said", "status", "words"),
     [
-        (20_000.0, (), "pass", ("Within every limit that was checked; the closest is contact pressure", "%)")),
+        (20_000.0, (), "pass", ("Within every limit that was checked.", "The closest is contact pressure", "%)")),
         (20_000.0, ("balls_sparse",), "warning", ("Within every limit that was checked", "Check the data")),
         (20_000.0, ("stiffness_undetermined",), "fail", ("The model does not describe this case.",)),
         (2e6, (), "fail", ("Contact pressure", "beyond the limit.")),
@@ -188,18 +189,23 @@ def test_a_speed_that_only_a_lower_bound_of_the_heat_judges_does_not_pass() -> N
 
 
 def test_bars_end_where_their_limit_is_used_up() -> None:
-    """And below them stand the loads of the balls, where these differ."""
-    alike, apart = (
-        qs.solve(qs.Scene(B218, qs.Operation(axial_load=5_000.0, radial_load_y=load, tilt_y=0.0, tilt_z=0.0)))
-        for load in (0.0, 2_000.0)
-    )
-    bars = [picture.Bar("a", 0.4, "4 of 10"), picture.Bar("b", 30.0, "300 of 10")]
-    assert len(picture.margins(bars, alike).axes) == 1
-    above, below = picture.margins(bars, apart).axes
-    colours = [
-        patch.get_facecolor() for patch in picture.margins([*bars, bars[0]._replace(is_open=True)]).axes[0].patches
-    ]
-    assert len({*colours[3:]}) == 3, "met, beyond, open"
-    np.testing.assert_allclose([each.get_width() for each in above.patches], [1.25, 1.25, 0.4, 1.25])
-    heights = [each.get_height() for each in below.patches]
-    np.testing.assert_allclose(heights, np.concatenate([apart.inner.load, apart.outer.load]))
+    """With the mark of the limit inside; beyond it the number tells, and their colour is that of the answer."""
+    pressure, friction = list(every_answer().values())[:2]
+    over = with_value(friction, 30.0 * friction.bound)
+    answers = Answered([], [pressure, over])
+    table = next(each for each in answers_table(answers, None) if isinstance(each, Table))
+    bars = [each for row in table.rows for each in row if isinstance(each, Bar)]  # type: ignore[union-attr]
+    assert [each.status for each in bars] == ["pass", "fail"]
+    assert bars[0].length == pytest.approx(pressure.used / LONGEST_BAR)
+    assert bars[1].length == 1.0 and bars[1].word == "3000 %"
+    assert Bar(float("nan")).length == 0.0 and Bar(float("inf")).word == "-"
+
+
+def test_limits_are_listed_with_their_sources_and_what_was_not_checked_by_name() -> None:
+    every = every_answer()
+    built_in = [each for name, each in every.items() if name != "preload"]
+    table, small = answers_table(Answered([], built_in), None)
+    assert isinstance(table, Table) and isinstance(small, Paragraph)
+    assert [str(row[0]).partition(",")[0].lower() for row in table.rows] == [each.limit.name for each in built_in]  # type: ignore[index]
+    assert all(each.limit.source in small.text for each in built_in)
+    assert "Not checked: preload." in small.text and "life" in small.text

@@ -78,11 +78,12 @@ def b218(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_pictures_by_azimuth_only_where_balls_differ(spindle: Path, b218: Path) -> None:
     """A section in any report; of a bearing under thrust alone no circles and level lines."""
-    heads = "Section through", "Contact loads by the azimuth", "Contact angles by azimuth", "Contact ellipses"
-    for path, shown in ((spindle / "out", (1, 1, 1, 1)), (b218, (1, 0, 0, 1))):
+    heads = "Contact angles by azimuth", "Contact ellipses"
+    for path, shown in ((spindle / "out", (1, 1)), (b218, (0, 0))):
         (page,) = path.glob("*.html")
         text = page.read_text(encoding="utf-8")
         assert tuple(len(re.findall(f"<figcaption[^>]*>{head}", text)) for head in heads) == shown
+        assert len(re.findall('aria-label="Section through the ball that carries most', text)) == 1, "of page 1"
 
 
 @cache
@@ -92,9 +93,14 @@ def page_of(folder: Path, name: str) -> Page:
 
 
 def input_of(folder: Path, name: str) -> dict[str, list[str]]:
-    """The rows of the Input table by their keys: value, unit, source."""
+    """The rows of the Input tables by their keys: value, unit, source; a source that stands below is put back."""
+    page = page_of(folder, name)
+    notes = dict(page.notes)
     return {
-        row[0]: row[1:] for row in next(t for t in page_of(folder, name).tables if t[0][0] == "key of a scene file")
+        row[0]: [notes.get(each, each) for each in row[1:]]
+        for table in page.tables
+        if table[0][0] == "key of a scene file"
+        for row in table
     }
 
 
@@ -228,8 +234,12 @@ def test_estimates_are_told_from_what_was_solved(unequal: Path, spindle: Path) -
 
 
 def value_of(folder: Path, name: str) -> dict[str, str]:
-    """The key results of a report."""
-    return dict(next(t for t in page_of(folder, name).tables if t[0] == ["key result", "value"])[1:])
+    """The numbers of page 1."""
+    return dict(page_of(folder, name).facts)
+
+
+DIGITS = 5e-3
+"""Half of the last of three digits, at most."""
 
 
 def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp_path: Path) -> None:
@@ -242,33 +252,35 @@ def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp
 
     sides = (solution.inner, solution.outer)
     pressures = [side.max_pressure.max() / qs.MPa for side in sides]
-    assert numbers("maximum contact pressure") == pytest.approx(pressures, rel=1e-3)
-    assert numbers("maximum contact load") == pytest.approx([side.load.max() for side in sides], rel=1e-3)
+    assert numbers("maximum contact pressure") == pytest.approx(pressures, rel=DIGITS)
+    assert numbers("maximum contact load") == pytest.approx([side.load.max() for side in sides], rel=DIGITS)
     angles = [end / qs.deg for side in sides for end in (side.angle.min(), side.angle.max())]
     assert numbers("contact angles") == pytest.approx(angles, abs=0.051)
     moved = solution.displacement[:3] / qs.um
-    assert numbers("displacement of the inner ring") == pytest.approx(moved, rel=1e-3)
+    assert numbers("displacement of the inner ring") == pytest.approx(moved, rel=DIGITS)
     assert "tilt" not in found["displacement of the inner ring"], "tilts are given"
     stiffness = solution.effective_stiffness[:3] * qs.um
     free = "free: axial, radial y, radial z; displacement given: tilt y, tilt z"
-    assert numbers(f"effective stiffness, {free}") == pytest.approx(stiffness, rel=1e-3)
+    assert numbers("effective stiffness") == pytest.approx(stiffness, rel=DIGITS)
     assert f"Stiffness ({free})" in page_of(unequal, "unequal").text
     assert numbers("required friction coefficient")[1] == pytest.approx(
         solution.outer.required_friction.max(), rel=0.05
     )
-    assert numbers("load where a displacement is given") == pytest.approx(solution.load[3:], rel=1e-3)
+    assert numbers("load where a displacement is given") == pytest.approx(solution.load[3:], rel=DIGITS)
     assert "life" not in " ".join(found)
 
     found = value_of(spindle / "out", "spindle")
     life = take_asked(qs.solve(qs.load_scene(spindle / "Spindle.toml")))["life"]
-    assert numbers("basic reference rating life")[0] == pytest.approx(life.basic_reference_rating_life / 1e6, rel=1e-3)
+    assert numbers("basic reference rating life")[0] == pytest.approx(
+        life.basic_reference_rating_life / 1e6, rel=DIGITS
+    )
     assert numbers("preload")[0] == pytest.approx(800.0)
     # Basic first; then with a1, which is all that the scene asks for.
-    assert numbers("basic reference rating life")[1] == pytest.approx(life.basic_duration / 3600.0, rel=1e-3)
+    assert numbers("basic reference rating life")[1] == pytest.approx(life.basic_duration / 3600.0, rel=DIGITS)
     names = [name for name in found if "reference rating life" in name]
     assert names == ["basic reference rating life", "modified reference rating life"]
     modified = numbers("modified reference rating life")
-    assert modified[:2] == pytest.approx([life.reference_rating_life / 1e6, life.duration / 3600.0], rel=1e-3)
+    assert modified[:2] == pytest.approx([life.reference_rating_life / 1e6, life.duration / 3600.0], rel=DIGITS)
     assert found[names[1]].endswith("h: a1 0.64")
 
 
@@ -306,12 +318,16 @@ def test_warnings_stand_in_full_before_the_contents_end(spindle: Path) -> None:
     )
 
 
+FRONT = ["How it stands under load", "What the model leaves out", "In numbers", "Over the speed"]
+"""Of page 1 of a bearing that turns."""
+
+
 def test_what_a_scene_asks_for_is_there_and_nothing_else(spindle: Path, b218: Path) -> None:
     asked = page_of(spindle / "out", "spindle")
     titles = [text.removesuffix(" #") for _, text in asked.headings]
     assert titles == [
-        "7210C, modified", "Results", "Pictures", "Readings", "Around the operating point", "Assumptions and effects",
-        "Input", "Evidence that applies", "Made with",
+        "7210C, modified", *FRONT, "Remarks", "Results", "Pictures", "Readings", "Around the operating point",
+        "Assumptions and effects", "Input", "Evidence that applies", "Made with",
     ]  # fmt: skip
     assert "basic reference rating life" in asked.text
     assert "Ball-pass frequencies" in asked.text
@@ -416,7 +432,7 @@ def test_a_browser_has_nothing_to_complain_of(spindle: Path) -> None:
         rows += "e => [e.className, ...['left', 'top', 'right', 'bottom'].map(k => e.getBoundingClientRect()[k])]))"
         placed = [[each for each in row if each[1] != each[3]] for row in browser.value(rows)]
         below = [row for row in placed if row[-1][2] >= row[0][4]]
-        assert len(below) > 20, "cells are below their row's first where there is no room beside it"
+        assert len(below) > 10, "cells are below their row's first where there is no room beside it"
         named = [(row[0], each) for row in placed for each in row if each[0] == "verdict"]
         assert len(named) > 10
         for name, verdict in named:
@@ -496,4 +512,6 @@ def test_elastic_rings_are_drawn_and_what_they_touch_has_its_key(tmp_path: Path)
     (tmp_path / "elastic.toml").write_text(ELASTIC)
     assert call(str(tmp_path / "elastic.toml"), "--out", str(tmp_path)).exit_code == 0
     assert input_of(tmp_path, "elastic")["elastic_rings.inner.shaft"][0] == "solid"
-    assert "Grooves of the elastic rings around the bearing" in page_of(tmp_path, "elastic").text
+    page = (tmp_path / "elastic_report.html").read_text(encoding="utf-8")
+    assert "beside it the grooves of the elastic rings" in page, "of page 1"
+    assert "Contact loads by the azimuth" in page_of(tmp_path, "elastic").text

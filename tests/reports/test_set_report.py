@@ -17,7 +17,7 @@ from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from qsbearing.cli import cli
-from qsbearing.documents.model import RowGroup, Table
+from qsbearing.documents.model import Columns, RowGroup, Table
 from qsbearing.model.operation import STRAIGHT
 from qsbearing.model.solution.judgement import percent
 from qsbearing.reports import set_curves, set_inputs, statements
@@ -26,6 +26,7 @@ from qsbearing.systems.heat.network import Conductance, Thermal
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
 from tests.drawing import drawing
+from tests.reports.test_report import FRONT
 from tests.systems.sets.arrangements import PAIR_FILE
 
 PAIR = (
@@ -34,6 +35,8 @@ PAIR = (
     )
     + "[readings.life]\n"
 )
+EACH = '[report]\nball_tables = "each"\n'
+"""Asks for tables of every ball."""
 
 TRIPLE = """
 [[rows]]
@@ -72,7 +75,7 @@ spring_N = 450
 ball = ["centrifugal_force", "gyroscopic_moment"]
 raceway_control = "outer"
 """
-SETS = {"pair": PAIR, "triple": TRIPLE}
+SETS = {"pair": PAIR + EACH, "triple": TRIPLE + EACH}
 
 
 def call(*arguments: str) -> Result:
@@ -169,7 +172,7 @@ def test_the_input_names_every_row(folder: Path) -> None:
     (pair,) = tables_with(page_of(folder / "out", "pair"), "carries", "at x, mm")
     assert pair == [["1", "7210C", "+x", "0", ""], ["2", "7210C", "-x", "20", "20"]]  # no offset, no spring
     triple = page_of(folder / "out", "triple")
-    (lines,) = tables_with(triple, "key of the file", "from")
+    lines = [line for table in tables_with(triple, "key of the file", "from") for line in table]
     for expected in (["reference_position_mm", "40", "mm", "as given"], ["spring_N", "450", "N", ""]):
         assert expected in lines
     assert "Row 1: Rings change their size" in triple.text and "Rows 2 and 3: Rings keep the size" in triple.text
@@ -181,9 +184,9 @@ def test_the_input_names_every_row(folder: Path) -> None:
 def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     pair, triple = page_of(folder / "out", "pair"), page_of(folder / "out", "triple")
     assert titles(pair) == [
-        "pair, DB (back to back)", "Results", "Preload", "Load distribution", "Row 1 (7210C, carries +x)",
-        "Row 2 (7210C, carries -x)", "Around the operating point", "Assumptions and effects", "Input",
-        "Evidence that applies", "Made with",
+        "pair, DB (back to back)", *FRONT, "Remarks", "Results", "Preload", "Load distribution", "Rows",
+        "Row 1 (7210C, carries +x)", "Row 2 (7210C, carries -x)", "Around the operating point",
+        "Assumptions and effects", "Input", "Evidence that applies", "Made with",
     ]  # fmt: skip
     solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
     hours = (
@@ -197,6 +200,22 @@ def test_what_a_set_asks_for_is_there_and_nothing_else(folder: Path) -> None:
     assert "Stiffness (free: axial, radial y, radial z, tilt y, tilt z)" in pair.text
     assert triple.text.count("Geometry before loading") == 1  # ring expansion of one row
     assert "Geometry before loading" not in pair.text
+
+
+def test_balls_of_rows_are_listed_only_where_they_are_asked_for(tmp_path: Path) -> None:
+    """Thirty lines that nearly agree are one for each row, with the range over its balls."""
+    page = report_of(tmp_path, PAIR)
+    assert not list(tables_with(page, "angle i deg", "load o N"))
+    (rows,) = tables_with(page, "largest pressure MPa", "contact angles deg")
+    assert len(rows) == 2 and all(" to " in line[-2] for line in rows)
+    assert page.text.count("basic reference rating life in hours") == 2, "what was read off is still there"
+    wrong = call(str(_written(tmp_path, PAIR + EACH.replace("each", "all"))), "--out", str(tmp_path))
+    assert wrong.exit_code == 2 and "is none of the choices\n    One of folded, each" in wrong.stderr
+
+
+def _written(folder: Path, text: str) -> Path:
+    (folder / "wrong.toml").write_text(text)
+    return folder / "wrong.toml"
 
 
 def test_what_is_said_of_several_rows_opens_the_report_once(folder: Path) -> None:
@@ -228,14 +247,14 @@ def test_rows_whose_warnings_differ_in_numbers_share_one_with_their_range() -> N
 def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
     solution = qs.solve_set(qs.load_set(folder / "pair.toml"))
     page = page_of(folder / "out", "pair")
-    (shaft,) = tables_with(page, "key result", "value")
     (rows,) = tables_with(page, "preload mounted N", "largest pressure MPa", "life h")
     x, y = (float(np.asarray(each)) / qs.um for each in solution.displacement[:2])
-    assert dict(shaft)["displacement of the shaft"].startswith(f"axial {x:.4g} µm, radial y {y:.4g} µm")
+    facts = dict(page.facts)
+    assert facts["displacement of the shaft"].startswith(f"axial {x:.3g} µm, radial y {y:.3g} µm")
     hours = (
         qs.system_life([qs.readings.life(row, dynamic_load_rating=47.5e3).duration for row in solution.rows]) / 3600.0
     )
-    assert dict(shaft)["basic life of the set"] == f"{hours:.0f} h"
+    assert facts["basic life of the set"] == f"{float(f'{hours:.3g}'):,.0f} h"
     for number, (row, line) in enumerate(zip(solution.rows, rows, strict=True)):
         assert line[:3] == [
             f"Row {number + 1} (7210C, carries {'+-'[number]}x)",
@@ -313,8 +332,9 @@ def test_the_input_has_points_the_matrix_of_a_housing_and_the_numbers_of_the_hea
         ring_width=0.02,
         friction="skf",
     )
-    (table,) = (each for each in set_inputs.section(of, "", heat).blocks if isinstance(each, Table) and each.stack)
-    lines = {str(row[0]): tuple(row[1:3]) for row in table.rows if not isinstance(row, RowGroup)}
+    (halves,) = (each for each in set_inputs.section(of, "", heat).blocks if isinstance(each, Columns))
+    tables = [table for (table,) in halves.columns if isinstance(table, Table)]
+    lines = {str(row[0]): tuple(row[1:3]) for table in tables for row in table.rows if not isinstance(row, RowGroup)}
     assert lines["tool_mm"] == ("-80", "mm")
     assert lines["matrix_SI, row 4"] == ("0, 0, 0, 400000, 0", "SI")
     assert lines["friction"] == ("skf", "")

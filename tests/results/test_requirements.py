@@ -495,7 +495,7 @@ from qsbearing.reports.of_any import document_of_any
 from qsbearing.studies.chooser.choose_set import solve_any
 of = load_scene_or_set("my.toml")
 solution = solve_any(of)
-head = [type(each).__name__ + str(getattr(each, "alt", each)) for each in document_of_any(solution, of, "", "").head]
+head = [type(each).__name__ + str(each) for each in document_of_any(solution, of, "", "").head]
 done = CliRunner().invoke(cli, ["run", "my.toml", "--json"])
 print(json.dumps([done.stdout, head]))
 """
@@ -519,7 +519,7 @@ def test_a_new_limit_appears_everywhere_with_one_place_edited(tmp_path: Path) ->
     assert (seal["found"], seal["answer"], seal["origin"]) == (pytest.approx(12000.0), "not met", "model")
     callout = next(each for each in head if each.startswith("Callout"))
     assert "Seal, 12,000 of 9000 rpm" in callout and "beyond the limit" in callout
-    assert any("seal 12,000 of 9000 rpm" in each for each in head if each.startswith("Picture"))
+    assert any("'Seal', '12,000 rpm', '≤ 9000'" in each for each in head if each.startswith("Table"))
 
 
 def test_each_built_in_limit_says_what_it_needs() -> None:

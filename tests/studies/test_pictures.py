@@ -17,7 +17,7 @@ from qsbearing.pictures.study.contours import contour_lines
 from qsbearing.pictures.study.labels import Label, head, label_curves, label_of, place_named, title_panel
 from qsbearing.pictures.study.maps import extended_below_zero
 from qsbearing.pictures.study.spread import rank_correlation
-from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, label_places, logarithmic_levels
+from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, logarithmic_levels
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
 
@@ -297,21 +297,6 @@ def test_a_rose_says_what_it_shows_and_in_which_unit(results: dict) -> None:
     figure = picture(results["radial"], kind="rose")
     assert figure.get_supylabel() == "contact load, N"
     assert [axes.get_title() for axes in figure.axes][1] == "radial load y 2000 N"
-
-
-def test_circles_are_labelled_away_from_the_curves() -> None:
-    azimuth = np.radians(np.arange(0.0, 360.0, 22.5))
-    load = np.where(np.cos(azimuth) < 0.0, 1000.0, 1500.0)  # on the circle of 1000 where the load is small
-    angle, labelled = label_places(azimuth, [load], [1000.0, 2000.0], 2200.0)
-    assert np.cos(np.radians(angle)) > 0.0
-    assert labelled == [1000.0, 2000.0]
-
-
-def test_a_circle_close_to_a_curve_all_round_has_no_label() -> None:
-    azimuth = np.radians(np.arange(0.0, 360.0, 22.5))
-    near = np.full(azimuth.size, 980.0)
-    assert label_places(azimuth, [near], [1000.0, 2000.0], 2200.0)[1] == [2000.0]
-    assert label_places(azimuth, [near], [1000.0], 2200.0)[1] == [1000.0], "one label at least"
 
 
 def test_a_preload_is_named_in_the_title() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from qsbearing.pictures.study.labels import key_words, label_ends, label_in, title_panel, value_label, with_unit
 from qsbearing.pictures.study.selection import SAMPLE, PictureError, Selection
-from qsbearing.pictures.style import STYLE, figure_of_size, label_circles, legend, line_style, plain
+from qsbearing.pictures.style import STYLE, circle_beyond, figure_of_size, legend, line_style, plain, scale_circle
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -73,7 +73,8 @@ def draw_roses(chosen: Selection) -> Figure:
     numbers = np.unique(np.linspace(0, count - 1, min(MOST, count)).round().astype(int))
     figure = figure_of_size(2.7 * numbers.size + 0.4, 3.9)
     panels = np.atleast_1d(np.array(figure.subplots(1, numbers.size, subplot_kw={"projection": "polar"}), object))
-    top = 1.08 * max(float(results[f"{side}_load"].isel({chosen.x: numbers}).max()) for side in ("inner", "outer"))
+    shown = results.isel({chosen.x: numbers})
+    top = circle_beyond(max(float(shown[f"{side}_load"].max()) for side in ("inner", "outer")))
     unit = str(results["inner_load"].attrs.get("units", "N"))
     for axes, number in zip(panels, numbers, strict=True):
         point = results.isel({chosen.x: int(number)})
@@ -83,12 +84,8 @@ def draw_roses(chosen: Selection) -> Figure:
             load = point[f"{side}_load"].values[known]
             around = np.append(azimuth[known], azimuth[known][:1])
             axes.plot(around, np.append(load, load[:1]), **line_style(side, load.size) | {"markersize": 3.0})
-        axes.set_ylim(0.0, top)
-        axes.set_thetagrids(range(0, 360, 90), ["y", "z", "", ""], fontsize=8)
-        loads = [point[f"{side}_load"].values[known] for side in ("inner", "outer")]
-        label_circles(axes, azimuth[known], loads, top)
-        axes.tick_params(labelsize=7)
-        axes.grid(color="0.85", linewidth=0.6)
+        scale_circle(axes, top, unit, is_labelled=number == numbers[0])
+        axes.tick_params(labelsize=8, pad=1)
         text = value_label(results[chosen.x], float(results[chosen.x].values[number]))
         text = f"{key_words(results[chosen.x])} {text}"
         axes.set_title(text if (point["status"] == 0) else f"{text}: no solution", fontsize=9)

@@ -248,7 +248,7 @@ def test_points_are_results_of_a_sweep(tmp_path: Path) -> None:
 def test_the_picture_states_its_scale() -> None:
     figure = pictures.deformed_shaft(qs.solve_set(read(SPINDLE)))
     (axes,) = figure.axes
-    assert axes.get_title() == "Shaft in the plane xy: deflection × 2000"
+    assert axes.get_title() == "Plane xy: deflection × 2,000"
     assert any("tool: 5.35 µm" in text.get_text() for text in axes.texts)
     (legend,) = figure.legends
     assert {"deformed shaft", "centre line"} <= {text.get_text() for text in legend.get_texts()}
