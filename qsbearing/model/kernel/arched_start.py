@@ -41,8 +41,9 @@ BALANCED = 1e-13
 """Largest imbalance over the largest load that ends Newton's method."""
 STALLED = 1e-10
 MOST_ITERATIONS, MOST_HALVINGS = 400, 30
-SOFTEST = 1e-10
-"""Stiffness that keeps what nothing touches in its place, over E'D: contacts have some 1e-4 to 1e-1."""
+SOFTNESS, SOFTEST = 1e-6, 1e-12
+"""Stiffness that keeps what nothing touches in its place, over that of a contact under the case's load a ball, about
+Q^(1/3); and the least, over E'D."""
 OWN_ORBIT = 10.0
 """Weight of its kinematic orbit for a ball that no inner arc drives, over its load."""
 
@@ -59,7 +60,7 @@ def set_frozen_orbits(case: recarray, motion: recarray, balls: ndarray) -> None:
 
 
 @kernel
-def press_ball(case: recarray, grooves: ndarray, ball: recarray, a1: float, a2: float) -> float:
+def press_ball(case: recarray, grooves: ndarray, ball: recarray, a1: float, a2: float, soft: float) -> float:
     """Fill a ball's forces in its plane, their slopes and its force on the ring, without friction; its energy."""
     matrix, by_ring, orbit = ball.matrix, ball.by_ring, ball.unknown[ORBIT]
     push: float = BALL_MASS * orbit * orbit * 0.5 * case.pitch_diameter
@@ -69,7 +70,7 @@ def press_ball(case: recarray, grooves: ndarray, ball: recarray, a1: float, a2: 
         for k in range(6):
             matrix[row, k] = 0.0
         by_ring[row, 0], by_ring[row, 1] = 0.0, 0.0
-    matrix[FX, X1], matrix[FZ, X2] = -SOFTEST, -SOFTEST
+    matrix[FX, X1], matrix[FZ, X2] = -soft, -soft
     for row in range(4):
         ball.ring_force[row] = 0.0
         for k in range(2):
@@ -106,13 +107,13 @@ def add_block(of: ndarray, h11: float, h12: float, h22: float) -> None:
 
 
 @kernel
-def press(case: recarray, grooves: ndarray, motion: recarray, balls: ndarray) -> float:
+def press(case: recarray, grooves: ndarray, motion: recarray, balls: ndarray, soft: float) -> float:
     """Fill all balls and the ring's imbalance and residual; Pi."""
     energy, largest, force = 0.0, 0.0, 0.0
     for j in range(motion.ball_count):
         ball: recarray = balls[j]
         a1, a2 = inner_groove_centre(case, motion.displacement, ball)
-        energy += weight_of(case, motion, ball) * press_ball(case, grooves, ball, a1, a2)
+        energy += weight_of(case, motion, ball) * press_ball(case, grooves, ball, a1, a2, soft)
         force = max(force, ball.largest_load)
         largest = max(largest, abs(ball.residual[FX]), abs(ball.residual[FZ]))
     for c in range(motion.channel_count):
@@ -129,7 +130,7 @@ def press(case: recarray, grooves: ndarray, motion: recarray, balls: ndarray) ->
 
 
 @kernel
-def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray) -> bool:
+def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray, soft: float) -> bool:
     """Newton's step of ring and places, into their records; whether there is one."""
     _, matrix, right_side, _ = arrays
     count = motion.channel_count
@@ -139,7 +140,7 @@ def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray
         channel = motion.channel[c]
         right_side[c] = -motion.imbalance[c]
         for other in range(count):
-            matrix[c, other] = -SOFTEST if other == c else 0.0
+            matrix[c, other] = -soft if other == c else 0.0
         for j in range(motion.ball_count):
             ball: recarray = balls[j]
             weight, shift = weight_of(case, motion, ball), ball.shift
@@ -167,9 +168,13 @@ def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray
 @kernel
 def settle(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray) -> bool:
     """Find the least of Pi from where ring and balls are; whether it was found."""
-    energy = press(case, grooves, motion, balls)
+    load = BALL_MASS * balls[0].unknown[ORBIT] ** 2 * 0.5 * case.pitch_diameter
+    for c in range(motion.channel_count):
+        load = max(load, abs(case.prescribed[motion.channel[c]]) / case.ball_count)
+    soft = max(SOFTEST, SOFTNESS * load ** (1.0 / 3.0))
+    energy = press(case, grooves, motion, balls, soft)
     for _ in range(MOST_ITERATIONS):
-        if motion.residual <= BALANCED or not step_of_places(case, arrays, motion, balls):
+        if motion.residual <= BALANCED or not step_of_places(case, arrays, motion, balls, soft):
             break
         keep_state(motion, balls)
         motion.iterations += 1
@@ -177,7 +182,7 @@ def settle(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion
         is_lower = False
         for _ in range(MOST_HALVINGS):
             move(motion, balls, fraction)
-            energy = press(case, grooves, motion, balls)
+            energy = press(case, grooves, motion, balls, soft)
             is_lower = energy < least or motion.residual < before
             if is_lower:
                 break
