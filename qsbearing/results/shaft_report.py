@@ -58,7 +58,7 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
 
 
 def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
-    """Of a record: deflection and inner forces along the shaft; stiffness of its points, and what gives way there."""
+    """Of a record: deflection and inner forces along the shaft; stiffness of its points, and whose it is."""
     if shaft is None:
         return []
     straight = ("x\nmm", "axial\nµm", "radial y\nµm", "radial z\nµm", "tilt z\nmrad")

@@ -98,11 +98,11 @@ def test_a_seat_of_the_wrong_sign_is_seen(monkeypatch):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda by_load, of_section: (lambda give, radius, width: by_load(give, radius, 1.05 * width), of_section),
-        lambda by_load, of_section: (by_load, lambda give, radius, modulus: give),
+        lambda by_load, of_section: (lambda known, radius, width: by_load(known, radius, 1.05 * width), of_section),
+        lambda by_load, of_section: (by_load, lambda compliance, radius, modulus: compliance),
         lambda by_load, of_section: (by_load, lambda *known: -of_section(*known)),
     ],
-    ids=["width", "local compression left in", "sign of the give"],
+    ids=["width", "local compression left in", "sign of the deflection"],
 )
 def test_an_error_between_ring_and_balls_is_seen(wrong, monkeypatch):
     by_load, of_section = wrong(elastic_rings.by_load, elastic_rings.of_section)

@@ -26,9 +26,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.effects.angle_difference import by_friction
 from qsbearing.model.effects.entry import Entry, choice, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import by_friction
 from qsbearing.model.validation import ErrorDetail
 
 

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import inlined
+from qsbearing.model.effects.angle_difference import difference_errors
 from qsbearing.model.effects.entry import Entry, Errors, effect, for_arrays, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import parting_errors
 
 
 @dataclass(frozen=True)
@@ -48,15 +48,15 @@ def _over_load(point: OperatingPoint) -> NDArray:
 
 
 def _errors(point: OperatingPoint) -> Errors:
-    """The contacts part as Qi, Qo and Fc close their triangle; the outer contact carries the force besides."""
+    """The contact angles differ, as Qi, Qo and Fc close their triangle; the outer contact carries the force besides."""
     x, angle = _over_load(point), np.where(point.is_heavy, np.abs(point.solution.inner.angle), 0.0)
     is_in = any(isinstance(one, CentrifugalForce) for one in point.scene.ball_effects)
-    own = _parted(angle, x)
+    own = _angle_difference(angle, x)
     for _ in range(0 if is_in else 2):  # the inner angle rises by half of it, and with it the load falls
         risen = np.minimum(angle + 0.5 * own, 0.5 * np.pi)
         with np.errstate(divide="ignore", invalid="ignore"):
-            own = np.where(angle > 0.0, _parted(risen, x * np.sin(risen) / np.sin(angle)), 0.0)
-    errors = parting_errors(point, own, is_in)
+            own = np.where(angle > 0.0, _angle_difference(risen, x * np.sin(risen) / np.sin(angle)), 0.0)
+    errors = difference_errors(point, own, is_in)
     half = 0.5 * np.cos(angle)  # the root of 1 + x cos + x^2, with no square of a large x
     outer = np.hypot(x + half, np.sqrt(1.0 - half * half)).max(axis=-1)  # of Qo/Qi, by half in Qo and by half in Qi
     errors["load"] = np.maximum(errors["load"], 1.0 - 1.0 / outer)
@@ -64,7 +64,7 @@ def _errors(point: OperatingPoint) -> Errors:
     return errors
 
 
-def _parted(angle: NDArray, x: NDArray) -> NDArray:
+def _angle_difference(angle: NDArray, x: NDArray) -> NDArray:
     """The angle between the two contacts of a ball with Fc = x Qi."""
     return np.asarray(angle - np.arctan2(np.sin(angle), np.cos(angle) + x))
 

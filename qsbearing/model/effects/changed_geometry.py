@@ -52,8 +52,8 @@ def geometry_errors(point: OperatingPoint, change: GeometryChange) -> Errors:
             moved = nearer / sine / size
         tighter = np.where(held | (angle < SMALL_ANGLE), 1.5 * nearer / approach, 0.0)
     if held:
-        parted = np.abs(solution.inner.angle - solution.outer.angle)
-        turn = turn + 0.5 * point.at_largest_load(parted) * np.minimum(tighter, 1.0)
+        difference = np.abs(solution.inner.angle - solution.outer.angle)
+        turn = turn + 0.5 * point.at_largest_load(difference) * np.minimum(tighter, 1.0)
     turned = (0.0 if held else 1.0) * turn * cosine / sine
     load = np.maximum(turned, tighter)
     errors = {

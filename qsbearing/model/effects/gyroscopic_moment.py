@@ -26,9 +26,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.compiler.compiled import inlined
 from qsbearing.model.described import given_in
+from qsbearing.model.effects.angle_difference import difference_errors
 from qsbearing.model.effects.entry import Entry, Errors, effect, for_arrays, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import parting_errors
 from qsbearing.model.validation import RATIO, choose, raise_if_any, within
 
 LEAST_FRICTION = 1e-6
@@ -122,7 +122,7 @@ def _over_load(point: OperatingPoint) -> NDArray:
 
 def _errors(point: OperatingPoint) -> Errors:
     is_in = any(isinstance(one, GyroscopicMoment) for one in point.scene.ball_effects)
-    return parting_errors(point, np.arctan(_over_load(point)), is_in)
+    return difference_errors(point, np.arctan(_over_load(point)), is_in)
 
 
 ENTRY = Entry(

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.effects.angle_difference import by_friction
 from qsbearing.model.effects.entry import Assumed, Entry, largest, part_of_effect
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import by_friction
 
 TYPICAL = (0.1, 0.03)
 """What lubricated steel contacts offer, from the most to the least: where no coefficient is given, both are tried."""

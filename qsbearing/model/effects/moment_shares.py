@@ -15,10 +15,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.effects.angle_difference import by_friction
 from qsbearing.model.effects.entry import Entry, Members, largest, part_of_effect
 from qsbearing.model.effects.hypotheses import other_shares
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import by_friction
 
 
 def _moving_friction(point: OperatingPoint) -> NDArray:

@@ -22,9 +22,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import kernel
+from qsbearing.model.effects.angle_difference import difference_errors
 from qsbearing.model.effects.entry import Entry, Errors, choice, for_arrays, largest
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import parting_errors
 
 
 class OrbitRadius(StrEnum):
@@ -56,8 +56,8 @@ def _relative_change(point: OperatingPoint) -> NDArray:
 
 def _errors(point: OperatingPoint) -> Errors:
     """Zero at rest, where the contacts of a ball lie in one line."""
-    parted = np.where(point.is_heavy, np.abs(point.solution.inner.angle - point.solution.outer.angle), 0.0)
-    return parting_errors(point, _relative_change(point) * parted, point.scene.orbit_radius == OrbitRadius.DISPLACED)
+    angle = np.where(point.is_heavy, np.abs(point.solution.inner.angle - point.solution.outer.angle), 0.0)
+    return difference_errors(point, _relative_change(point) * angle, point.scene.orbit_radius == OrbitRadius.DISPLACED)
 
 
 ENTRY = Entry(

@@ -39,10 +39,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.compiled import inlined, kernel
+from qsbearing.model.effects.angle_difference import by_friction
 from qsbearing.model.effects.entry import Entry, Members, choice, largest
 from qsbearing.model.effects.hypotheses import other_controls
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.parting import by_friction
 
 
 class RacewayControl(StrEnum):

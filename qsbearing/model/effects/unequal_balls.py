@@ -120,11 +120,11 @@ def _deviations(point: OperatingPoint) -> NDArray | None:
 
 
 def _errors(point: OperatingPoint) -> Errors:
-    """To first order: each ball's spring gives way by its deviation, and the ring moves by its compliance until its
+    """To first order: each ball's spring is compressed by its deviation, and the ring moves by its compliance until its
     free channels feel nothing of that; what is left changes approaches and loads.
 
-    At rest the spring is k = 1.5 Q/delta over both approaches. Where inertia parts the contact angles by phi, more load
-    also pushes the ball sideways, which the contacts resist by 2 k sin(phi/2)^2 and by turning, Q/l, l = BD/2.
+    At rest the spring is k = 1.5 Q/delta over both approaches. Where the contact angles differ by phi, by inertia, more
+    load also pushes the ball sideways, which the contacts resist by 2 k sin(phi/2)^2 and by turning, Q/l, l = BD/2.
     """
     deviations = _deviations(point)
     if deviations is None:
@@ -132,24 +132,24 @@ def _errors(point: OperatingPoint) -> Errors:
     solution, load = point.solution, point.load
     distance = np.asarray(point.bearing.groove_centre_distance, float)[..., None]
     approach = np.where(load > 0.0, solution.inner.approach + solution.outer.approach, np.inf)
-    parted = np.sin(0.5 * np.nan_to_num(solution.inner.angle - solution.outer.angle))
+    half_turn = np.sin(0.5 * np.nan_to_num(solution.inner.angle - solution.outer.angle))
     spring = 1.5 * load / approach
-    sideways = 2.0 * spring * parted**2 + 2.0 * load / distance + np.finfo(float).tiny
-    gives_way = 2.0 * spring * parted**2 / sideways
-    spring = spring / (1.0 + gives_way)
+    sideways = 2.0 * spring * half_turn**2 + 2.0 * load / distance + np.finfo(float).tiny
+    softening = 2.0 * spring * half_turn**2 / sideways
+    spring = spring / (1.0 + softening)
     along, across = _by_ring(point)
     force = (spring * deviations)[..., None] * along
     moved = -np.einsum("...pq,...q->...p", np.nan_to_num(solution.compliance), force.sum(axis=-2))
     change = spring * (deviations + np.einsum("...jp,...p->...j", along, moved))
     turn = np.abs(np.einsum("...jp,...p->...j", across, moved)) / distance
-    turn += 2.0 * np.abs(change * parted) / sideways / distance
+    turn += 2.0 * np.abs(change * half_turn) / sideways / distance
     lever = np.asarray(point.bearing.inner_groove_centre_radius, float)[..., None]
     lengths = np.concatenate([moved[..., :3], moved[..., 3:] * lever], axis=-1)
     size = np.maximum(point.at_largest_load(approach), np.abs(solution.displacement[..., :3]).max(axis=-1))
     largest = np.maximum(point.largest_load, np.finfo(float).tiny)
     own = point.over_load(np.ones_like(largest)) * change
     held = spring[..., None] * along**2
-    stiffer = np.abs((own[..., None] * held).sum(axis=-2)) + ((np.abs(own) * gives_way)[..., None] * held).sum(axis=-2)
+    stiffer = np.abs((own[..., None] * held).sum(axis=-2)) + ((np.abs(own) * softening)[..., None] * held).sum(axis=-2)
     stiffer = stiffer / 3.0 / np.maximum(held.sum(axis=-2), np.finfo(float).tiny)
     angle = np.maximum(np.abs(point.angle), SMALLEST_ANGLE)
     return {

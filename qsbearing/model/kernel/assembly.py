@@ -10,7 +10,7 @@ from qsbearing.model.compiler.compiled import kernel
 from qsbearing.model.kernel.ball import moving_ball, resting_ball
 from qsbearing.model.kernel.loop_closure import close_loop
 from qsbearing.model.kernel.ring import add_ball, channel_lever, inner_groove_centre, start_sums
-from qsbearing.model.kernel.ring_bending import eliminate_gives
+from qsbearing.model.kernel.ring_bending import eliminate_deflections
 
 # The least stiffness of anything, over that of a contact under the largest force: little more than the rounding of such
 # stiffnesses. It keeps a ball out of contact, or a channel that nothing resists, solvable, and hardly counts beside
@@ -72,7 +72,7 @@ def assemble_balls(case: recarray, work: recarray, balls: ndarray) -> tuple[floa
         contact = max(contact, load)
         add_ball(work, ball)
     if case.elastic_rings:
-        hidden, sum_of_hidden = eliminate_gives(case, work, balls)
+        hidden, sum_of_hidden = eliminate_deflections(case, work, balls)
         worst, total = max(worst, hidden), total + sum_of_hidden
     return worst, worst_own, total, inertial, contact
 

@@ -26,7 +26,7 @@ from qsbearing.model.kernel.assembly import applied_load, assemble, close_loops,
 from qsbearing.model.kernel.initial_guess import GUESS_TOLERANCE, guess_from_rest, guess_ring_at_rest
 from qsbearing.model.kernel.newton import newton
 from qsbearing.model.kernel.newton_step import is_far, propose_step, take_step
-from qsbearing.model.kernel.ring_bending import reset_gives
+from qsbearing.model.kernel.ring_bending import reset_deflections
 from qsbearing.model.kernel.snapshots import CONTINUATION, restore, save
 
 # Loads that press balls by this many diameters are heavy: 4 kN a ball for B218, half of its static rating.
@@ -70,7 +70,7 @@ def follow(case: recarray, work: recarray, balls: ndarray, heaviest: float) -> f
         work.load_factor = heaviest
     at_rest = work.at_rest
     if at_rest:
-        reset_gives(work, balls)
+        reset_deflections(work, balls)
         guess_ring_at_rest(case, work)
         set_at_rest(case, work, balls)
     else:

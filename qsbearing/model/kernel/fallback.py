@@ -40,7 +40,7 @@ from qsbearing.model.kernel.continuation import follow, heaviest_factor, pseudo_
 from qsbearing.model.kernel.initial_guess import guess_from_rest, guess_ring_at_rest, split_contacts
 from qsbearing.model.kernel.newton import newton
 from qsbearing.model.kernel.newton_step import is_far
-from qsbearing.model.kernel.ring_bending import reset_gives
+from qsbearing.model.kernel.ring_bending import reset_deflections
 from qsbearing.model.kernel.snapshots import ADMISSIBLE, BOUNDED, CONTINUATION, INADMISSIBLE, restore, restore_all, save
 from qsbearing.model.kernel.solve_case import (
     CONTRADICTED,
@@ -73,7 +73,7 @@ def solve_rest(case: recarray, work: recarray, balls: ndarray, tolerance: float)
         work.load_factor = 1.0
         converged = newton(case, work, balls, tolerance)
     if not converged:
-        reset_gives(work, balls)
+        reset_deflections(work, balls)
         guess_ring_at_rest(case, work)
         pseudo_transient(case, work, balls)
         converged = not is_far(work) and newton(case, work, balls, tolerance)

@@ -24,7 +24,7 @@ from qsbearing.model.kernel.loop_closure import set_inner_line, set_outer_line
 from qsbearing.model.kernel.newton import newton_at_rest
 from qsbearing.model.kernel.raceway_stiffness import groove_stiffness, series_stiffness
 from qsbearing.model.kernel.ring import channel_lever, inner_groove_centre
-from qsbearing.model.kernel.ring_bending import reset_gives
+from qsbearing.model.kernel.ring_bending import reset_deflections
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
 
 # Side loads this many times the axial load still leave a ball at speed more like one under thrust than one at rest
@@ -143,7 +143,7 @@ def guess_closed_form(case: recarray, work: recarray, balls: ndarray) -> None:
     Under thrust every ball starts in the equilibrium of thrust at speed, whatever else moves its inner groove: Newton
     closes the loop. Otherwise balls start as they would lie at rest.
     """
-    reset_gives(work, balls)
+    reset_deflections(work, balls)
     if not is_thrust_like(case):
         guess_ring_at_rest(case, work)
         set_at_rest(case, work, balls)
@@ -191,7 +191,7 @@ def is_load_dominant(case: recarray, work: recarray) -> bool:
 @kernel
 def guess_from_rest(case: recarray, work: recarray, balls: ndarray) -> None:
     """Put balls at speed where they lie at rest under the loads that act, to GUESS_TOLERANCE."""
-    reset_gives(work, balls)
+    reset_deflections(work, balls)
     guess_ring_at_rest(case, work)
     newton_at_rest(case, work, balls, GUESS_TOLERANCE)
     split_contacts(case, work, balls)

@@ -69,7 +69,7 @@ _CHOICES = (
 _Case = _tuple_of("_Case", *_OF_CASE, *_CHOICES)
 _Work = _tuple_of("_Work", "speed_factor", "friction_bound", "regularisation")
 _EQUAL = ("diameter", "control", "cosine", "sine", "inner_spin", "outer_spin", "inner_stiffness", "outer_stiffness")
-_Ball = _tuple_of("_Ball", *_EQUAL, "give", *_OF_BALL)
+_Ball = _tuple_of("_Ball", *_EQUAL, "deflection", *_OF_BALL)
 
 
 @inlined

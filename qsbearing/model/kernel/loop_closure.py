@@ -127,13 +127,13 @@ def close_loop(case: recarray, ball: recarray, at_rest: bool, a1: float, a2: flo
 @kernel
 def store_position(case: recarray, ball: recarray, position: ndarray) -> None:
     """Write a ball's position: its outer angle less the free one, its approaches, outer and inner; with elastic rings
-    their give."""
+    their deflection."""
     s, c = case.sin_free, case.cos_free
     so, co = ball.outer_sine, ball.outer_cosine
     position[0] = atan2(so * c - co * s, co * c + so * s)
     position[1], position[2] = ball.outer_approach, ball.inner_approach
     if case.elastic_rings:
-        position[3] = ball.give
+        position[3] = ball.deflection
 
 
 @kernel
@@ -144,7 +144,7 @@ def load_position(case: recarray, ball: recarray, position: ndarray) -> None:
     set_outer_line(ball, s * turn_c + c * turn_s, c * turn_c - s * turn_s, position[1])
     set_inner_line(ball, 0.0, 0.0, position[2])
     if case.elastic_rings:
-        ball.give = position[3]
+        ball.deflection = position[3]
 
 
 @kernel

@@ -20,7 +20,7 @@ from qsbearing.model.kernel.loop_closure import (
     whole_length,
 )
 from qsbearing.model.kernel.ring import inner_groove_centre, inner_groove_step
-from qsbearing.model.kernel.ring_bending import propose_gives
+from qsbearing.model.kernel.ring_bending import propose_deflections
 from qsbearing.model.kernel.unloaded_ball import place_unloaded
 
 # The step limits: choices, borne out by campaigns of random scenes. They shape the way to an equilibrium, not the
@@ -61,12 +61,12 @@ def propose_lines(case: recarray, work: recarray, balls: ndarray) -> float:
     """The steps of all contact lines with the ring's; returns as `propose_step` does."""
     farthest, turn = 0.0, 0.0
     if case.elastic_rings:
-        propose_gives(work, balls)
+        propose_deflections(work, balls)
     for n in range(work.ball_count):
         ball = balls[n]
         da1, da2 = inner_groove_step(case, work.step, ball.cosine, ball.sine)
         if case.elastic_rings:
-            da2 -= ball.give_step
+            da2 -= ball.deflection_step
         farthest = max(farthest, max(abs(da1), abs(da2)))
         ball.outer_step1, ball.outer_step2, ball.inner_step1, ball.inner_step2, ball.turn = line_steps(
             work.at_rest, ball, da1, da2
@@ -210,7 +210,7 @@ def take_step(case: recarray, work: recarray, balls: ndarray, fraction: float, m
     for n in range(work.ball_count):
         ball = balls[n]
         if case.elastic_rings:
-            ball.give += fraction * ball.give_step
+            ball.deflection += fraction * ball.deflection_step
         a1, a2 = inner_groove_centre(case, work.displacement, ball)
         own = fraction
         if ball.follows_inertia and ball.turn > LARGEST_TURN:

@@ -27,7 +27,7 @@ from qsbearing.model.kernel.raceway_stiffness import (
     set_spin_constants,
 )
 from qsbearing.model.kernel.ring import add_ball, couple_channels, inner_groove_centre, set_azimuths, start_sums
-from qsbearing.model.kernel.ring_bending import choose_modes, eliminate_gives, set_compliances
+from qsbearing.model.kernel.ring_bending import choose_modes, eliminate_deflections, set_compliances
 from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 # Quantities of a contact, at either raceway, and of a ball.
@@ -292,7 +292,7 @@ def stiffness_of_cases(
             add_ball(work, ball)
         if case.elastic_rings:
             choose_modes(case, work, True, True)
-            eliminate_gives(case, work, balls)
+            eliminate_deflections(case, work, balls)
         for p in range(5):
             for q in range(5):
                 size = case.force

@@ -128,12 +128,12 @@ def inner_groove_centre(case: recarray, displacement: Vector, ball: recarray) ->
     """A ball's inner groove centre at this displacement of the ring, from where the ball touches at the free angle.
 
     Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4). Elastic
-    rings give way.
+    rings deflect.
     """
     a1, a2 = inner_groove_step(case, displacement, ball.cosine, ball.sine)
     a2 += case.interference
     if case.elastic_rings:
-        a2 -= ball.give
+        a2 -= ball.deflection
     if case.unequal_balls:
         return from_own_touching(a1, a2, ball.diameter - 1.0, case.sin_free, case.cos_free)
     return a1, a2

@@ -1,4 +1,4 @@
-"""Rings that give way: how far each ball's grooves part, eliminated into the ring's system.
+"""Elastic rings: by how much the grooves of each ball move apart, eliminated into the ring's system.
 
 The radial loads of the balls on a groove move it, as a series of harmonics of the azimuth (`effects.ring_compliance`):
 
@@ -65,18 +65,18 @@ def values_at(work: recarray, ball: recarray) -> None:
 
 
 @kernel
-def reset_gives(work: recarray, balls: ndarray) -> None:
-    """Let no ring have given way yet."""
+def reset_deflections(work: recarray, balls: ndarray) -> None:
+    """Let no ring be deflected yet."""
     for n in range(work.ball_count):
-        balls[n].give = 0.0
+        balls[n].deflection = 0.0
 
 
 @kernel
-def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float]:
+def eliminate_deflections(case: recarray, work: recarray, balls: ndarray) -> tuple[float, float]:
     """Condense the amplitudes into the ring's system, which the pass over the balls has left in the workspace.
 
     Returns:
-        (largest force that a give's error hides, sum of them).
+        (largest force that the error of a deflection hides, sum of them).
     """
     # Arrays by names of their own: in plain Python a look at a record takes longer than a product.
     system, value, wave, row = work.modes, work.value, work.wave, work.row
@@ -94,14 +94,14 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
     for n in range(work.ball_count):
         ball = balls[n]
         values_at(work, ball)
-        stiffness, lever, factor, give = ball.stiffness, ball.lever, ball.factor, ball.give
+        stiffness, lever, factor, deflection = ball.stiffness, ball.lever, ball.factor, ball.deflection
         axial, radial, outer_1, outer_2 = (
             stiffness[1, 0],
             stiffness[1, 1],
             ball.outer_stiffness_1,
             ball.outer_stiffness_2,
         )
-        h, g = ball.condensed[1] + radial * give, ball.outer_condensed + outer_2 * give
+        h, g = ball.condensed[1] + radial * deflection, ball.outer_condensed + outer_2 * deflection
         inner_force, outer_force, weight = ball.force[1], ball.outer_force, ball.weight
         for m in range(modes):
             k = wave[m]
@@ -116,15 +116,15 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
             system[m, free] += outer * g + inner * h
             system[m, loaded] += outer * outer_force + inner * inner_force
         for p in range(columns):
-            by_give = factor[p] * stiffness[row[p], 1]
-            right_side[p] += by_give * give
+            by_deflection = factor[p] * stiffness[row[p], 1]
+            right_side[p] += by_deflection * deflection
             for m in range(modes):
-                by_mode[p, m] += by_give * value[m]
+                by_mode[p, m] += by_deflection * value[m]
     worst, total = 0.0, 0.0
     for n in range(work.ball_count):
         ball = balls[n]
         values_at(work, ball)
-        error = ball.give
+        error = ball.deflection
         for m in range(modes):
             error -= value[m] * system[m, loaded]
         force = abs(error) * max(abs(ball.stiffness[0, 1]), abs(ball.stiffness[1, 1]))
@@ -140,8 +140,8 @@ def eliminate_gives(case: recarray, work: recarray, balls: ndarray) -> tuple[flo
 
 
 @kernel
-def propose_gives(work: recarray, balls: ndarray) -> None:
-    """The steps of all gives with the ring's; from the sums that `eliminate_gives` left."""
+def propose_deflections(work: recarray, balls: ndarray) -> None:
+    """The steps of all deflections with the ring's; from the sums that `eliminate_deflections` left."""
     system, modes, columns = work.modes, work.mode_count, work.channel_count
     for m in range(modes):
         value = system[m, modes + columns]
@@ -151,6 +151,6 @@ def propose_gives(work: recarray, balls: ndarray) -> None:
     for n in range(work.ball_count):
         ball = balls[n]
         values_at(work, ball)
-        ball.give_step = -ball.give
+        ball.deflection_step = -ball.deflection
         for m in range(modes):
-            ball.give_step += work.value[m] * work.amplitude[m]
+            ball.deflection_step += work.value[m] * work.amplitude[m]

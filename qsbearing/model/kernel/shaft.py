@@ -157,7 +157,7 @@ def add_elasticity(shafts: Shafts, system: ShaftSystem, k: int) -> None:
 @kernel
 def add_row(case: recarray, work: recarray, matrix: ndarray, system: ShaftSystem, count: int) -> None:
     """Add a row's condensed system to the shaft's equations."""
-    # Arrays by names of their own, as in `eliminate_gives`.
+    # Arrays by names of their own, as in `eliminate_deflections`.
     channel, total, moved_by, own, solved = system.channel, system.matrix, system.moved, work.matrix, work.channel
     for p in range(work.channel_count):
         for b in range(count):

@@ -26,7 +26,7 @@ def save(work: recarray, balls: ndarray, name: int) -> None:
         lines = ball.snapshot
         lines[name, 0], lines[name, 1], lines[name, 2] = ball.outer_sine, ball.outer_cosine, ball.outer_approach
         lines[name, 3], lines[name, 4], lines[name, 5] = ball.inner_sine, ball.inner_cosine, ball.inner_approach
-        ball.give_snapshot[name] = ball.give
+        ball.deflection_snapshot[name] = ball.deflection
         ball.snapshot_control[name] = ball.control
 
 
@@ -41,7 +41,7 @@ def restore(work: recarray, balls: ndarray, name: int) -> None:
         lines = ball.snapshot
         ball.outer_sine, ball.outer_cosine, ball.outer_approach = lines[name, 0], lines[name, 1], lines[name, 2]
         ball.inner_sine, ball.inner_cosine, ball.inner_approach = lines[name, 3], lines[name, 4], lines[name, 5]
-        ball.give = ball.give_snapshot[name]
+        ball.deflection = ball.deflection_snapshot[name]
         ball.control = ball.snapshot_control[name]
 
 

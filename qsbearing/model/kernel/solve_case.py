@@ -100,7 +100,7 @@ def prepare(
         ball = balls[n]
         set_outer_line(ball, case.sin_free, case.cos_free, 0.0)  # nothing left of another case
         set_inner_line(ball, case.sin_free, case.cos_free, 0.0)
-        ball.give = 0.0
+        ball.deflection = 0.0
         if is_warm:
             load_position(case, ball, position[ball.number])
             if case.control == PER_BALL and is_moving(case):

@@ -20,7 +20,7 @@ from qsbearing.model.kernel.snapshots import SNAPSHOTS
 
 MOST_WAVES = 12
 """Waves round a ring that balls are told apart by, as many as half their number; of more balls the shorter waves, which
-make 1e-3 of the give under a ball, are left out."""
+make 1e-3 of the deflection under a ball, are left out."""
 RING_MODES = 2 * MOST_WAVES + 1
 """Modes of so many waves: cosines and sines, and uniform growth."""
 
@@ -76,13 +76,13 @@ BALL = record(
     ("y22", np.float64),
     # Elastic rings: by how much their grooves part at it, radially, and the step of that; its radial force on the outer
     # ring, likewise condensed, and the stiffness of that.
-    ("give", np.float64),
-    ("give_step", np.float64),
+    ("deflection", np.float64),
+    ("deflection_step", np.float64),
     ("outer_force", np.float64),
     ("outer_condensed", np.float64),
     ("outer_stiffness_1", np.float64),
     ("outer_stiffness_2", np.float64),
-    ("give_snapshot", np.float64, (SNAPSHOTS,)),
+    ("deflection_snapshot", np.float64, (SNAPSHOTS,)),
 )
 
 WORKSPACE = record(

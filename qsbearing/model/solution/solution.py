@@ -336,12 +336,12 @@ class Solution(SolutionOfArcs):
 
     @cached_property
     def inner_shape(self) -> RingShape | None:
-        """How the inner ring gives way under its balls; fields (*cases); None where it does not."""
+        """How the inner ring deflects under its balls; fields (*cases); None where it does not."""
         return shape_of(self, "inner")
 
     @cached_property
     def outer_shape(self) -> RingShape | None:
-        """How the outer ring gives way under its balls; fields (*cases); None where it does not."""
+        """How the outer ring deflects under its balls; fields (*cases); None where it does not."""
         return shape_of(self, "outer")
 
     @cached_property

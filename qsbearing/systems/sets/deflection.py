@@ -1,4 +1,4 @@
-"""What a shaft does away from its reference: deflection, inner forces, stiffness of a point, and what gives way there.
+"""What a shaft does away from its reference: deflection, inner forces, stiffness of a point, and whose it is.
 
 Forces on the shaft being known, of rows -T^T F, of supports -k u, loads f0, its displacement at a place p is
 

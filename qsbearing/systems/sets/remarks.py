@@ -172,9 +172,8 @@ def _bodies(of: BearingSet) -> Iterator[tuple[str, Any, Material]]:
 
 def _pressing(fields: Mapping[str, Any], words: Words) -> str:
     """Rows that press each other, and what to write so that one of them slides."""
-    said = ROWS_PRESS.sentence.format_map(fields)
     written = {Audience.PYTHON: ': carries="none"', Audience.FILE: ': carries = "none"'}
-    return f"{said}{written.get(words.reader, '')}."
+    return f"{ROWS_PRESS.sentence.format_map(fields)}{written.get(words.reader, '')}."
 
 
 ROWS_PRESS = Kind(

@@ -164,7 +164,7 @@ def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
 
 
 def _deflections(of: BearingSet, sides: Sides) -> list[Any]:
-    """By how much further each row is pressed for what shaft and housings give way under the preload [m]."""
+    """By how much further each row is pressed for what shaft and housings deflect under the preload [m]."""
     if not sides or (of.shaft is None and all(row.housing_stiffness is None for row in of.rows)):
         return [0.0] * len(of.rows)
     effects_at_rest = as_fitted if of.preload is not None and of.preload.is_given_mounted else as_made

@@ -233,20 +233,21 @@ def test_a_seat_that_parts_is_said(tmp_path: Path) -> None:
 def test_seat_carries_the_load(tmp_path: Path) -> None:
     """The mean pressure is what the balls press outward less what the ring holds by its hoop; n = 1 goes through."""
     solution = qs.solve(qs.load_scene(written(tmp_path, OUTER["housing"])))
-    give = solution.scene.elastic_rings.compliances(grooves_of(B218))[1]  # type: ignore[union-attr]
-    assert give is not None and give.seat is not None
+    compliance = solution.scene.elastic_rings.compliances(grooves_of(B218))[1]  # type: ignore[union-attr]
+    assert compliance is not None and compliance.seat is not None
     radial = radial_loads(solution)[1]
     azimuth = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
     n = np.arange(25)[:, None, None]
-    pressure = (give.seat[:, None, None] * radial * np.cos(n * (azimuth[:, None] - solution.azimuth))).sum(axis=(0, 2))
+    waves = np.cos(n * (azimuth[:, None] - solution.azimuth))
+    pressure = (compliance.seat[:, None, None] * radial * waves).sum(axis=(0, 2))
     carried = (pressure * np.cos(azimuth)).mean() * 2.0 * np.pi * 80 * qs.mm * 30 * qs.mm
     assert carried == pytest.approx(9000.0, rel=1e-9)
     assert solution.outer_shape.largest_seat_pressure == pytest.approx(pressure.max(), rel=1e-3)  # type: ignore[union-attr]
 
 
 @pytest.mark.parametrize("control", ["outer", "per_ball", "minimum_dissipation"])
-def test_gives_are_those_of_the_solver(control: str) -> None:
-    """Reported shape and loads, friction included, against the gives that the solver kept."""
+def test_deflections_are_those_of_the_solver(control: str) -> None:
+    """Reported shape and loads, friction included, against the deflections that the solver kept."""
     rings = qs.ElasticRings(
         outside_diameter=160 * qs.mm, outer_width=30 * qs.mm, housing="free",
         bore_diameter=90 * qs.mm, inner_width=30 * qs.mm, shaft="solid",
@@ -258,14 +259,14 @@ def test_gives_are_those_of_the_solver(control: str) -> None:
             ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=0.08)),
         )
     )  # fmt: skip
-    give = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, *radial_loads(s))
-    np.testing.assert_allclose(s.groove_deflection, give, rtol=1e-9)
+    deflection = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, *radial_loads(s))
+    np.testing.assert_allclose(s.groove_deflection, deflection, rtol=1e-9)
     both = groove_shape(s, "inner", s.azimuth) + groove_shape(s, "outer", s.azimuth)
     np.testing.assert_allclose(s.groove_deflection, both, rtol=1e-9)
     assert s.outer_shape is not None and s.inner_shape is not None
     # The harmonic n = Z moves all balls alike.
     even = sum(shape.growth + shape.amplitudes[16] for shape in (s.outer_shape, s.inner_shape))
-    assert even == pytest.approx(give.mean(), rel=1e-9)
+    assert even == pytest.approx(deflection.mean(), rel=1e-9)
 
 
 def test_the_command_prints_it(tmp_path: Path) -> None:

@@ -31,8 +31,8 @@ HOLLOW = st.just(0.0) | st.floats(1e-3, 0.9)
 @pytest.mark.parametrize("radii", PRINTED)
 def test_printed_values(radii: tuple[float, float]) -> None:
     """To the last printed digit."""
-    give = outer_ring_compliance(Annulus(*radii, E, NU), None).groove
-    assert [f"{give[n]:.6e}" for n in (0, 2, 3, 4, 5, 6, 8)] == PRINTED[radii].split()
+    compliance = outer_ring_compliance(Annulus(*radii, E, NU), None).groove
+    assert [f"{compliance[n]:.6e}" for n in (0, 2, 3, 4, 5, 6, 8)] == PRINTED[radii].split()
 
 
 def test_thin_ring_bends_as_a_bar() -> None:
@@ -40,9 +40,11 @@ def test_thin_ring_bends_as_a_bar() -> None:
     radius, n = 0.1, np.arange(2, 7)
     errors = []
     for thickness in (2e-3, 1e-3):
-        give = outer_ring_compliance(Annulus(radius - thickness / 2, radius + thickness / 2, E, NU), None).groove[2:7]
+        compliance = outer_ring_compliance(Annulus(radius - thickness / 2, radius + thickness / 2, E, NU), None).groove[
+            2:7
+        ]
         thin = radius**4 / (E * thickness**3 / 12.0 * (n**2 - 1.0) ** 2)
-        errors.append(abs(give / thin - 1.0))
+        errors.append(abs(compliance / thin - 1.0))
     assert np.all(errors[1] < 0.02)
     assert np.all(errors[1] < 0.6 * errors[0])
 
@@ -87,7 +89,7 @@ def test_ring_in_housing_of_its_own_material_grows_as_one(sizes: tuple[float, fl
 
 @given(RADII, HOLLOW)
 def test_any_seat_stiffens(sizes: tuple[float, float, float], hollow: float) -> None:
-    """Every harmonic gives way less in a housing or on a shaft than free, and a seat that is endlessly stiff least."""
+    """Every harmonic deflects less in a housing or on a shaft than free, and a seat that is endlessly stiff least."""
     ratio, outside, poisson = sizes
     ring = Annulus(ratio * outside, outside, E, poisson)
     loads = np.r_[0, 2 : MOST_HARMONICS + 1]
@@ -103,14 +105,16 @@ def test_any_seat_stiffens(sizes: tuple[float, float, float], hollow: float) -> 
     def shaft(modulus: float) -> Annulus:
         return Annulus(hollow * ring.a, ring.a, modulus, poisson)
 
-    gives = [
+    compliances = [
         outer_ring_compliance(ring, each).groove for each in (housing(1e3 * E), housing(E), housing(0.1 * E), None)
     ]
-    least_to_most(*gives)
-    assert np.all(gives[0][loads] > 0.0)
-    gives = [inner_ring_compliance(ring, each).groove for each in (shaft(1e3 * E), shaft(E), shaft(0.1 * E), None)]
-    least_to_most(*gives)
-    assert np.all(gives[0][loads] > 0.0)
+    least_to_most(*compliances)
+    assert np.all(compliances[0][loads] > 0.0)
+    compliances = [
+        inner_ring_compliance(ring, each).groove for each in (shaft(1e3 * E), shaft(E), shaft(0.1 * E), None)
+    ]
+    least_to_most(*compliances)
+    assert np.all(compliances[0][loads] > 0.0)
 
 
 def test_solid_shaft_is_the_limit_of_a_small_bore() -> None:
@@ -135,13 +139,13 @@ def test_cases_are_as_each_alone() -> None:
 def test_what_is_left_of_bending_without_local_compression() -> None:
     """A half-plane's part goes, which high harmonics of any body have in common."""
     ring = Annulus(73.863e-3, 80e-3, E, NU)
-    give = outer_ring_compliance(ring, None).groove
-    left = of_section(give, ring.a, E)
-    assert left[:3] == pytest.approx(give[:3], rel=5e-4, abs=0.0)
-    assert left[0] == give[0]
+    compliance = outer_ring_compliance(ring, None).groove
+    left = of_section(compliance, ring.a, E)
+    assert left[:3] == pytest.approx(compliance[:3], rel=5e-4, abs=0.0)
+    assert left[0] == compliance[0]
     # Thin beside its harmonics' lengths the ring bends; where they are as short as it is thick, it hardly does.
-    assert left[16] > 0.5 * give[16]
-    assert left[24] < 0.5 * give[24]
+    assert left[16] > 0.5 * compliance[16]
+    assert left[24] < 0.5 * compliance[24]
     narrow = by_load(left, ring.a, 0.01)
     assert narrow[13:].sum() < 1.5e-3 * narrow.sum()
     solid = inner_ring_compliance(Annulus(0.045, 0.052, E, NU), Annulus(0.0, 0.045, E, NU)).groove

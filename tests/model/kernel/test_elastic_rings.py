@@ -132,7 +132,7 @@ def test_shoulders_stiffen_bending_and_leave_growth() -> None:
 @pytest.mark.parametrize("loads", [COMBINED, GENERAL], ids=["combined", "general"])
 def test_stiff_rings_are_rigid(loads: dict[str, float], effects: dict[str, Any]) -> None:
     """Rings 1e15 times as stiff deflect by as much less, which is less than the rounding of a solution."""
-    table = tuple(1e-15 * np.asarray(give.by_load) for give in BOTH.compliances(grooves_of(B218)) if give is not None)
+    table = tuple(1e-15 * np.asarray(each.by_load) for each in BOTH.compliances(grooves_of(B218)) if each is not None)
     stiff = qs.ElasticRings(inner_compliance=tuple(table[0]), outer_compliance=tuple(table[1]))
     speed = 8000 * qs.rpm if effects else 0.0
     one, other = solved(None, loads, speed, **effects), solved(stiff, loads, speed, **effects)
@@ -144,7 +144,9 @@ def test_stiff_rings_are_rigid(loads: dict[str, float], effects: dict[str, Any])
 @pytest.mark.parametrize("effects", AT_SPEED.values(), ids=AT_SPEED)
 @pytest.mark.parametrize("loads", [{"axial_load": 17800.0}, COMBINED, GENERAL], ids=["thrust", "combined", "general"])
 @pytest.mark.parametrize("rings", ALL.values(), ids=ALL)
-def test_gives_follow_from_the_loads(rings: qs.ElasticRings, loads: dict[str, float], effects: dict[str, Any]) -> None:
+def test_deflections_follow_from_the_loads(
+    rings: qs.ElasticRings, loads: dict[str, float], effects: dict[str, Any]
+) -> None:
     """The grooves' distance at each ball, from its contacts, is the rigid rings' less what the balls' loads make of it.
 
     Recomputed from the results alone; the radial load on the outer ring includes friction and centrifugal force.
@@ -167,8 +169,8 @@ def test_gives_follow_from_the_loads(rings: qs.ElasticRings, loads: dict[str, fl
         outer = s.outer.load * s.outer.cosine + (0.0 if shares is None else shares[1] * across * s.outer.sine)
         inner = s.inner.load * s.inner.cosine
         slack = 1e-8
-    give = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, inner, outer)
-    np.testing.assert_allclose(rigid - found, give, atol=slack * np.abs(give).max())
+    deflection = deflections_at_balls(rings.compliances(grooves_of(B218)), s.azimuth, inner, outer)
+    np.testing.assert_allclose(rigid - found, deflection, atol=slack * np.abs(deflection).max())
 
 
 @pytest.mark.parametrize("effects", AT_SPEED.values(), ids=AT_SPEED)
@@ -246,13 +248,13 @@ def test_ball_counts_and_cases_together() -> None:
         alone = qs.solve(qs.Scene(bearing, qs.Operation(**loads), ring_effects=(rings,)))
         np.testing.assert_allclose(together.inner.load[k, :count], alone.inner.load, rtol=1e-9)
         radial = np.nan_to_num(alone.inner.load * alone.inner.cosine)
-        give = deflections_at_balls(rings.compliances(grooves_of(bearing)), alone.azimuth, radial, radial)
+        deflection = deflections_at_balls(rings.compliances(grooves_of(bearing)), alone.azimuth, radial, radial)
         line = 2 * (11.6281 - 22.225 / 2) * qs.mm + alone.inner.approach + alone.outer.approach
         rigid = B218.groove_centre_distance * np.cos(40 * qs.deg) + alone.displacement[1] * np.cos(alone.azimuth)
         beyond = 5e-3 if count > 25 else 1e-8  # waves shorter than twelve round the ring are left out
         loaded = alone.inner.load > 0
         found = rigid - line * alone.inner.cosine
-        np.testing.assert_allclose(found[loaded], give[loaded], atol=beyond * np.abs(give).max())
+        np.testing.assert_allclose(found[loaded], deflection[loaded], atol=beyond * np.abs(deflection).max())
 
 
 def test_a_start_and_a_rigid_start_lead_to_the_same() -> None:

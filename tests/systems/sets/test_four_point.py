@@ -110,9 +110,9 @@ def test_two_rows_carry_what_a_ball_with_four_arcs_does(name: str) -> None:
 def test_at_one_position_a_free_tilt_is_a_little_off() -> None:
     """Nothing where the tilts are held or there is no clearance."""
     clearance, channels = STATES["thrust and radial, tilt free"]
-    parted = four_point(clearance, **channels)
-    shared = dataclasses.replace(parted, rows=tuple(dataclasses.replace(row, position=0.0) for row in parted.rows))
-    tilts = [qs.solve_set(of).displacement[4] for of in (parted, shared)]
+    apart = four_point(clearance, **channels)
+    shared = dataclasses.replace(apart, rows=tuple(dataclasses.replace(row, position=0.0) for row in apart.rows))
+    tilts = [qs.solve_set(of).displacement[4] for of in (apart, shared)]
     assert 3e-4 < abs(tilts[1] / tilts[0] - 1.0) < 2e-2
     clearance, channels = STATES["thrust and radial, tilt held"]
     held = four_point(clearance, **channels)

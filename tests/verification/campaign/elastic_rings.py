@@ -3,8 +3,8 @@
     python -m tests.verification.campaign.elastic_rings COUNT [SEED] [--out FILE]
 
 What is solved is recomputed from its outputs by code of its own: the ring's equilibrium, each ball's, loop closure, and
-the gives of both rings under the balls' loads, with compliances from Navier's equations in place of Airy's function and
-sections with shoulders in closed form in place of Gauss points.
+the deflections of both rings under the balls' loads, with compliances from Navier's equations in place of Airy's
+function and sections with shoulders in closed form in place of Gauss points.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ MOTIONS = (
 )
 """Ball effects of bearings that turn."""
 TOLERANCE = 1e-6
-"""Of the largest give or load: far above the solver's 1e-12 times a thin ring's flexibility, far below an error."""
+"""Of the largest deflection or load: far above the solver's 1e-12 times a thin ring's compliance, below an error."""
 
 
 def rim_matrix(n: int, a: NDArray, b: NDArray, modulus: float, nu: float) -> NDArray:
@@ -62,7 +62,7 @@ def rim_matrix(n: int, a: NDArray, b: NDArray, modulus: float, nu: float) -> NDA
     return (moved / scale) @ np.linalg.solve(system / scale, pressed) * middle[:, None, None]
 
 
-def gives(load: NDArray, azimuth: NDArray, compliance: list[NDArray]) -> NDArray:
+def deflections(load: NDArray, azimuth: NDArray, compliance: list[NDArray]) -> NDArray:
     """(case, ball) by radial loads (case, ball)."""
     apart = azimuth[:, :, None] - azimuth[:, None, :]
     influence = sum(c[:, None, None] * np.cos(n * apart) for n, c in enumerate(compliance))
@@ -181,27 +181,27 @@ def batch(rng: np.random.Generator, count: int = BATCH) -> Batch:
             inner_ring.append(np.zeros(count))
             continue  # the mount's
         own = rim_matrix(n, bends["outer"] if n else outer, edge, 208e9, 0.3)
-        give = own[:, 0, 0]
+        soft = own[:, 0, 0]
         if housed:
             wall_bore = rim_matrix(n, edge, wall * edge, 70e9, 0.3)[:, 0, 0]
-            give = give + own[:, 0, 1] * own[:, 1, 0] / (wall_bore - own[:, 1, 1])
-        outer_ring.append(give)
+            soft = soft + own[:, 0, 1] * own[:, 1, 0] / (wall_bore - own[:, 1, 1])
+        outer_ring.append(soft)
         own = rim_matrix(n, bore, bends["inner"] if n else inner, 208e9, 0.3)
-        give = -own[:, 1, 1]
+        soft = -own[:, 1, 1]
         if on_shaft:
             shaft = rim_matrix(n, 0.5 * bore, bore, 208e9, 0.3)[:, 1, 1]
-            give = give - own[:, 1, 0] * own[:, 0, 1] / (shaft - own[:, 0, 0])
-        inner_ring.append(give)
+            soft = soft - own[:, 1, 0] * own[:, 0, 1] / (shaft - own[:, 0, 0])
+        inner_ring.append(soft)
     total = np.zeros(azimuth.shape)
-    for give, bottom, radius, load in (
+    for soft, bottom, radius, load in (
         (np.array(outer_ring), outer, bends["outer"], q["outer"] * cosine["outer"]),
         (np.array(inner_ring), inner, bends["inner"], radial),
     ):
         n = np.arange(2.0, HARMONICS + 1)[:, None]
-        give[2:] = np.maximum(give[2:] - 2.0 * radius / (208e9 * n), 0.0)  # a half-plane's is in Hertz's contact
-        growth = give[0] / (2.0 * np.pi * bottom * width)
-        bending = give[1:] / (np.pi * radius * width)
-        total += gives(load, azimuth, [growth, *bending])
+        soft[2:] = np.maximum(soft[2:] - 2.0 * radius / (208e9 * n), 0.0)  # a half-plane's is in Hertz's contact
+        growth = soft[0] / (2.0 * np.pi * bottom * width)
+        bending = soft[1:] / (np.pi * radius * width)
+        total += deflections(load, azimuth, [growth, *bending])
     lines = {
         side: (r - 0.5 * ball) + np.nan_to_num(getattr(s, side).approach) for side, r in (("inner", ri), ("outer", ro))
     }

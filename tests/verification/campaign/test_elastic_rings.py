@@ -14,7 +14,7 @@ compiled_only = pytest.mark.skipif(not has_fast_code(), reason="hundreds of bear
 
 @compiled_only
 @pytest.mark.parametrize("number", [2, 5])
-def test_random_rings_give_way_as_their_loads_say(number: int) -> None:
+def test_random_rings_deflect_as_their_loads_say(number: int) -> None:
     """One batch with shoulders on both rings, one with some on the outer ring alone."""
     with np.errstate(all="ignore"):
         found = batch(np.random.default_rng([1, number]), 100)

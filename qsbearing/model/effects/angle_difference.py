@@ -1,4 +1,4 @@
-"""What follows when the two contact angles of a ball part: errors of leaving out a force that turns them.
+"""What follows when the two contact angles of a ball differ: errors of leaving out a force that turns them.
 
 At rest both contacts of a ball lie in one line at the angle alpha. A force across that line turns them apart by phi =
 alpha_i - alpha_o, half each, while the inner ring keeps its radial place and its axial load:
@@ -7,7 +7,7 @@ alpha_i - alpha_o, half each, while the inner ring keeps its radial place and it
     loads           Q sin(alpha) stays: phi/2 cot(alpha); pressures the third of it
     displacement    cos(alpha_i) + cos(alpha_o) stays, which moves the ring axially by BD phi^2/(8 sin(alpha)); over the
                     approach delta of both raceways
-    stiffness       the ball gives way sideways, where only the turning contact lines hold it: softer by a part that
+    stiffness       the ball moves sideways too, where only the turning contact lines hold it: softer by a part that
                     goes with BD/delta phi^2, averaged over the balls by their stiffness, Q^(1/3)
 
 The powers are those of this thrust-loaded ball; the factors were fitted to 7,500 random scenes of every loading: for
@@ -30,8 +30,8 @@ OF_LOAD = 0.1
 """Part of the error of loads in displacement and stiffness: one contact of a ball gains what the other loses."""
 
 
-def parting_errors(point: OperatingPoint, own: NDArray, is_in: bool) -> Errors:
-    """Errors of leaving out what parts contact angles by `own` (*cases, ball) [rad]; in the scene already or not."""
+def difference_errors(point: OperatingPoint, own: NDArray, is_in: bool) -> Errors:
+    """Errors of leaving out what makes contact angles differ by `own` (*cases, ball) [rad]; in the scene or not."""
     solution, heavy = point.solution, point.is_heavy
     inner = np.where(heavy, np.abs(solution.inner.angle), 0.0)
     now = np.where(heavy, np.abs(solution.inner.angle - solution.outer.angle), 0.0)
@@ -67,7 +67,7 @@ def _bounded(change: NDArray) -> NDArray:
 def by_friction(friction: Callable[[OperatingPoint], NDArray]) -> Callable[[OperatingPoint], Errors]:
     """Errors of friction over the load (*cases, ball) that the other raceway carries, or none.
 
-    It parts the contact angles further than they are parted already; the linear factors are medians of 2,000 random
+    The contact angles then differ by more than they do already; the linear factors are medians of 2,000 random
     scenes in which Jones's criterion changes the raceway.
     """
 
@@ -75,7 +75,7 @@ def by_friction(friction: Callable[[OperatingPoint], NDArray]) -> Callable[[Oper
         requested = friction(point)
         angle, most = np.maximum(np.abs(point.angle), SMALLEST_ANGLE), requested.max(axis=-1)
         factors = {"contact_angle": 1.0 / angle, "load": 0.25, "pressure": 0.125, "displacement": 0.2, "stiffness": 0.5}
-        parted = parting_errors(point, requested, is_in=False)
-        return {name: np.maximum(factor * most, parted[name]) for name, factor in factors.items()}
+        errors_of_angle = difference_errors(point, requested, is_in=False)
+        return {name: np.maximum(factor * most, errors_of_angle[name]) for name, factor in factors.items()}
 
     return errors
