@@ -51,6 +51,8 @@ class Paragraph:
     """What it begins with, which a terminal shows in bold."""
     is_apart: bool = False
     """Whether a terminal has an empty line before it."""
+    paste: str = ""
+    """As that of a `Callout`."""
 
 
 @dataclass(frozen=True)
