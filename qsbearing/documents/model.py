@@ -77,6 +77,8 @@ class Paragraph:
     """Whether a terminal has an empty line before it."""
     is_small: bool = False
     """Whether a page has it in small letters."""
+    paste: str = ""
+    """As that of a `Callout`."""
 
 
 @dataclass(frozen=True)

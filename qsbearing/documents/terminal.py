@@ -58,10 +58,11 @@ def laid_out(blocks: Sequence[Block], width: int = USUAL) -> Group:
                 part = _facts(block)
             case Paragraph():
                 part = _text(block.text, block.lead, "bold")
+                below = _to_paste(block.paste)
             case Callout():
                 said = f"{block.text.removesuffix(f' (see {block.paste}).')}".removesuffix(".") + "."
                 part = _text(said if block.paste else block.text, block.lead, f"bold {block.colour}")
-                below = [Text(f"    {block.paste}", "dim", no_wrap=True, overflow="ignore")] if block.paste else []
+                below = _to_paste(block.paste)
             case _:
                 raise TypeError(f"a terminal shows no {type(block).__name__}")
         is_apart = isinstance(block, Table | Facts) or block.is_apart
@@ -73,6 +74,11 @@ def _text(text: str, lead: str, style: str) -> Text:
     styled = Text(with_minus(text))
     styled.stylize(style, 0, len(lead))
     return styled
+
+
+def _to_paste(line: str) -> list[RenderableType]:
+    """A line that is never broken, whatever the terminal's width."""
+    return [Text(f"    {line}", "dim", no_wrap=True, overflow="ignore")] if line else []
 
 
 BETWEEN = 2

@@ -102,8 +102,8 @@ def answer(solution: Solution, readings: Mapping[str, Any]) -> Facts:
 
 
 def facts(results: Iterable[KeyResult]) -> Facts:
-    """Those that have anything to say, a line each."""
-    return Facts([each.line for each in results if each.parts or each.note])
+    """Those that have anything to say, a line each; conditions stand in the tables below it."""
+    return Facts([each._replace(condition="").line for each in results if each.parts or each.note])
 
 
 class ContactResults(NamedTuple):

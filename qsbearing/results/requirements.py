@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qsbearing.documents.model import Badge, Block, Cell, Paragraph, Table
 from qsbearing.documents.numbers import plain
+from qsbearing.model.effects import EFFECTS
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.limit import MET, Answer, Limit, Standing, WhyOpen, answers
 from qsbearing.model.solution.result_keys import printed_unit
@@ -116,8 +117,9 @@ def numbers_of(answer: Answer) -> tuple[str, str]:
 def whose(answer: Answer) -> str:
     """Whose number decides; empty where there is nothing to tell apart."""
     worst = answer.worst
-    parts = [f"row {worst.row}"] if worst.row else []
-    parts += [f"{worst.raceway} raceway"] if worst.raceway else []
+    at = [f"row {worst.row}"] if worst.row else []
+    at += [worst.raceway if worst.row else f"{worst.raceway} raceway"] if worst.raceway else []
+    parts = [" ".join(at)] if at else []
     if worst.azimuth_deg is not None:
         parts.append(f"ball {worst.ball} at {plain(worst.azimuth_deg, '.4g')}°")
     parts += [f"point {worst.point}"] if worst.point else []
@@ -157,8 +159,6 @@ def why_open(answer: Answer, solution: Any) -> str:
 
 def _estimated(answer: Answer, values: dict[str, Any]) -> dict[str, str]:
     """What it would be with an effect that is left out, or by another hypothesis."""
-    from qsbearing.model.effects import EFFECTS
-
     entry = next(each for each in EFFECTS if each.name == values["effect"])
     is_choice = entry.switch.members is not None
     under = f" ({values['under']})" if values["under"] else ""
@@ -215,8 +215,23 @@ def blocks(required: Sequence[Answer], solution: Any) -> list[Block]:
         rows.append(row)
     table = Table(heading, rows, f"lrrll{'l' * has_whose}{'l' * has_source}", "Requirements")
     open_ones = [each for each in required if each.reason is not None]
-    said = [f"Open: {name_of(each)}: {why_open(each, solution)}." for each in open_ones]
-    return [Paragraph(headline(required)), table, *map(Paragraph, dict.fromkeys(said))]
+    said = {f"Open: {name_of(each)}: {why_open(each, solution)}.": _closing(each, solution) for each in open_ones}
+    told = [Paragraph(text, "Open:", paste=line) for text, line in said.items()]
+    return [Paragraph(headline(required)), table, *told]
+
+
+def _closing(answer: Answer, solution: Any) -> str:
+    """What puts into the model what keeps an answer open, to be pasted; empty where no key alone does."""
+    effect = answer.reason.values.get("effect") if answer.reason is not None else None
+    if effect is None:
+        return ""
+    from qsbearing.files.file_keys import IN_FILE
+    from qsbearing.model.solution.changes import has_size_for
+    from qsbearing.remarks.pasted import pasted
+
+    entry = next(each for each in EFFECTS if each.name == effect)
+    values = {"effect": effect, "has_size": has_size_for(entry, solution)}
+    return pasted("effect_data_missing", values, "design#what-a-design-must-meet", True, IN_FILE)
 
 
 def unchecked(of: Answered) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qsbearing.documents import terminal
 from qsbearing.documents.model import Badge, RowGroup, Table
+from qsbearing.documents.numbers import with_minus
 
 WIDTHS = (60, 80, 100)
 shown = terminal.text_of
@@ -16,7 +17,7 @@ def words_of(table: Table) -> set[str]:
     rows = [row for row in table.rows if not isinstance(row, RowGroup)]
     cells = [row[number] for row in rows for number in kept if table.alignment[number] == "l"]
     texts = [*(table.headings[number] for number in kept), *cells]
-    return {word for text in texts for word in str(text.word if isinstance(text, Badge) else text).split()}
+    return {word for text in texts for word in with_minus(str(text.word if isinstance(text, Badge) else text)).split()}
 
 
 def broken(table: Table, *widths: int) -> set[str]:

@@ -201,7 +201,7 @@ def unequal(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_lists_and_materials_of_effects_are_input_too(unequal: Path) -> None:
     rows = input_of(unequal, "unequal")
     value, unit, numbers = rows["ball_diameter_deviations_um"]
-    assert (value, unit) == ("-0.5 ... 5", "µm")
+    assert (value, unit) == ("−0.5 ... 5", "µm")
     assert [float(each) for each in numbers.split(",")] == [5.0, *6 * [0.0], -0.5, *8 * [0.0]]
     assert rows["ring_expansion.shaft_interference_um"][:2] == ["10", "µm"]
     assert rows["ring_expansion.shaft_material.elastic_modulus_GPa"] == ["208", "GPa", "this program's steel"]
@@ -247,7 +247,8 @@ def test_key_results_are_those_of_the_solution(unequal: Path, spindle: Path, tmp
 
     def numbers(key: str) -> list[float]:
         return [
-            float(each.replace(",", "")) for each in re.findall(r"-?\d[\d,]*\.?\d*(?:e-?\d+)?(?= |$|,)", found[key])
+            float(each.replace(",", ""))
+            for each in re.findall(r"-?\d[\d,]*\.?\d*(?:e-?\d+)?(?= |$|,)", found[key].replace("−", "-"))
         ]
 
     sides = (solution.inner, solution.outer)
@@ -293,6 +294,8 @@ def test_the_cap_of_a_modified_life_is_said_beside_the_basic_one(tmp_path: Path)
     assert " million revolutions, " in found["basic reference rating life"]
     assert found["modified reference rating life"].endswith(" h: aISO 50, at its limit")
     shown = CliRunner().invoke(cli, ["run", str(tmp_path / "light.toml")]).output
+    answer, _, shown = shown.partition("Inner ring\n")
+    assert 0 < answer.index("basic reference rating life") < answer.index("modified reference rating life")
     order = ["basic reference rating life", "factor aISO", "modified reference rating life", "aISO is at the upper"]
     places = [shown.index(words) for words in order]
     assert places == sorted(places)
