@@ -25,9 +25,12 @@ def angle_span(solution: Solution, place: CasePlace) -> Span:
     return min(angles), max(angles)
 
 
-def draw_angles(axes: Axes, solution: Solution, place: CasePlace, span: Span | None = None) -> None:
+def draw_angles(
+    axes: Axes, solution: Solution, place: CasePlace, span: Span | None = None, is_small: bool = False
+) -> None:
     """Args:
     span: of the angles that share a scale with these; None: their own.
+    is_small: whether there is room for few words.
     """
     azimuth, present = balls(solution, place)
     turned = np.degrees(azimuth) % 360.0
@@ -51,8 +54,8 @@ def draw_angles(axes: Axes, solution: Solution, place: CasePlace, span: Span | N
     axes.set_ylim(bottom, high + margin)
     mark_lost(axes, solution, place, bottom + 0.7 * margin)
     axes.set_xlim(0.0, 360.0)
-    axes.set_xticks(range(0, 361, 45))
-    axes.set_xlabel("azimuth from y towards z, deg", fontsize=9)
+    axes.set_xticks(range(0, 361, 90 if is_small else 45))
+    axes.set_xlabel("azimuth, deg" if is_small else "azimuth from y towards z, deg", fontsize=9)
     axes.set_ylabel("contact angle, deg", fontsize=9)
     axes.set_title("Contact angles", fontsize=10)
     plain(axes)

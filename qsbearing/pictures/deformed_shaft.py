@@ -121,10 +121,11 @@ def draw_deformed_shaft(
     drawn.points(top)
     axes.set_title(f"{_plane(plane)}: deflection × {factor:,.0f}", fontsize=11, fontweight="bold")
     axes.set_xlabel("x, mm", fontsize=9)
-    axes.set_ylim(-1.3 * top / mm, 1.45 * top / mm)
+    axes.set_ylim(-1.5 * top / mm, 1.85 * top / mm)
     axes.set_yticks([])
     axes.margins(x=0.04)
     axes.set_aspect("equal")
+    axes.locator_params(axis="x", nbins=4 if length_of(solution) < 4.0 * top else 6)
     axes.tick_params(labelsize=8)
     for name in ("left", "top", "right"):
         axes.spines[name].set_visible(False)
@@ -208,11 +209,11 @@ class _Drawn(NamedTuple):
             style: dict[str, Any] = {"fontsize": 9, "color": LOAD, "zorder": 3}
             if abs(across) > NEGLIGIBLE * largest:
                 side = -np.sign(across)
-                ends = (at / mm, side * 0.72 * top / mm), (at / mm, side * 1.25 * top / mm)
+                ends = (at / mm, side * 0.72 * top / mm), (at / mm, side * 1.12 * top / mm)
                 self.axes.annotate("", *ends, arrowprops=arrow)
                 self.axes.annotate(
-                    f"{abs(across):.4g} N", ends[1], (5, 0), textcoords="offset points",
-                    va="bottom" if side < 0.0 else "top", **style,
+                    f"{abs(across):.4g} N", ends[1], (0, 2 * side), textcoords="offset points",
+                    ha="center", va="top" if side < 0.0 else "bottom", **style,
                 )  # fmt: skip
             if abs(along) > NEGLIGIBLE * largest:
                 self._axial(at, along, top, arrow, style)
@@ -268,8 +269,8 @@ class _Drawn(NamedTuple):
             y = float(self.at([position])[0][0])
             self.axes.plot(position / mm, y / mm, marker="o", ms=4, color="black", zorder=3)
             text = f"{label}: {y / self.factor / um:.3g} µm".replace("-", "−")
-            self.axes.annotate(text, (position / mm, 1.2 * top / mm), ha="center", fontsize=9)
-            self.axes.plot(2 * [position / mm], [y / mm, 1.17 * top / mm], color="0.6", lw=0.6, ls=":", zorder=0.9)
+            self.axes.annotate(text, (position / mm, 1.58 * top / mm), ha="center", fontsize=9)
+            self.axes.plot(2 * [position / mm], [y / mm, 1.54 * top / mm], color="0.6", lw=0.6, ls=":", zorder=0.9)
 
 
 def _below(axes: Any) -> Any:

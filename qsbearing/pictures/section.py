@@ -154,6 +154,6 @@ def _label(axes: Axes, side: str, angle: float, load: float, pressure: float, di
     else:
         text = f"{side} contact:\nno load"
     axes.text(
-        up * 0.75 * WIDTH * diameter * 0.98, up * 0.45 * diameter, text, color=STYLE[side]["color"], fontsize=10,
-        ha="left" if up > 0.0 else "right", va="center", linespacing=1.5,
+        up * 0.75 * WIDTH * diameter * 0.98, up * 0.66 * diameter, text, color=STYLE[side]["color"], fontsize=10,
+        ha="left" if up > 0.0 else "right", va="top" if up > 0.0 else "bottom", linespacing=1.4,
     )  # fmt: skip

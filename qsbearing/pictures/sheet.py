@@ -193,8 +193,8 @@ def _rows(drawings: Sequence[Drawing], solution: SetSolution, index: Index) -> F
             line, column = divmod(number, columns)
             place_of_panel = above + line * len(drawings) + k, column
             axes = figure.add_subplot(grid[place_of_panel], projection=drawing.projection)
-            labelled = {"is_labelled": number == 0} if drawing is LOADS else {}
-            drawing.draw(axes, row, place, span, **labelled)
+            how = {"is_labelled": number == 0} if drawing is LOADS else {"is_small": is_flat}
+            drawing.draw(axes, row, place, span, **how)
             own = solution.set.rows[number]
             name = ", ".join(filter(None, (own.bearing.name, f"carries {own.carries}")))
             title = f"Row {number + 1}, {own.carries}" if is_flat else f"Row {number + 1} ({name})\n{axes.get_title()}"

@@ -69,7 +69,8 @@ def _of_set(solution: SetSolution, index: Index) -> Any:
         above, below = figure.subfigures(2, 1, height_ratios=(OF_SHAFT, below_height))
     axes = above.subplots()
     draw_deformed_shaft(axes, solution, place, main_plane(solution, place), scale)
-    axes.set_title(_moves(solution, place, scale.factor), fontsize=10 if is_short else 13, fontweight="bold", pad=10)
+    title = _moves(solution, place, scale.factor, "\n" if is_short else ", ")
+    axes.set_title(title, fontsize=10 if is_short else 13, fontweight="bold", pad=8)
     panels = below.subplots(lines, columns, squeeze=False, subplot_kw={"projection": "polar"}).ravel()
     span = 0.0, max(load_span(row, place)[1] for row in solution.rows)
     for number, (axes, row) in enumerate(zip(panels, solution.rows, strict=False)):
@@ -84,10 +85,12 @@ def _of_set(solution: SetSolution, index: Index) -> Any:
     return figure
 
 
-def _moves(solution: SetSolution, place: Any, factor: float) -> str:
+def _moves(solution: SetSolution, place: Any, factor: float, between: str) -> str:
     """How far the first point moves across the shaft, and how large that is drawn."""
     name = next(iter(solution.points), "")
     moved = solution.points[name].displacement[place] if name else solution.displacement[place]
     across = float((moved[1] ** 2 + moved[2] ** 2) ** 0.5) / um
     what = name or "shaft"
-    return f"{what} moves {across:.3g} µm sideways, drawn × {factor:,.0f}" if across else f"{what} keeps its place"
+    return (
+        f"{what} moves {across:.3g} µm sideways{between}drawn × {factor:,.0f}" if across else f"{what} keeps its place"
+    )

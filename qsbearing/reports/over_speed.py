@@ -175,6 +175,7 @@ def _figure(swept: Swept, panels: Sequence[Panel]) -> Any:
         axes.set_title(panel.title, fontsize=10, loc="left")
         axes.set_xlabel("rpm", fontsize=9)
         axes.margins(y=0.15)
+        axes.locator_params(axis="x", nbins=5)
         if len(panel.lines) > 1:
             axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=2.4)
         plain(axes)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -63,33 +63,23 @@ DRAWN: dict[str, Callable[[], Any]] = {
 }
 
 
-def texts_of(figure: Any) -> Iterator[Text]:
-    """Those that are seen."""
-    for each in figure.findobj(Text):
-        if each.get_visible() and each.get_text().strip() and is_shown(each):
-            yield each
-
-
-def is_shown(text: Text) -> bool:
-    """Whether it is drawn at all: no tick beyond the ends of its axis, nothing of axes that are off."""
-    axes = text.axes
-    if axes is None:
-        return True
-    ticks = {
-        label: tick
-        for axis in axes._axis_map.values()
-        for tick in axis.get_major_ticks()
-        for label in (tick.label1, tick.label2)
-    }  # type: ignore[attr-defined]
-    if text not in ticks:
-        return bool(axes.axison or text in axes.texts or text is axes.title)
-    drawn = {tick for axis in axes._axis_map.values() for tick in axis._update_ticks()}  # type: ignore[attr-defined]
-    return bool(axes.axison) and ticks[text] in drawn
+def texts_of(figure: Any) -> list[Text]:
+    """Those that are seen: no label of a tick beyond the ends of its axis, nothing of axes that are off."""
+    hidden = set()
+    for axes in figure.axes:
+        for axis in axes._axis_map.values():
+            low, high = sorted(axis.get_view_interval())
+            for tick in axis.get_major_ticks():
+                if not (axes.axison and low - 1e-9 <= tick.get_loc() <= high + 1e-9):
+                    hidden |= {id(tick.label1), id(tick.label2)}
+            hidden |= set() if axes.axison else {id(axis.label)}
+    every = (each for each in figure.findobj(Text) if each.get_visible() and each.get_text().strip())
+    return [each for each in every if id(each) not in hidden]
 
 
 def overlaps(figure: Any) -> list[tuple[str, str]]:
     """Pairs of texts that lie on each other, and texts that leave the picture."""
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     edge = EDGE * figure.dpi / 72.0
     boxes = [(each.get_text(), each.get_window_extent()) for each in texts_of(figure)]
     width, height = figure.bbox.width, figure.bbox.height
