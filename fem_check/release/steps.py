@@ -23,8 +23,8 @@ SCENES = {
 }
 """Of the campaigns of single bearings: solved, classified, refusals certified."""
 RECOMPUTED = {
-    MeshLevel.QUICK: {"elastic_rings": 1_000, "sets": 200, "spindles": 100},
-    MeshLevel.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "spindles": 20_000},
+    MeshLevel.QUICK: {"elastic_rings": 1_000, "sets": 200, "deep_groove": 200, "spindles": 100},
+    MeshLevel.RELEASE: {"elastic_rings": 100_000, "sets": 20_000, "deep_groove": 20_000, "spindles": 20_000},
 }
 """Cases of the campaigns that compute what is solved a second time."""
 LONGEST = ("check bearing_sector", "campaign spindles")

@@ -160,7 +160,10 @@ def test_it_needs_every_check_and_all_the_rest():
 
 def test_the_programs_and_records_of_every_step_exist():
     """At the release level all of its records are in the repository, but those of a campaign that is new."""
-    missing = {f"{CAMPAIGNS}/sets/summary.json", f"{RECORDS}/release/formula.json"}  # the latter: of these tests alone
+    missing = {
+        f"{CAMPAIGNS}/deep_groove/summary.json",
+        f"{RECORDS}/release/formula.json",
+    }  # these tests alone have the latter
     for step in every_step(MeshLevel.RELEASE):
         words = step.command.split()
         if words[:2] == ["python", "-m"]:

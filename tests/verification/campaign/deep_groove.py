@@ -118,7 +118,7 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
         span = np.asarray(row.bearing.groove_centre_distance)
         shaft, housing = heat_strain(found.scene, "shaft"), heat_strain(found.scene, "housing")
         cold = np.asarray(row.position) - of.reference
-        arm, load = cold * (1.0 + shaft), found.load
+        arm, load = np.broadcast_to(cold * (1.0 + shaft), shape), found.load
         total[:, 0] += side * load[:, 0]
         total[:, 1:3] += load[:, 1:3]
         total[:, 3] += side * load[:, 3] - arm * load[:, 2]
