@@ -104,7 +104,8 @@ class Evidence:
     hard_cases: Kept | None = None
     campaigns: list[Kept] = field(default_factory=list)
     recomputed: list[Kept] = field(default_factory=list)
-    """Campaigns of elastic rings, sets and spindles, whose solutions are computed a second time; they have no limit."""
+    """Campaigns of elastic rings, sets, deep-groove rows and spindles, whose solutions are computed a second time; they
+    have no limit."""
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None

@@ -98,6 +98,8 @@ def touching(cases: NDArray) -> NDArray:
 def play(of: Any, cases: NDArray, offsets: NDArray) -> NDArray:
     """How far the shaft, straight and centred, goes in -x and in +x from its zero until a row carries it.
 
+    As at rest: balls that are thrown outward push softly from 0.7 of the way on, where they leave the middle.
+
     Args:
         cases: case records, (row, case); offsets: from where a row touches in operation, likewise [m].
 

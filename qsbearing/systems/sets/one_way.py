@@ -2,24 +2,27 @@
 
 Where a row would be pulled away from what holds its ring, the ring goes along and the row carries no axial load. At
 rest that is the least of a convex energy over places on one side of a bound, so that one state fits. It is found by
-trying: rings that pull are let free, rings that have passed what holds them are held again (an active set).
+trying (an active set): of the rings that pull, the one that pulls most is let free, and the energy falls; rings that
+have passed what holds them are held again. Where that ends without a solution, all states are tried, one after another.
 """
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.kernel.admissibility import CONVERGED, NOT_CONVERGED
-from qsbearing.model.solution.rounding import NOISE
+from qsbearing.systems.sets.location import carried as carried_by
 from qsbearing.systems.sets.problem import Problem
-from qsbearing.systems.sets.rigid_shaft import UNKNOWNS, one_way_rings
+from qsbearing.systems.sets.rigid_shaft import SLIDE, UNKNOWNS, one_way_rings
 
-AT_ONCE, ONE_BY_ONE = 6, 20
-"""Rounds in which all rings change that should, and after them only the first: what goes round in circles by the one
-rule ends by the other. Random sets of up to four such rows end after four."""
+MOST_ROUNDS = 20
+"""Random sets of up to four such rows end after six."""
+MOST_TRIED = 6
+"""Rings, of whose states all are tried: 64 at most."""
 FREE = 1e-9
 """Of the stiffest row: less stiffness is the rounding of rings that follow the shaft."""
 PASSED = 1e-12
@@ -28,20 +31,44 @@ PASSED = 1e-12
 
 def settle(problem: Problem, part: slice, carried: NDArray) -> None:
     """Solve a stretch of cases, each with the rings held that are pressed against what holds them."""
-    problem.solve(part, carried)
     rings = one_way_rings(problem.of)
+    if rings:  # without any load a shaft goes where no ring is pressed
+        problem.held[part, list(rings)] = (problem.load[part, :SLIDE] != 0.0).any(axis=1)[:, None]
+    problem.solve(part, carried)
     if not rings:
         return
     turned = carried[part].copy()
-    for tried in range(AT_ONCE + ONE_BY_ONE):
-        turned &= _turn(problem, part, turned, rings, tried >= AT_ONCE)
+    for _ in range(MOST_ROUNDS):
+        turned = _turn(problem, part, turned, rings)
         for run in _runs(np.flatnonzero(turned) + part.start):
             problem.solve(run, carried)
         if not turned.any():
             break
-    problem.outcome.status[part][turned] = NOT_CONVERGED
-    problem.found.results["status"][:, part][:, turned] = NOT_CONVERGED
+    unsolved = carried[part] & (turned | (problem.outcome.status[part] != CONVERGED))
+    for case in np.flatnonzero(unsolved) + part.start:
+        _try_all(problem, slice(case, case + 1), carried, rings)
     _put_amid(problem, part, rings)
+
+
+def _try_all(problem: Problem, case: slice, carried: NDArray, rings: dict[int, int]) -> None:
+    """Look for the state of the rings that fits, where some row is held against the thrust; without one, as it was."""
+    o, columns, way = problem.outcome, list(rings), np.sign(problem.load[case.start, 0])
+    before = problem.held[case.start].copy()
+    able = [number for number in range(len(problem.of.rows)) if number not in rings.values()]
+    able = [number for number in able if way in carried_by(problem.of.rows[number])]
+    states = product((True, False), repeat=len(rings)) if len(rings) <= MOST_TRIED else ()
+    for state in states:
+        holds = [problem.of.rows[number].sign for number, held in zip(rings.values(), state, strict=True) if held]
+        if way != 0.0 and not able and way not in holds:
+            continue
+        problem.held[case, columns] = state
+        problem.solve(case, carried)
+        if o.status[case.start] == CONVERGED and not _turn(problem, case, np.ones(1, bool), rings)[0]:
+            return
+    problem.held[case.start] = before
+    problem.solve(case, carried)
+    if o.status[case.start] == CONVERGED:
+        o.status[case.start] = problem.found.results["status"][:, case.start] = NOT_CONVERGED
 
 
 def without_idle_rings(of: Any, tangent: NDArray, at_rest: NDArray) -> NDArray:
@@ -67,27 +94,30 @@ def nothing_holds(shaft: NDArray, of_rows: list[NDArray]) -> NDArray:
     return np.asarray(np.abs(shaft[..., 0, 0]) <= FREE * stiffest)
 
 
-def _turn(problem: Problem, part: slice, which: NDArray, rings: dict[int, int], is_single: bool) -> NDArray:
+def _turn(problem: Problem, part: slice, which: NDArray, rings: dict[int, int]) -> NDArray:
     """Free and hold what should be in these cases: in which of them something changed, shape (case,)."""
-    o, held = problem.outcome, problem.held[part]
+    o, columns = problem.outcome, list(rings)
+    held, along = problem.held[part][:, columns], o.axial[list(rings.values()), part].T
+    signs = np.array([problem.of.rows[number].sign for number in rings.values()])
     is_open = which & (o.status[part] == CONVERGED)
-    changed = np.zeros(len(which), bool)
-    for column, number in rings.items():
-        pulls = held[:, column] & (o.axial[number, part] < -NOISE * o.largest[part])
-        passes = ~held[:, column] & (problem.of.rows[number].sign * o.q[part, column] > PASSED)
-        turns = is_open & (pulls | passes) & ~(changed & is_single)
-        held[turns, column] ^= True
-        changed |= turns
-    return changed
+    passes = is_open[:, None] & ~held & (signs * o.q[part][:, columns] > PASSED)
+    pulled = np.where(held, along, 0.0)
+    pulls = is_open & ~passes.any(axis=1) & (pulled.min(axis=1) < -o.noise[part])
+    turns = passes | (pulls[:, None] & (np.arange(len(columns)) == pulled.argmin(axis=1)[:, None]))
+    problem.held[part, columns] = held ^ turns
+    return np.asarray(turns.any(axis=1))
 
 
 def _put_amid(problem: Problem, part: slice, rings: dict[int, int]) -> None:
-    """Where every ring is free, shaft and rings go along x together and no row feels it, until a ring comes to what
+    """Where no ring is pressed, shaft and rings go along x together and no row feels it, until a ring comes to what
     holds it: to the middle of that way."""
     o, rigid = problem.outcome, problem.structure.rigid
     motion = np.zeros(rigid)
     motion[0] = motion[UNKNOWNS:] = 1.0
-    stays = (problem.held[part, :rigid] & (motion != 0.0)).any(axis=1) | (o.status[part] != CONVERGED)
+    held = problem.held[part, :rigid].copy()
+    for column, number in rings.items():  # at what holds it, and not pressed: it may as well draw back
+        held[:, column] &= np.abs(o.axial[number, part]) > o.noise[part]
+    stays = (held & (motion != 0.0)).any(axis=1) | (o.status[part] != CONVERGED)
     stays |= (problem.matrices[:, part, 0, :rigid] @ motion != 0.0).any(axis=0)
     if problem.structure.elasticity.size:  # supports
         own = problem.structure.elasticity[part, :rigid, :rigid]
@@ -100,7 +130,9 @@ def _put_amid(problem: Problem, part: slice, rings: dict[int, int]) -> None:
         else:
             low = np.maximum(low, way)
     amid = np.where(stays | ~np.isfinite(low) | ~np.isfinite(high), 0.0, 0.5 * (low + high))
-    o.q[part, :rigid] += np.where(np.isfinite(amid), amid, 0.0)[:, None] * motion
+    amid = np.where(np.isfinite(amid), amid, 0.0)
+    o.q[part, :rigid] += amid[:, None] * motion
+    o.held[part, :rigid] = problem.held[part, :rigid] = np.where(amid[:, None] != 0.0, held, problem.held[part, :rigid])
 
 
 def _runs(numbers: NDArray) -> list[slice]:

@@ -18,6 +18,7 @@ from qsbearing.model.kernel.solve_sets import solve_set_cases
 from qsbearing.model.kernel.workspace import BALL, WORKSPACE
 from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.rounding import NOISE
 from qsbearing.model.solution.solution import Solution
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
@@ -48,6 +49,9 @@ class Outcome:
     """Load of each row in the direction that it carries; shape (row, case) [N]."""
     largest: NDArray
     """Of the forces on rows, in any direction; shape (case,) [N]."""
+    noise: NDArray
+    """Up to which size the axial load of a row is rounding, beside forces on rows and balls wedged between rings;
+    shape (case,) [N]."""
     held: NDArray
     """Which unknowns are given: values that are prescribed, and rings at what holds them; shape (case, unknown)."""
     play: NDArray
@@ -60,7 +64,7 @@ class Outcome:
         return cls(
             np.zeros((count, unknowns)), np.zeros(count, np.int8), np.zeros(count), *numbers,
             np.zeros((count, unknowns), bool), np.ones(count), np.zeros((rows, count)), np.zeros(count),
-            np.zeros((count, unknowns), bool), np.full((count, 2), np.nan),
+            np.zeros(count), np.zeros((count, unknowns), bool), np.full((count, 2), np.nan),
         )  # fmt: skip
 
 
@@ -135,15 +139,15 @@ class Problem:
 
     def _set_unknowns(self, spring: Any) -> None:
         """Loads, and which unknowns have their values given or vanish by symmetry."""
-        self._load, self._place = self.structure.load.copy(), np.zeros_like(self.structure.load)
-        self.held = np.zeros(self._load.shape, bool)
+        self.load, self._place = self.structure.load.copy(), np.zeros_like(self.structure.load)
+        self.held = np.zeros(self.load.shape, bool)
         self.held[:, self.structure.given :] = True
         self._place[:, self.structure.given :] = 1.0
         for i, channel in enumerate(CHANNELS):
             load = getattr(self.of.operation, channel.load)
             displacement = getattr(self.of.operation, channel.displacement)
             if load is not None:
-                self._load[:, i] += self._flat(load)
+                self.load[:, i] += self._flat(load)
             self.held[:, i] = displacement is not None
             if displacement is not None:
                 self._place[:, i] = self._flat(displacement)
@@ -151,8 +155,8 @@ class Problem:
             self.held[:, column] = True
         self.held[:, SLIDE] = spring is None
         if spring is not None:
-            self._load[:, SLIDE] = self._flat(spring)
-        given = (self._load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
+            self.load[:, SLIDE] = self._flat(spring)
+        given = (self.load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
         around = self.structure
         skew = self._has_unequal_balls | around.bends_askew
@@ -196,10 +200,10 @@ class Problem:
         o = self.outcome
         if any(self.of.is_two_sided):
             o.play[part] = play(self.of, cases, offsets - shift)
-        given = self._load[part], self.held[part], self._place[part], self._lever[part], o.play[part]
+        given = self.load[part], self.held[part], self._place[part], self._lever[part], o.play[part]
         place, loose = begin(self.structure, part, cases, offsets - shift, *given)
         s = Stretch(
-            rows, self._load[part], self.held[part], place, self.structure.elasticity[part],
+            rows, self.load[part], self.held[part], place, self.structure.elasticity[part],
             self.structure.rigid, self._lever[part], self._step[part], self.tolerance, o.q[part], o.residual[part],
             o.iterations[part], np.ones(count), np.ones(count), np.full(count, -1),
             np.zeros_like(o.q[part]), np.zeros(count, bool),
@@ -229,6 +233,9 @@ class Problem:
         o.held[part] = self.held[part]
         forces = states.results["load"][..., :3] * cases["force"][..., None]
         o.axial[:, part], o.largest[part] = forces[..., 0], np.abs(forces).max(axis=(0, 2))
+        wedged = cases["series_stiffness"] * np.maximum(cases["interference"], 0.0) ** 1.5 * cases["force"]
+        least = np.max([row.least_load(np.arange(count)) for row in rows], axis=0)
+        o.noise[part] = least + NOISE * np.maximum(o.largest[part], wedged.max(axis=0))
         failed = o.status[part] != CONVERGED
         if failed.any():
             for row in rows:

@@ -30,9 +30,12 @@ def begin(
         lever: makes forces of moments [m].
         play: from where to where rows let the shaft go, (case, 2); not a number where none has two sides [m].
     """
-    place = _in_play(load, held, place, play)
+    rests, place = _in_play(load, held, place, play)
     matrices, is_bent = structure.matrices[:, part], structure.given < place.shape[1]
-    moved, gaps = _along(structure.rigid, cases, matrices, offsets, load, held, place)
+    stays = held.copy()
+    stays[:, 0] |= rests
+    moved, gaps = _along(structure.rigid, cases, matrices, offsets, load, stays, place)
+    place = np.where(rests[:, None], moved, place)  # rings that slide, amid theirs
     across = (load[:, 1:5] != 0.0).any(axis=1)
     gapped = across & (gaps > 0.0).any(axis=0)
     loose = gapped | (across & ~cases["one_sided"].all(axis=0))
@@ -66,15 +69,15 @@ def begin(
     return np.where((gapped | is_bent)[:, None], place + bent, place), loose
 
 
-def _in_play(load: NDArray, held: NDArray, place: NDArray, play: NDArray) -> NDArray:
-    """A shaft without any load amid its play, or as near its zero as rows on one side of it allow."""
+def _in_play(load: NDArray, held: NDArray, place: NDArray, play: NDArray) -> tuple[NDArray, NDArray]:
+    """Which shafts are without any load; and those amid their play, or as near their zero as rows on one side allow."""
     low, high = play.T
     with np.errstate(invalid="ignore"):
         amid = np.where(np.isfinite(low + high), 0.5 * (low + high), np.clip(0.0, low, high))
         rests = ~held[:, 0] & (load[:, :SLIDE] == 0.0).all(axis=1) & (low <= high)
     place = place.copy()
     place[:, 0] += np.where(rests, amid, 0.0)
-    return place
+    return rests, place
 
 
 def _closing(cases: NDArray, way: NDArray, load: NDArray, gaps: NDArray) -> NDArray:
