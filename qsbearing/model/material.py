@@ -117,7 +117,7 @@ STAINLESS_STEEL = Material(
     poisson_ratio=0.3,
     density=7900.0,
     thermal_expansion=16e-6,
-    name="stainless steel",
+    name="1.4301",
     source="EN 10088-1, 1.4301, at ambient temperature (rolextube.com); Poisson's ratio: usual handbook value",
 )
 """Austenitic stainless steel 1.4301, as of shafts and housings; rings and balls are 440C."""
@@ -136,7 +136,7 @@ _OTHER_NAMES = {
     "aluminium": ("aluminum",),
     "cast iron": ("grey cast iron", "gray cast iron", "EN-GJL-250", "GJL-250", "GG25"),
     "440C": ("AISI 440C", "1.4125", "SUS440C"),
-    "stainless steel": ("stainless", "1.4301", "AISI 304", "304"),
+    "1.4301": ("stainless steel", "stainless", "AISI 304", "304"),
     "titanium": ("Ti-6Al-4V", "Ti6Al4V"),
     "silicon nitride": ("Si3N4",),
     "100Cr6": ("1.3505", "AISI 52100", "SAE 52100", "52100", "SUJ2"),

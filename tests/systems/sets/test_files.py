@@ -20,6 +20,7 @@ POSSIBLE = {
     *("offset_um", "sprung", "reference_position_mm", "spring_N", "axial_displacement_um"),
     *("start_mm", "length_mm", "outer_diameter_mm", "inner_diameter_mm", "position_mm", "radial_y_N", "tool_mm"),
     "gravity_m_s2",
+    *("azimuth_deg", "pitch_diameter_mm", "helix_angle_deg", "hand", "torque_Nm", "drives"),
     *("max_pressure_MPa", "effective_stiffness_axial", '"life.basic_duration_h"'),  # which is required of results
 }
 """Keys that the template shows in comments."""
