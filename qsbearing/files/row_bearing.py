@@ -21,21 +21,8 @@ def whole_bearing(row: dict[str, Any], common: Any) -> Any:
         return common if own is None else own
     if any(each <= own.keys() for each in _ALONE):
         return own
-    displaced = set().union(*map(_displaced, own))
+    displaced = {"preload"}.union(*map(_displaced, own))  # a class is that of all rows
     return {key: each for key, each in common.items() if key not in displaced} | own
-
-
-def with_whole_bearings(document: dict[str, Any]) -> dict[str, Any]:
-    """The tables of a set, each row's bearing as a whole."""
-    rows = document.get("rows")
-    if not isinstance(rows, list) or not any(isinstance(each, dict) and "bearing" in each for each in rows):
-        return document
-    common = document.get("bearing")
-    whole = [
-        each | {"bearing": whole_bearing(each, common)} if isinstance(each, dict) and "bearing" in each else each
-        for each in rows
-    ]
-    return document | {"rows": whole}
 
 
 def _displaced(key: str) -> set[str]:

@@ -16,7 +16,7 @@ from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
 from qsbearing.files.keys import SECTIONS, SET_TABLES, keys_of
 from qsbearing.files.preload_class import preload_table
 from qsbearing.files.readings_table import ReadReadings, errors_in_scene, read_readings
-from qsbearing.files.row_bearing import with_whole_bearings
+from qsbearing.files.row_bearing import whole_bearing
 from qsbearing.files.scene_file import (
     document_of,
     heated,
@@ -74,7 +74,6 @@ def set_of(document: dict[str, Any], file: str, label: str = "") -> BearingSet:
     if "spectrum" in document:
         return over_spectrum(document, file, label, set_of)
     errors: Errors = []
-    document = with_whole_bearings(document)
     thermal, balance_keys = heated(document, errors)
     _find_unknown_tables(document, errors)
     common = read_bearing(document, "", errors) if "bearing" in document else NO_BEARING
@@ -203,8 +202,10 @@ def _row(table: Any, path: str, shared: _Shared, errors: Errors) -> _ReadRow:
     effects = read_tables(table, within)
     asked = read_readings(table, within).implying(shared.asked.required) if "readings" in table else None
     bearing, stated = shared.bearing.bearing, shared.stated
-    own = read_bearing({"bearing": table["bearing"]}, "", within, is_of_row=True) if "bearing" in table else NO_BEARING
+    own = NO_BEARING
     if "bearing" in table:
+        whole = whole_bearing(table, shared.document.get("bearing"))
+        own = read_bearing({"bearing": whole}, "", within, is_of_row=True)
         bearing, stated = own.bearing, stated._replace(bearing=own)
         if not effects and not shared.effects.has_deviations and stated.takes(shared.effects.tables.values()):
             effects = shared.effects.tables

@@ -30,7 +30,7 @@ from qsbearing.model.solution.result_keys import (
     printed_unit,
 )
 from qsbearing.model.solution.solution import Solution
-from qsbearing.results.report import freedom
+from qsbearing.results.tables import freedom
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -106,7 +106,7 @@ def facts(results: Iterable[KeyResult]) -> Facts:
     return Facts([each._replace(condition="").line for each in results if each.parts or each.note])
 
 
-class ContactResults(NamedTuple):
+class ResultsOfContacts(NamedTuple):
     """Those of the contacts of each raceway."""
 
     pressure: KeyResult
@@ -116,11 +116,11 @@ class ContactResults(NamedTuple):
     unloaded: KeyResult
 
 
-def _contact_results(solution: Solution) -> ContactResults:
+def _contact_results(solution: Solution) -> ResultsOfContacts:
     is_ball = np.isfinite(solution.azimuth)
     empty = int((is_ball & (solution.inner_load == 0.0)).sum())
     count = (KeyNumber("", (empty,), f"of {is_ball.sum()}"),) if empty else ()
-    return ContactResults(
+    return ResultsOfContacts(
         KeyResult("maximum contact pressure", largest_of(solution, MAX_PRESSURE)),
         KeyResult("contact angles", tuple(angles_of(solution, side, side.raceway) for side in CONTACTS)),
         KeyResult("maximum contact load", largest_of(solution, CONTACT_LOAD)),

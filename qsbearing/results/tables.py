@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 from rich import box
@@ -16,6 +16,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.files.catalogue import CatalogueEntry
 from qsbearing.files.keys import PRINTED
+from qsbearing.model.operation import CHANNELS
 
 TOO_LOW = "too low for the shoulder that carries the thrust, so that it is not used as one"
 _PRINTED = {key.name for key in PRINTED}
@@ -116,3 +117,10 @@ def _material(value: Any, full: bool = False) -> str:
         return value
     modulus, ratio, density = (value[key] for key in ("elastic_modulus_GPa", "poisson_ratio", "density_kg_m3"))
     return f"{modulus:g} GPa, {ratio:g},\n{density:g} kg/m³" if full else f"{modulus:.4g} GPa"
+
+
+def freedom(free: Collection[int]) -> str:
+    """Which channels are free to move, and which are not, by the numbers of the free ones."""
+    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
+    labels = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in labels.items() if names)

@@ -71,6 +71,8 @@ def test_what_is_done_above_is_not_there(printed: list[str]) -> None:
 
 NAMES_OF_RESULTS = "result_keys.py"
 """Some lengths of the bearing are results as well, and spelled as such."""
+COLUMNS = {"azimuth_deg"}
+"""Of balls in tables; that of a gear's mesh has the same name."""
 
 
 def test_it_holds_no_key_of_a_file() -> None:
@@ -79,5 +81,7 @@ def test_it_holds_no_key_of_a_file() -> None:
     keys = {key.name for table in tables for key in table if key.field in key.name and key.field != key.name}
     assert len(keys) > 100
     files = [each for each in (Path(qs.__file__).parent / "model").rglob("*.py") if each.name != NAMES_OF_RESULTS]
-    spelled = {each.name: keys & {*re.findall(r"[\w.]+", each.read_text(encoding="utf-8"))} for each in files}
+    spelled = {
+        each.name: (keys - COLUMNS) & {*re.findall(r"[\w.]+", each.read_text(encoding="utf-8"))} for each in files
+    }
     assert not {name: words for name, words in spelled.items() if words}

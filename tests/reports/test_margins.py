@@ -16,6 +16,7 @@ from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.readings.asked import take_asked
 from qsbearing.remarks.remark import remark
 from qsbearing.reports.answers_table import answers_table
+from qsbearing.reports.guide_lists import every_kind
 from qsbearing.reports.verdict import verdict
 from qsbearing.results.built_in_limits import BUILT_IN, built_in_answers
 from qsbearing.results.requirements import Answered
@@ -114,7 +115,7 @@ def test_the_answer_follows_from_margins_and_remarks(
     load: float, said: tuple[str, ...], status: str, words: tuple[str, ...]
 ) -> None:
     found = list(of(qs.Operation(axial_load=load)).values())
-    shown = verdict(found, [remark(code) for code in said])
+    shown = verdict(found, [remark(every_kind()[code]) for code in said])
     assert shown.status == status
     for each in words:
         assert each in shown.text

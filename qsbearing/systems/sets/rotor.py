@@ -47,6 +47,22 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     return ross_rotor.rotor(sections, holders, speed, places, [*masses, *disks], longest)
 
 
+def rotor_of(solution: Any, turned: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
+    """What `SetSolution.to_ross_rotor` gives.
+
+    Args:
+        turned: how far each row's place on the shaft has turned.
+    """
+    if len(solution.shape) > 1:
+        problem = "has several axes of cases; one is wanted, that of speed"
+        raise SceneError([ErrorDetail("shape", problem, solution.shape)])
+    if not np.all(solution.converged):
+        raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
+    own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in solution.rows])
+    held = held_by(solution.set, own, turned, solution.outcome.held)
+    return rotor(solution.set, held.reshape(len(solution.rows), *solution.shape, 5, 5), disks, longest)
+
+
 def held_by(of: BearingSet, own: NDArray, turned: NDArray, at_rest: NDArray) -> NDArray:
     """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5).
 

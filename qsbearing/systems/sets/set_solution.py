@@ -20,7 +20,6 @@ from qsbearing.model.solution.ring_stiffness import inverse
 from qsbearing.model.solution.rounding import least_force, rounding_of, without_rounding
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason
-from qsbearing.model.validation import ErrorDetail, SceneError
 from qsbearing.remarks.remark import Warned, row_name
 from qsbearing.systems.sets.axial_growth import SHAFT
 from qsbearing.systems.sets.bearing_set import BearingSet, places_on_shaft
@@ -441,16 +440,9 @@ class SetSolution(SolutionOfCases):
             SceneError: no shaft, more than one axis of cases, cases that are not solved, or a speed that falls.
             ImportError: ROSS is not installed.
         """
-        from qsbearing.systems.sets import rotor
+        from qsbearing.systems.sets.rotor import rotor_of
 
-        if len(self.shape) > 1:
-            problem = "has several axes of cases; one is wanted, that of speed"
-            raise SceneError([ErrorDetail("shape", problem, self.shape)])
-        if not np.all(self.converged):
-            raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
-        own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in self.rows])
-        held = rotor.held_by(self.set, own, self._deflection.turned, self.outcome.held)
-        return rotor.rotor(self.set, held.reshape(len(self.rows), *self.shape, 5, 5), disks, longest)
+        return rotor_of(self, self._deflection.turned, disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:
         return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))

@@ -19,6 +19,7 @@ from qsbearing.model.scene.scene import CHOICES
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.solution.judgement import WORTH_A_WARNING
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS
+from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.hypotheses import WORTH_A_SOLVE, hypotheses
 from qsbearing.reports.document import document
 from qsbearing.results.remarks import every_remark
@@ -189,7 +190,7 @@ def test_where_displacements_are_held_the_stiffness_alone_is_named() -> None:
 def test_below_the_speed_at_which_it_matters_nothing_is_solved_again(monkeypatch: pytest.MonkeyPatch) -> None:
     solution = qs.solve(turning(300.0, axial_load=17_800.0))
     monkeypatch.setattr(solution, "solve_alike", lambda of: pytest.fail("solved again"))
-    assert list(hypotheses(solution, slice(0, 1))) == []
+    assert list(hypotheses(CaseRange(solution, slice(0, 1)))) == []
 
 
 def test_below_the_threshold_of_inertia_no_hypothesis_matters() -> None:

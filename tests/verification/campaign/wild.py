@@ -60,7 +60,7 @@ HELD = tuple(itertools.product((False, True), repeat=5))
 def draw_group(rng: np.random.Generator, number: int) -> Group:
     """A group; its number decides which channels are held, so that all 32 patterns come round in turn."""
     held = HELD[number % len(HELD)]
-    kind = one_of(rng, list(qs.BearingKind))
+    kind = one_of(rng, [qs.BearingKind.ANGULAR_CONTACT, qs.BearingKind.DEEP_GROOVE])
     effects, control, shares = one_of(rng, MOTIONS, [0.16, *[0.84 / (len(MOTIONS) - 1)] * (len(MOTIONS) - 1)])
     choices = {
         "hertz_angle": one_of(rng, list(qs.HertzAngle), [0.5, 0.4, 0.1]),
