@@ -205,6 +205,19 @@ class FrictionMotion:
         return np.asarray(np.where(np.isfinite(self.torque), np.nansum(of_balls, axis=-1), np.nan))
 
 
+class Unread(NamedTuple):
+    """A balance as the kernel leaves it: reading it takes longer than a ball does."""
+
+    start: Any
+    inside: Inside
+    results: NDArray
+    """Of the balance alone."""
+    contacts: NDArray
+    torques: NDArray
+    bound: NDArray
+    """mu, by case."""
+
+
 def balanced(
     start: Any,
     maker: CaseMaker,
@@ -214,7 +227,7 @@ def balanced(
     *,
     carried: bool = True,
     threads: int = 1,
-) -> FrictionMotion:
+) -> Unread:
     """The balance of friction.
 
     Args:
@@ -242,17 +255,18 @@ def balanced(
 
     in_threads(solve_stretch, count, threads)
     are_held = cases["displacement_given"][:, TILTS] != 0
-    results["load"][:, TILTS] = np.where(
-        are_held, -ring_moments(cases, contacts[:, :, INNER], places), results["load"][:, TILTS]
-    )
+    if are_held.any():
+        moments = -ring_moments(cases, contacts[:, :, INNER], places)
+        results["load"][:, TILTS] = np.where(are_held, moments, results["load"][:, TILTS])
     inside = Inside(shape, cases, laws, points, carried, results, places)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
-    return _read(start, inside, contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
+    return Unread(start, inside, results.copy(), contacts, torques, np.broadcast_to(np.asarray(bound, float), shape))
 
 
 def spanned(shape: tuple[int, ...], both: tuple[int, ...]) -> NDArray:
     """Which of a scene's cases each is of a scene and a law together, which have these axes."""
-    return np.broadcast_to(np.arange(prod(shape)).reshape(shape), both).reshape(-1)
+    cases = np.arange(prod(shape))
+    return cases if shape == both else np.broadcast_to(cases.reshape(shape), both).reshape(-1)
 
 
 def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> NDArray:
@@ -260,7 +274,7 @@ def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> 
     laws = np.zeros(cases.size, kernel.LAW)
     laws["law"] = LAW_CODES[traction.law]
     friction, slip = (
-        np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
+        each if np.ndim(each) == 0 else np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
         for each in (traction.coefficient, traction.slip_speed)
     )
     laws["friction_coefficient"] = friction
@@ -273,8 +287,10 @@ def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> 
     return laws
 
 
-def _read(start: Any, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray) -> FrictionMotion:
-    shape, cases, results, places = inside.shape, inside.cases, inside.results, inside.places
+def read(balance: Unread) -> FrictionMotion:
+    """All that a balance says of ring, balls and contacts."""
+    start, inside, results, contacts, torques, bound = balance
+    shape, cases, places = inside.shape, inside.cases, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.kernel import results as kernel
-from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
+from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion, Unread, read
 from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.model.solution.raceway_contacts import CODES
 from qsbearing.model.solution.ring_stiffness import inverse
@@ -21,21 +23,28 @@ class Moved:
     """Arrays and stiffness of a solution.
 
     Args:
-        motion: the balance.
+        balance: of friction.
         turns: which of the flattened cases do; the others have the static solution.
         which: of the flattened cases of the solution under outer control each is.
     """
 
-    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray) -> None:
-        self.motion = motion
+    def __init__(self, balance: Unread, turns: NDArray, which: NDArray) -> None:
+        self._balance = balance
         self._still, self._which = ~turns, which
         self.is_at_rest = not turns.any()
-        self.known = _read_off(motion)
+
+    @cached_property
+    def motion(self) -> FrictionMotion:
+        """What the balance says."""
+        return read(self._balance)
+
+    def known(self) -> dict[tuple[int, int], NDArray]:
         """Arrays (*cases, ball) by the kernel's row and number."""
+        arrays, solved = _read_off(self.motion), self.motion.start.solved
         if self._still.any():
-            motion.start.solved.read_all(self.known)
-            for place, values in self.known.items():
-                self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
+            solved.read_all(arrays)
+            arrays = {place: self._with_static(values, solved.read(*place), 1) for place, values in arrays.items()}
+        return arrays
 
     def stiffness(self) -> NDArray:
         """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held. NaN for tilts: a ring that tilts turns about another

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from qsbearing.model.compiler.threads import thread_count
-from qsbearing.model.effects.hypotheses import under_control
+from qsbearing.model.effects.entry import with_found
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.scene.scene import Scene
@@ -19,6 +19,9 @@ from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import balanced, spanned
 from qsbearing.model.solution.moved import Moved
 from qsbearing.model.solution.solution import Solution
+
+ASSUMED = Traction()
+"""The law where a scene gives none."""
 
 
 def solve_moved(
@@ -34,13 +37,15 @@ def solve_moved(
     began = time.perf_counter()
     if start is not None and start.friction is not None:
         start = start.friction.start
-    under_outer = solve(under_control(scene, RacewayControl.OUTER), start=start)
+    # A scene whose balls friction may move is one under outer control too: it is not checked again.
+    under_outer = solve(with_found(scene, {"raceway_control": RacewayControl.OUTER, "traction": None}), start=start)
     maker = CaseMaker(scene, under_outer.maker.axial)
-    law, workers = scene.traction or Traction(), thread_count(threads)
-    motion = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
-    which, cases, results = spanned(under_outer.maker.shape, maker.shape), motion.inside.cases, motion.inside.results
+    law, workers = scene.traction or ASSUMED, thread_count(threads)
+    balance = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
+    which, cases, results = spanned(under_outer.maker.shape, maker.shape), balance.inside.cases, balance.inside.results
     turns = cases["inner_speed"] != cases["outer_speed"]
-    results[~turns] = under_outer.results[which][~turns]
+    if not turns.all():
+        results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
-    moved = Moved(motion, turns, which)
+    moved = Moved(balance, turns, which)
     return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)

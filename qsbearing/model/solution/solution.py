@@ -66,10 +66,6 @@ class Solution(SolutionOfCases):
         self.solve_alike = solve
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
         self._moved = moved
-        self.balance: FrictionMotion | None = None if moved is None else moved.motion
-        """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
-        self.friction = None if moved is None or moved.is_at_rest else moved.motion
-        """The same; None at rest as well."""
         known = None if moved is None else moved.known
         self.solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
         """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""
@@ -79,6 +75,16 @@ class Solution(SolutionOfCases):
         self.seconds = seconds
         self.threads = threads
         """At most so many solved it, and read it off."""
+
+    @property
+    def balance(self) -> FrictionMotion | None:
+        """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
+        return None if self._moved is None else self._moved.motion
+
+    @property
+    def friction(self) -> FrictionMotion | None:
+        """The same; None at rest as well."""
+        return None if self._moved is None or self._moved.is_at_rest else self._moved.motion
 
     @property
     def codes(self) -> NDArray:
