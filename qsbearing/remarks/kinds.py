@@ -8,6 +8,7 @@ reads it: {field}.
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
@@ -16,7 +17,7 @@ from typing import Any
 
 from qsbearing.documents.numbers import plain
 from qsbearing.model.validation import Field
-from qsbearing.remarks.wording import Raceways, Words
+from qsbearing.remarks.wording import Audience, Raceways, Words
 
 
 class Severity(IntEnum):
@@ -96,6 +97,17 @@ class Kind:
         if isinstance(self.setting, str):
             return [self.setting.format_map(values)] if self.setting else []
         return self.setting(values, words)
+
+    def pasted(self, values: Mapping[str, Any], words: Words, see: str = "") -> str:
+        """The line that a remark with these values ends with, to be pasted: options that do what it asks for, or the
+        command that says more.
+
+        Args:
+            see: page of the guide in place of its own.
+        """
+        settings = self.settings(values, words) if words.reader is Audience.FILE else []
+        options = [word for each in settings for word in ("--set", each)]
+        return shlex.join(options) if options else f"qsbearing guide {see or self.see}"
 
     @property
     def values(self) -> tuple[str, ...]:

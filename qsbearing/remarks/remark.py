@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.validation import Field
 from qsbearing.remarks.kinds import Kind, Severity
-from qsbearing.remarks.wording import PYTHON, Audience, Balls, Raceways, Words, capital, listed, numbered
+from qsbearing.remarks.wording import PYTHON, Balls, Raceways, Words, capital, listed, numbered
 
 
 @dataclass(frozen=True)
@@ -140,9 +139,7 @@ class Remark:
     def paste(self, words: Words) -> str:
         """A line to be pasted: an option that does what it asks for, or the command that says more."""
         is_of_whole = not self.of.rows and not self.of.bearings
-        options = self.kind.settings(self.values, words) if is_of_whole and words.reader is Audience.FILE else []
-        said = [word for each in options for word in ("--set", each)]
-        return shlex.join(said) if said else f"qsbearing guide {self.kind.see}"
+        return self.kind.pasted(self.values, words) if is_of_whole else f"qsbearing guide {self.kind.see}"
 
 
 class Warned(str):

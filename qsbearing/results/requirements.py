@@ -227,11 +227,11 @@ def _closing(answer: Answer, solution: Any) -> str:
         return ""
     from qsbearing.files.file_keys import IN_FILE
     from qsbearing.model.solution.changes import has_size_for
-    from qsbearing.remarks.pasted import pasted
+    from qsbearing.remarks.missing_effects import EFFECT_DATA_MISSING
 
     entry = next(each for each in EFFECTS if each.name == effect)
     values = {"effect": effect, "has_size": has_size_for(entry, solution)}
-    return pasted("effect_data_missing", values, "design#what-a-design-must-meet", True, IN_FILE)
+    return EFFECT_DATA_MISSING.pasted(values, IN_FILE, "design#what-a-design-must-meet")
 
 
 def unchecked(of: Answered) -> str:

@@ -15,9 +15,9 @@ from qsbearing.model.solution.point_errors import errors_of_points
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
+from qsbearing.results.contact_table import per_contact
 from qsbearing.results.group_numbers import within
 from qsbearing.results.readings_record import number
-from qsbearing.results.readings_report import per_contact
 from qsbearing.results.tables import digits_of
 
 

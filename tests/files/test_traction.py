@@ -34,6 +34,10 @@ TURBINE = SMALL | {
     "ball_count": 15, "ball_diameter_mm": 20.64, "pitch_diameter_mm": 154.5, "free_contact_angle_deg": 24.0,
     "inner_groove_radius_coefficient": 0.54,
 }  # fmt: skip
+TEXT = (
+    '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 10000\naxial_load_N = 17800\n[effects]\n'
+    'ball = ["centrifugal_force", "gyroscopic_moment"]\nraceway_control = "friction"\n'
+)
 HELD = {"tilt_y_mrad": 0.0, "tilt_z_mrad": 0.0}
 
 
@@ -251,13 +255,22 @@ def test_off_means_absent() -> None:
     assert done.stdout.strip() == "['qsbearing.model.scene.moved_by_friction']"
 
 
+def test_a_run_loads_no_reading(tmp_path: Path) -> None:
+    """Which take a third of its time, with what they need of scipy."""
+    (tmp_path / "moved.toml").write_text(TEXT, "utf-8")
+    code = (
+        "import sys; from click.testing import CliRunner; from qsbearing.cli import cli; "
+        "done = CliRunner().invoke(cli, ['run', sys.argv[1]]); assert 'Friction moves the balls' in done.output; "
+        "print([name for name in sys.modules if name.startswith(('qsbearing.readings', 'scipy.special'))])"
+    )
+    words = [sys.executable, "-c", code, str(tmp_path / "moved.toml")]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
 def test_toml_is_read_as_it_stands(tmp_path: Path) -> None:
     file = tmp_path / "friction.toml"
-    file.write_text(
-        '[bearing]\nname = "B218"\n[operation]\nspeed_rpm = 10000\naxial_load_N = 17800\n[effects]\n'
-        'ball = ["centrifugal_force", "gyroscopic_moment"]\nraceway_control = "friction"\n',
-        "utf-8",
-    )
+    file.write_text(TEXT, "utf-8")
     assert read_toml(file)["effects"]["raceway_control"] == "friction"
     scene = qs.load_scene(file)
     error = CREEP.errors["displacement"].in_95_of_100

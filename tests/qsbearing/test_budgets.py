@@ -22,9 +22,10 @@ BUDGETS = {
     # 750 more: friction as a choice beside the hypotheses with its results and band; requirements and limits; balls
     # of one common motion.
     # 250 more: what friction's points err by; effects that friction does not know, judged under outer control.
+    # 250 more: moments of a ring on balls that friction moves, whose balance is read off only where somebody asks.
     # 250 more: words of parts, such as a gear's hand, and power as inputs.
     # 1,250 more: four-point bearings: shims and their checks, statics and friction over four arcs, results of each.
-    "model": 19250,
+    "model": 19500,
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     # 250 more: sets with gaps, loads on the shaft alone, temperatures of the balls in heat balances.
     # 250 more: results of shaft, supports and heat as groups, remarks of sets beside sets.

@@ -20,6 +20,7 @@ f does not fall; (My, Mn, Mt, Y) is less its gradient, and the slopes here are l
 
 from __future__ import annotations
 
+from functools import cache
 from math import pi, sqrt
 from typing import NamedTuple
 
@@ -48,12 +49,15 @@ class Sums(NamedTuple):
     dissipation: float  # P
 
 
+@cache
 def contact_points(radii: int = RADII, angles: int = ANGLES) -> NDArray:
     """Points (point, 3) of a quarter of the unit ellipse: xi/a, eta/b, and each one's part of the load; four times they
     make 1.
 
     By s = sqrt(1 - rho^2) the load is 3 Q/(2 pi) s^2 ds dtheta: Gauss's points for the weight s^2 on (0, 1), and
     midpoints of equal angles.
+
+    Made once, and not to be changed.
 
     Args:
         radii, angles: how many points there are along a radius and around.

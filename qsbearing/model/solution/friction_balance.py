@@ -244,6 +244,21 @@ def _least(of_balls: NDArray | None) -> NDArray | None:
     return None if of_balls is None else np.asarray(np.fmin.reduce(of_balls, axis=-1))
 
 
+class Unread(NamedTuple):
+    """A balance as the kernel leaves it: reading it takes longer than a ball does."""
+
+    start: Any
+    bearing: BallBearing
+    """In operation."""
+    inside: Inside
+    results: NDArray
+    """Of the balance alone."""
+    contacts: NDArray
+    torques: NDArray
+    bound: NDArray
+    """mu, by case."""
+
+
 def balanced(
     start: Any,
     maker: CaseMaker,
@@ -253,7 +268,7 @@ def balanced(
     *,
     carried: bool = True,
     threads: int = 1,
-) -> FrictionMotion:
+) -> Unread:
     """The balance of friction.
 
     Args:
@@ -288,25 +303,20 @@ def balanced(
             solve_motions(*given, results[part], positions[part], *made)
 
     in_threads(solve_stretch, count, threads)
-    if start is not None:  # of four arcs, moments are not worked out
-        are_held = cases["displacement_given"][:, TILTS] != 0
+    are_held = cases["displacement_given"][:, TILTS] != 0
+    if start is not None and are_held.any():  # of four arcs, moments are not worked out
         moments = -ring_moments(cases, contacts[:, :, INNER], places)
         results["load"][:, TILTS] = np.where(are_held, moments, results["load"][:, TILTS])
     inside = Inside(shape, cases, laws, points, carried, results, places, shims)
     bound = np.nan if traction.law is TractionLaw.LINEAR else traction.coefficient
-    return _read(
-        start,
-        maker.scene.operating_bearing,
-        inside,
-        contacts,
-        torques,
-        np.broadcast_to(np.asarray(bound, float), shape),
-    )
+    of_cases = np.broadcast_to(np.asarray(bound, float), shape)
+    return Unread(start, maker.scene.operating_bearing, inside, results.copy(), contacts, torques, of_cases)
 
 
 def spanned(shape: tuple[int, ...], both: tuple[int, ...]) -> NDArray:
     """Which of a scene's cases each is of a scene and a law together, which have these axes."""
-    return np.broadcast_to(np.arange(prod(shape)).reshape(shape), both).reshape(-1)
+    cases = np.arange(prod(shape))
+    return cases if shape == both else np.broadcast_to(cases.reshape(shape), both).reshape(-1)
 
 
 def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> NDArray:
@@ -314,7 +324,7 @@ def laws_of(cases: NDArray, traction: Traction, shape: tuple[int, ...] = ()) -> 
     laws = np.zeros(cases.size, kernel.LAW)
     laws["law"] = LAW_CODES[traction.law]
     friction, slip = (
-        np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
+        each if np.ndim(each) == 0 else np.broadcast_to(np.asarray(each, float), shape).reshape(-1)
         for each in (traction.coefficient, traction.slip_speed)
     )
     laws["friction_coefficient"] = friction
@@ -338,10 +348,10 @@ def _lose_free_balls(cases: NDArray, contacts: NDArray) -> None:
     contacts[is_free] = own
 
 
-def _read(
-    start: Any, bearing: BallBearing, inside: Inside, contacts: NDArray, torques: NDArray, bound: NDArray
-) -> FrictionMotion:
-    shape, cases, results, places = inside.shape, inside.cases, inside.results, inside.places
+def read(balance: Unread) -> FrictionMotion:
+    """All that a balance says of ring, balls and contacts."""
+    start, bearing, inside, results, contacts, torques, bound = balance
+    shape, cases, places = inside.shape, inside.cases, inside.places
     unknown = results["status"] != CONVERGED
     for array in (places, contacts, torques):
         array[unknown] = np.nan

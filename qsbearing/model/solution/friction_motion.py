@@ -11,7 +11,7 @@ from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import ANGLES, RADII, Traction
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import CaseMaker
-from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, laws_of
+from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, laws_of, read
 from qsbearing.model.solution.solver import solve
 
 __all__ = ["FrictionMotion", "friction_motion", "laws_of"]
@@ -44,6 +44,6 @@ def friction_motion(
         traction=traction,
     )
     if moved.bearing.is_arched:
-        return balanced(None, CaseMaker(moved), traction, radii, angles, carried=carried)
+        return read(balanced(None, CaseMaker(moved), traction, radii, angles, carried=carried))
     start = solve(under_control(moved, RacewayControl.OUTER))
-    return balanced(start, CaseMaker(moved, start.maker.axial), traction, radii, angles, carried=carried)
+    return read(balanced(start, CaseMaker(moved, start.maker.axial), traction, radii, angles, carried=carried))

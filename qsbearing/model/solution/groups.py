@@ -29,8 +29,9 @@ class SolvedScene(Solved, Protocol):
 
     scene: Scene
     thermal: Any
-    balance: Any
 
+    @property
+    def balance(self) -> Any: ...
     @property
     def opposite(self) -> Any: ...
     @property

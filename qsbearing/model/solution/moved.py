@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.kernel import results as kernel
-from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
+from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion, Unread, read
 from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.model.solution.raceway_contacts import CODES
 from qsbearing.model.solution.ring_stiffness import inverse
@@ -22,30 +24,49 @@ class Moved:
     """Arrays and stiffness of a solution.
 
     Args:
-        motion: the balance.
+        balance: of friction.
         turns: which of the flattened cases do; the others have the static solution.
         which: of the flattened cases of the solution under outer control each is.
-        bearing: in operation.
     """
 
-    def __init__(self, motion: FrictionMotion, turns: NDArray, which: NDArray, bearing: BallBearing) -> None:
-        self.motion = motion
+    def __init__(self, balance: Unread, turns: NDArray, which: NDArray) -> None:
+        self._balance = balance
         self._still, self._which = ~turns, which
         self.is_at_rest = not turns.any()
-        self.known = _read_off(motion)
+
+    @cached_property
+    def motion(self) -> FrictionMotion:
+        """What the balance says."""
+        return read(self._balance)
+
+    def known(self) -> dict[tuple[int, int], NDArray]:
         """Arrays (*cases, ball) by the kernel's row and number."""
-        self.apex, self.opposite = _of_arches(motion, bearing)
-        """Of arched rings: apex margins by the kernel's row; arrays of the contacts of the inner and the outer ring's
-        other arcs by name, None for a ring with one arc."""
-        if motion.start is None:
-            still = self._still.reshape(*motion.status.shape, 1) & (motion.status == "converged")[..., None]
+        arrays = _read_off(self.motion)
+        if self.motion.start is None:
+            still = self._still.reshape(*self.motion.status.shape, 1) & (self.motion.status == "converged")[..., None]
             for name in _OF_MOTION:
-                values = self.known[kernel.OF_BALL, CODES[name]]
-                self.known[kernel.OF_BALL, CODES[name]] = np.where(still & there(motion), 0.0, values)
+                values = arrays[kernel.OF_BALL, CODES[name]]
+                arrays[kernel.OF_BALL, CODES[name]] = np.where(still & there(self.motion), 0.0, values)
         elif self._still.any():
-            motion.start.solved.read_all(self.known)
-            for place, values in self.known.items():
-                self.known[place] = self._with_static(values, motion.start.solved.read(*place), 1)
+            solved = self.motion.start.solved
+            solved.read_all(arrays)
+            arrays = {place: self._with_static(values, solved.read(*place), 1) for place, values in arrays.items()}
+        return arrays
+
+    @cached_property
+    def _arches(self) -> tuple[dict[int, NDArray], tuple[Named | None, ...] | None]:
+        return _of_arches(self.motion, self._balance.bearing)
+
+    @property
+    def apex(self) -> dict[int, NDArray]:
+        """Of arched rings: apex margins by the kernel's row."""
+        return self._arches[0]
+
+    @property
+    def opposite(self) -> tuple[Named | None, ...] | None:
+        """Of arched rings: arrays of the contacts of the inner and the outer ring's other arcs by name, None for a ring
+        with one arc."""
+        return self._arches[1]
 
     def stiffness(self) -> NDArray:
         """dF/dd (*cases, 5, 5), SI: of x, y and z, tilts held. NaN for tilts: a ring that tilts turns about another

@@ -14,14 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.model.compiler.threads import thread_count
-from qsbearing.model.effects.hypotheses import under_control
+from qsbearing.model.effects.entry import with_found
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import CaseMaker
-from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, spanned
+from qsbearing.model.solution.friction_balance import Unread, balanced, spanned
 from qsbearing.model.solution.moved import STRAIGHT, Moved
 from qsbearing.model.solution.solution import Solution
+
+ASSUMED = Traction()
+"""The law where a scene gives none."""
 
 
 def solve_moved(
@@ -35,25 +38,27 @@ def solve_moved(
         again: how the solution solves another scene.
     """
     began = time.perf_counter()
-    law, workers = scene.traction or Traction(), thread_count(threads)
+    law, workers = scene.traction or ASSUMED, thread_count(threads)
     if scene.bearing.is_arched:
         return _between_arches(scene, law, workers, began, again)
     if start is not None and start.friction is not None:
         start = start.friction.start
-    under_outer = solve(under_control(scene, RacewayControl.OUTER), start=start)
+    # A scene whose balls friction may move is one under outer control too: it is not checked again.
+    under_outer = solve(with_found(scene, {"raceway_control": RacewayControl.OUTER, "traction": None}), start=start)
     maker = CaseMaker(scene, under_outer.maker.axial)
-    motion = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
-    which, cases, results = spanned(under_outer.maker.shape, maker.shape), motion.inside.cases, motion.inside.results
+    balance = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
+    which, cases, results = spanned(under_outer.maker.shape, maker.shape), balance.inside.cases, balance.inside.results
     turns = cases["inner_speed"] != cases["outer_speed"]
-    results[~turns] = under_outer.results[which][~turns]
+    if not turns.all():
+        results[~turns] = under_outer.results[which][~turns]
     states = cases, results, under_outer.positions[which], under_outer.controls[which]
-    moved = Moved(motion, turns, which, scene.operating_bearing)
+    moved = Moved(balance, turns, which)
     return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)
 
 
-def _turns(motion: FrictionMotion) -> NDArray:
+def _turns(balance: Unread) -> NDArray:
     """Which cases do; and in all, leave out moments, which are not worked out."""
-    cases, results = motion.inside.cases, motion.inside.results
+    cases, results = balance.inside.cases, balance.inside.results
     is_held = np.arange(5) >= STRAIGHT
     results["load"][(cases["displacement_given"] != 0) & is_held] = np.nan
     return np.asarray(cases["inner_speed"] != cases["outer_speed"])
@@ -62,9 +67,9 @@ def _turns(motion: FrictionMotion) -> NDArray:
 def _between_arches(scene: Scene, law: Traction, workers: int, began: float, again: Any) -> Solution:
     """Of a four-point bearing, of which no hypothesis gives a start."""
     maker = CaseMaker(scene)
-    motion = balanced(None, maker, law, law.radial_points, law.points_around, threads=workers)
-    turns = _turns(motion)
+    balance = balanced(None, maker, law, law.radial_points, law.points_around, threads=workers)
+    turns = _turns(balance)
     balls = maker.count, maker.ball_axis
-    states = motion.inside.cases, motion.inside.results, np.full((*balls, 3), np.nan), np.zeros(balls, np.int8)
-    moved = Moved(motion, turns, np.arange(maker.count), scene.bearing)
+    states = balance.inside.cases, balance.inside.results, np.full((*balls, 3), np.nan), np.zeros(balls, np.int8)
+    moved = Moved(balance, turns, np.arange(maker.count))
     return Solution(maker, *states, time.perf_counter() - began, workers, None, again, moved)

@@ -71,10 +71,6 @@ class Solution(SolutionOfArcs):
         """Another scene, with these threads and tolerance; None where nothing is solved besides."""
         self.moved = moved
         """Arrays and stiffness where friction moves the balls; None by a hypothesis."""
-        self.balance: FrictionMotion | None = None if moved is None else moved.motion
-        """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
-        self.friction = None if moved is None or moved.is_at_rest else moved.motion
-        """The same; None at rest as well."""
         known = None if moved is None else moved.known
         self.solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
         """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""
@@ -84,6 +80,16 @@ class Solution(SolutionOfArcs):
         self.seconds = seconds
         self.threads = threads
         """At most so many solved it, and read it off."""
+
+    @property
+    def balance(self) -> FrictionMotion | None:
+        """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
+        return None if self.moved is None else self.moved.motion
+
+    @property
+    def friction(self) -> FrictionMotion | None:
+        """The same; None at rest as well."""
+        return None if self.moved is None or self.moved.is_at_rest else self.moved.motion
 
     @property
     def codes(self) -> NDArray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +31,7 @@ class SolvedCases:
         positions: NDArray,
         controls: NDArray,
         threads: int,
-        known: dict[tuple[int, int], NDArray] | None = None,
+        known: Callable[[], dict[tuple[int, int], NDArray]] | None = None,
     ) -> None:
         self.maker = maker
         self._cases = cases
@@ -39,11 +40,14 @@ class SolvedCases:
         self.positions = positions
         self.controls = controls
         self._threads = threads
-        self._known = known or {}
-        self._all_known = known is not None
+        self._all_known = known
         self.following: Callable[[], NDArray] | None = None
         """What of the stiffness comes from motion that is common to all balls (case, 5, 5); None where each has its
         own."""
+
+    @cached_property
+    def _known(self) -> dict[tuple[int, int], NDArray]:
+        return {} if self._all_known is None else self._all_known()
 
     def stretches(self) -> Iterator[tuple[slice, NDArray]]:
         """(slice, case records) of all cases, some at a time."""
@@ -82,7 +86,7 @@ class SolvedCases:
         missing = [each for each in requested if each not in self._known]
         if not missing:
             return
-        if self._all_known:
+        if self._all_known is not None:
             raise KeyError(f"balls that friction moves have no {missing[0]}, which the kernel reads off a hypothesis")
         tables = np.full((3, readings.QUANTITIES), readings.NOT_ASKED)
         for table, place in enumerate(missing):

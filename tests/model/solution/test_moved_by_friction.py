@@ -129,6 +129,15 @@ def test_both_rings_carry_the_same() -> None:
     assert of_hypothesis.momentum_gap > 0.05, "or the test tells nothing"
 
 
+def test_a_balance_is_read_off_only_where_somebody_asks() -> None:
+    """Which takes longer than the balance of one ball; displacement and status need none of it."""
+    solution = qs.solve(moved())
+    assert solution._moved is not None and solution.converged and np.isfinite(solution.displacement).all()
+    assert "motion" not in vars(solution._moved)
+    assert solution.inner.load[0] == friction_of(solution).inner.load[0]
+    assert "motion" in vars(solution._moved)
+
+
 def test_arrays_of_the_law_are_cases() -> None:
     many = qs.solve(
         moved(qs.Traction(np.array([0.03, 0.07, 0.1])), THRUST | {"axial_load": np.array([[17.8e3], [9e3]])})
