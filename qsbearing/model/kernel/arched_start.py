@@ -35,7 +35,7 @@ from qsbearing.model.kernel.traction_ring import (
     lever_of,
     weight_of,
 )
-from qsbearing.model.kernel.traction_step import allowed_fraction, eliminate_place, keep_state, move
+from qsbearing.model.kernel.traction_step import LARGEST_SHIFT, eliminate_place, keep_state, move
 
 BALANCED = 1e-13
 """Largest imbalance over the largest load that ends Newton's method."""
@@ -166,6 +166,17 @@ def step_of_places(case: recarray, arrays: tuple[ndarray, ...], motion: recarray
 
 
 @kernel
+def allowed_shift(motion: recarray, balls: ndarray) -> float:
+    """What part of a step keeps to the limit on shifts; motion has no step here."""
+    largest = LARGEST_SHIFT
+    for j in range(motion.ball_count):
+        largest = max(largest, abs(balls[j].step[X1]), abs(balls[j].step[X2]))
+    for c in range(motion.channel_count):
+        largest = max(largest, abs(motion.step[c]))
+    return LARGEST_SHIFT / largest
+
+
+@kernel
 def settle(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion: recarray, balls: ndarray) -> bool:
     """Find the least of Pi from where ring and balls are; whether it was found."""
     load = BALL_MASS * balls[0].unknown[ORBIT] ** 2 * 0.5 * case.pitch_diameter
@@ -178,7 +189,7 @@ def settle(case: recarray, grooves: ndarray, arrays: tuple[ndarray, ...], motion
             break
         keep_state(motion, balls)
         motion.iterations += 1
-        fraction, before, least = allowed_fraction(motion, balls), motion.residual, energy
+        fraction, before, least = allowed_shift(motion, balls), motion.residual, energy
         is_lower = False
         for _ in range(MOST_HALVINGS):
             move(motion, balls, fraction)
