@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import nan
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
-from qsbearing.files.fits import FITTED, fits_of
+from qsbearing.files.fits import fits_of
 from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     EFFECT_TABLES,
     EFFECTS,
-    FRICTION_RANGE,
-    RING_COMPLIANCES,
     RING_EFFECTS,
     SEAT_FITS,
     SEATS,
-    TRACTION,
-    required_of,
 )
 from qsbearing.files.stated import Given, Stated
 from qsbearing.files.table_checks import (
     Check,
     Errors,
+    add_missing,
     as_it_is,
     as_number,
     as_word,
@@ -33,28 +30,24 @@ from qsbearing.files.table_checks import (
     choice_fields,
     did_you_mean,
     flattened,
-    lacking,
     list_of,
     made,
-    material,
+    read_fields,
     si,
     table_model,
 )
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
-from qsbearing.model.described import materials_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
     ElasticRings,
     GyroscopicMoment,
-    MomentShares,
     RingEffect,
     RingExpansion,
     types_in,
 )
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import RacewayControl
-from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.scene.scene import CHOICES, effect_errors
 
@@ -67,15 +60,10 @@ _EFFECTS = table_model(
     EFFECTS,
     {"ball": list_of(as_word), BALL_DEVIATIONS.name: list_of(as_number)} | choice_fields("moment_shares", *CHOICES),
 )
-_TRACTION = table_model(Traction.name, TRACTION, {FRICTION_RANGE.name: list_of(as_number)} | choice_fields("law"))
-_LISTS = {key.name: key for key in RING_COMPLIANCES}
-_FIELDS = SEATS | {name: key.field for name, key in _LISTS.items()}
-"""How Python calls what is no number."""
-_MATERIALS = {name: materials_of(of) for name, of in RING_EFFECTS.items()}
-_OTHERS: dict[str, dict[str, Check]] = {name: dict.fromkeys(each, as_it_is) for name, each in _MATERIALS.items()}
-_OTHERS[RingExpansion.name] |= dict.fromkeys(SEAT_FITS, as_it_is)
-_OTHERS[ElasticRings.name] |= dict.fromkeys(SEATS, as_word) | {key.name: list_of(as_number) for key in RING_COMPLIANCES}
-_EFFECT_TABLES = {name: table_model(name, keys, _OTHERS[name]) for name, keys in EFFECT_TABLES.items()}
+_OTHERS: dict[str, dict[str, Check]] = {
+    RingExpansion.name: dict.fromkeys(SEAT_FITS, as_it_is), ElasticRings.name: dict.fromkeys(SEATS, as_word)
+}  # fmt: skip
+"""What the tables of ring effects have that is described at no field."""
 
 
 class ReadEffects(NamedTuple):
@@ -85,9 +73,7 @@ class ReadEffects(NamedTuple):
     """Those of `Scene` that say what is asked for, but the ring effects."""
     tables: dict[str, Given]
     """Of the ring effects that have one."""
-    deviations: BallDiameterDeviations | None
-    has_deviations: bool
-    """Whether it gives any, usable or not."""
+    deviations: BallDiameterDeviations | None = None
 
     def made(self, errors: Errors, balance_keys: frozenset[str], stated: Stated) -> tuple[RingEffect, ...]:
         """Its ring effects."""
@@ -100,14 +86,14 @@ def read_effects(document: dict[str, Any], errors: Errors) -> ReadEffects:
     table = document.get("effects")
     if table == AUTO:
         tolerance = _tolerance(document.get("tolerance", DEFAULT_ACCURACY), errors)
-        return ReadEffects({"tolerance": tolerance}, {}, None, False)
+        return ReadEffects({"tolerance": tolerance}, {})
     if "tolerance" in document:
         cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
         errors.append(FileErrorDetail("tolerance", 'is given without effects = "auto"', cause=cause))
     if isinstance(table, str):
         cause = 'Write effects = "auto" to have them chosen, or [effects] with its keys below it'
         errors.append(FileErrorDetail("effects", "is not a table", table, cause=cause))
-        return ReadEffects({}, {}, None, False)
+        return ReadEffects({}, {})
     table = {} if table is None else table
     traction, table = _traction(table, errors)
     within = {name: table[name] for name in EFFECT_TABLES if name in table} if isinstance(table, dict) else {}
@@ -120,9 +106,10 @@ def read_effects(document: dict[str, Any], errors: Errors) -> ReadEffects:
         cause = did_you_mean(name, list(BALL_EFFECTS)) or f"One of {', '.join(BALL_EFFECTS)}"
         errors.append(FileErrorDetail("effects.ball", "is not a ball effect", name, cause=cause))
         unusable.add("ball")
-    made: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
-    made[GyroscopicMoment.name] = _gyroscopic_moment(shares, si(EFFECTS, numbers), errors)
-    effects = tuple(made[name] for name in names if name in made)
+    by_name: dict[str, BallEffect] = {name: BALL_EFFECTS[name]() for name in names if name in BALL_EFFECTS}
+    moment = partial(GyroscopicMoment, *(() if shares is None else (shares,)))
+    by_name[GyroscopicMoment.name] = made(lambda: moment(**si(EFFECTS, numbers)), errors) or moment()
+    effects = tuple(by_name[name] for name in names if name in by_name)
     if shares is not None and good.get("raceway_control") is RacewayControl.FRICTION:
         cause = "Leave it out: how contacts share the moment is a result"
         problem = "is a hypothesis, and friction moves the balls"
@@ -139,10 +126,12 @@ def read_effects(document: dict[str, Any], errors: Errors) -> ReadEffects:
                 shown = value if isinstance(value, float) else str(value)
                 errors.append(FileErrorDetail(f"effects.{name}", problem, shown, cause=cause))
     tables = read_tables(within, errors)
-    has_deviations = isinstance(table, dict) and BALL_DEVIATIONS.name in table
-    deviations = ball_deviations(good.pop(BALL_DEVIATIONS.name, None), errors)
+    deviations = None
+    if BALL_DEVIATIONS.name in good:
+        by_ball = BALL_DEVIATIONS.si(np.asarray(good[BALL_DEVIATIONS.name], float))
+        deviations = made(lambda: BallDiameterDeviations(by_ball), errors)
     fields = {"ball_effects": effects, **traction} | {name: good[name] for name in CHOICES if name in good}
-    return ReadEffects(fields, tables, deviations, has_deviations)
+    return ReadEffects(fields, tables, deviations)
 
 
 def _traction(effects: Any, errors: Errors) -> tuple[dict[str, Any], Any]:
@@ -150,11 +139,10 @@ def _traction(effects: Any, errors: Errors) -> tuple[dict[str, Any], Any]:
     if not isinstance(effects, dict) or effects.get(Traction.name) is None:
         return {}, effects
     before = len(errors)
-    good, _ = checked(_TRACTION, f"effects.{Traction.name}", effects[Traction.name], errors)
-    words: dict[str, Any] = {name: good.pop(name) for name in ("law", FRICTION_RANGE.name) if name in good}
-    words |= si(TRACTION, good)
-    law = made(lambda: Traction(**words), errors) if len(errors) == before else None
-    return {Traction.name: law}, {name: each for name, each in effects.items() if name != Traction.name}
+    path, law = f"effects.{Traction.name}", choice_fields("law")
+    fields = read_fields(Traction, Traction.name, path, effects[Traction.name], errors, law)
+    traction = made(lambda: Traction(**fields), errors) if len(errors) == before else None
+    return {Traction.name: traction}, {name: each for name, each in effects.items() if name != Traction.name}
 
 
 def _tolerance(value: Any, errors: Errors) -> float | None:
@@ -165,11 +153,6 @@ def _tolerance(value: Any, errors: Errors) -> float | None:
     return float(value)
 
 
-def _gyroscopic_moment(shares: MomentShares | None, numbers: dict[str, Any], errors: Errors) -> GyroscopicMoment:
-    shares = shares or MomentShares.CONTROLLING
-    return made(lambda: GyroscopicMoment(shares, **numbers), errors) or GyroscopicMoment(shares)
-
-
 def read_tables(tables: dict[str, Any], errors: Errors) -> dict[str, Given]:
     """What the tables of ring effects among these state."""
     read = {name: _read(name, tables[name], errors) for name in EFFECT_TABLES if name in tables}
@@ -177,21 +160,12 @@ def read_tables(tables: dict[str, Any], errors: Errors) -> dict[str, Given]:
 
 
 def _read(name: str, table: Any, errors: Errors) -> Given | None:
-    path, keys = f"effects.{name}", EFFECT_TABLES[name]
     is_nested = name == ElasticRings.name and isinstance(table, dict)  # its rings, and what holds them
-    good, unusable = checked(_EFFECT_TABLES[name], path, flattened(table) if is_nested else table, errors)
+    flat, others, before = flattened(table) if is_nested else table, _OTHERS.get(name, {}), len(errors)
+    fields = read_fields(RING_EFFECTS[name], name, f"effects.{name}", flat, errors, others)
     if not isinstance(table, dict):
         return None
-    fields: dict[str, Any] = si(keys, good)
-    for key in [each for each in _OTHERS[name] if each in good]:
-        value = good[key]
-        if key in _MATERIALS[name]:
-            value = material(f"{path}.{key}", value, errors)
-        elif key in _LISTS:
-            value = tuple(_LISTS[key].si(np.asarray(value)))
-        fields[_FIELDS.get(key, key)] = value
-    names = {key.name: key.field for key in keys} | _FIELDS
-    return Given(name, fields, frozenset(names.get(key, key) for key in unusable))
+    return Given(name, {SEATS.get(key, key): each for key, each in fields.items()}, len(errors) == before)
 
 
 def ring_effects(
@@ -208,28 +182,13 @@ def ring_effects(
 
 
 def _ring_effect(given: Given, errors: Errors, balance_keys: frozenset[str], stated: Stated) -> RingEffect | None:
-    name, path, keys = given.name, f"effects.{given.name}", EFFECT_TABLES[given.name]
-    if name == ElasticRings.name and given.unusable:
+    of, path = RING_EFFECTS[given.name], f"effects.{given.name}"
+    if of is ElasticRings and not given.is_sound:
         return None
-    of, before = RING_EFFECTS[name], len(errors)
-    fields, fits = {**stated.filled(given).fields}, dict[str, Fit]()
-    if name == RingExpansion.name:
-        fields, fits = fits_of(path, fields, errors)
-    required = {key.name: key.field for key in required_of(of)}
-    missing = lacking(required, {key.name for key in keys if key.field in {*fields, *given.unusable}}, balance_keys)
-    errors += [FileErrorDetail(f"{path}.{key}", "missing", detail="the effect needs it") for key in missing]
-    later: dict[str, Any] = {key.field: None for key in keys if key.name in balance_keys}
-    numbers = {key.field for key in keys}
-    unusable = dict.fromkeys((*(required[key] for key in missing), *(given.unusable & numbers)), nan)
-    seats: dict[str, Any] = {f"{seat}_interference": nan for seat in FITTED if f"{seat}_fit" in given.fields}
-    for seat, fit in fits.items():
-        seats |= {f"{seat}_fit": fit, f"{seat}_interference": fit.mean}
-    effect: RingEffect | None = made(lambda: of(**later | unusable | fields | seats), errors)
-    return effect if len(errors) == before and not given.unusable else None
-
-
-def ball_deviations(given: Any, errors: Errors) -> BallDiameterDeviations | None:
-    """The effect that a list of deviations within [effects] names, in the file's unit; None without one."""
-    if given is None:
-        return None
-    return made(lambda: BallDiameterDeviations(BALL_DEVIATIONS.si(np.asarray(given, float))), errors)
+    fields: dict[str, Any] = {key.field: None for key in EFFECT_TABLES[given.name] if key.name in balance_keys}
+    fields |= stated.filled(given).fields
+    if of is RingExpansion:
+        fields |= fits_of(path, fields, errors)
+    add_missing(of, path, fields, errors, "the effect needs it")
+    effect: RingEffect | None = made(lambda: of(**fields), errors)
+    return effect

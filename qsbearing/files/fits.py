@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.table_checks import Errors
+from qsbearing.files.table_checks import UNUSABLE, Errors
 from qsbearing.inference.clearance import ClearanceClass
 from qsbearing.model.effects.ring_expansion_errors import Fit
 from qsbearing.model.units import mm, um
@@ -108,32 +107,28 @@ def _at(values: list[float], place: NDArray) -> NDArray:
     return np.asarray([*values, np.nan], float)[place]
 
 
-def fits_of(path: str, given: Mapping[str, Any], errors: Errors) -> tuple[dict[str, Any], dict[str, Fit]]:
-    """The fields of a ring expansion without the words of its fits, and the fit of each seat that has one.
-
-    A seat's interference is the mean one.
+def fits_of(path: str, given: dict[str, Any], errors: Errors) -> dict[str, Any]:
+    """The fits of a ring expansion and their mean interferences, in place of the words, which are taken out.
 
     Args:
-        given: SI, by the names that Python has.
+        given: its fields in SI, with the words of fits and of the bearing's class.
     """
-    rest = {key: value for key, value in given.items() if key not in (*(f"{seat}_fit" for seat in FITTED), CLASS)}
-    tolerance = given.get(CLASS, NORMAL)
-    before = len(errors)
-    if tolerance not in classes():
+    named = {seat: given.pop(f"{seat}_fit") for seat in FITTED if f"{seat}_fit" in given}
+    is_class_given, tolerance, before = CLASS in given, given.pop(CLASS, NORMAL), len(errors)
+    if tolerance not in classes() and tolerance is not UNUSABLE:
         cause = f"One of {', '.join(classes())}. P4Y, P3, SP and UP have limits of their own: give the interference"
         if tolerance in tuple(ClearanceClass):
             cause = f'It is a class of clearance: write clearance_class = "{tolerance}" in [bearing]'
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is no tolerance class", tolerance, cause=cause))
-    named = {seat: given[f"{seat}_fit"] for seat in FITTED if f"{seat}_fit" in given}
-    if CLASS in given and not named:
+    if is_class_given and not named:
         cause = "It is of use with shaft_fit or housing_fit"
         errors.append(FileErrorDetail(f"{path}.{CLASS}", "is given without a fit", tolerance, cause=cause))
-    fits: dict[str, Fit] = {}
+    fits: dict[str, Any] = {f"{seat}_interference": np.nan for seat in named}
     for seat, name in named.items():
-        _check(path, seat, name, rest, errors)
-        diameter: Any = rest.get(f"{FITTED[seat]}_diameter", np.nan)
+        _check(path, seat, name, given, errors)
+        diameter: Any = given.get(f"{FITTED[seat]}_diameter", np.nan)
         is_length = isinstance(diameter, np.ndarray) or 0.0 < diameter < LARGEST * mm
-        if len(errors) > before or not is_length:
+        if len(errors) > before or not is_length or UNUSABLE in (name, tolerance):
             continue  # a diameter that is missing or none is told of besides
         made = fit(seat, name, tolerance, diameter)
         if np.isnan(made.mean).any():
@@ -141,8 +136,8 @@ def fits_of(path: str, given: Mapping[str, Any], errors: Errors) -> tuple[dict[s
             cause = "They go to 250 mm of bore and 400 mm outside: give the interference"
             errors.append(FileErrorDetail(f"{path}.{seat}_fit", problem, name, cause=cause))
         else:
-            fits[seat] = made
-    return rest, fits
+            fits |= {f"{seat}_fit": made, f"{seat}_interference": made.mean}
+    return fits
 
 
 def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors) -> None:
@@ -150,7 +145,7 @@ def _check(path: str, seat: str, name: Any, rest: dict[str, Any], errors: Errors
     if f"{seat}_interference" in rest:
         cause = "Keep one: the fit makes the interference"
         errors.append(FileErrorDetail(field, f"is given together with {seat}_interference_um", name, cause=cause))
-    elif name not in names(seat):
+    elif name not in names(seat) and name is not UNUSABLE:
         known = names(seat)
         kind, other = ("a shaft", "capitals mean holes") if seat == "shaft" else ("a hole", "small letters mean shafts")
         word = name if isinstance(name, str) else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from qsbearing.files.bearing_table import ReadBearing, read_bearing
+from qsbearing.files.bearing_table import ReadBearing
 from qsbearing.files.file_errors import FileErrorDetail
 from qsbearing.files.table_checks import Errors, did_you_mean
 
@@ -41,18 +41,3 @@ def preload_table(document: dict[str, Any], common: ReadBearing, of_rows: Iterab
     )
     errors.append(FileErrorDetail(path, "is a class without a force", word, cause=cause))
     return None
-
-
-def in_numbers(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
-    """The tables of a file with the force of its class in place of the word: a number, which a study may vary."""
-    bearing = document.get("bearing")
-    in_bearing = isinstance(bearing, dict) and bearing.get("preload") is not None
-    if not in_bearing and not isinstance(document.get("preload"), str):
-        return document
-    rows = document.get("rows")
-    own = [row for row in rows if isinstance(row, dict) and "bearing" in row] if isinstance(rows, list) else []
-    common, *of_rows = (read_bearing(each, "", []) for each in (document, *own))
-    document = {**document, "preload": preload_table(document, common, of_rows, errors)}
-    if isinstance(bearing, dict):
-        document["bearing"] = {key: each for key, each in bearing.items() if key != "preload"}
-    return document

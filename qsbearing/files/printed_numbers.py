@@ -13,7 +13,7 @@ from qsbearing.files.keys import (
     MATERIALS,
     PRINTED,
 )
-from qsbearing.files.stated import printed_keys
+from qsbearing.files.stated import keys_within
 from qsbearing.model.bearing import BallBearing
 
 
@@ -44,8 +44,8 @@ def is_printed(bearing: BallBearing, table: str, key: str, value: float) -> bool
     Args:
         table: the effect's or the reading's name; key and value: in the words and the unit of a file.
     """
-    printed = printed_keys(table).get(key)
-    return printed is not None and _printed(bearing).get(printed) == value
+    printed = next((each.printed for each in keys_within(table) if each.name == key), "")
+    return bool(printed) and _printed(bearing).get(printed) == value
 
 
 def _printed(bearing: BallBearing) -> dict[str, float]:

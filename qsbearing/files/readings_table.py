@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from math import nan
 from typing import Any, NamedTuple
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
@@ -88,11 +89,10 @@ def read_readings(document: dict[str, Any], errors: Errors) -> ReadReadings:
             cause = question(alike(str(name), known), "[readings.{}]") or f"One of {', '.join(known)}"
             errors.append(FileErrorDetail(f"readings.{name}", "is not a reading", cause=cause))
             continue
-        keys = reading_keys(name)
         good, unusable = checked(_model(name), f"readings.{name}", {} if given is True else given, errors)
-        fields = si(keys, good) | {choice: good[choice] for choice in known[name].choices if choice in good}
-        names = {key.name: key.field for key in keys}
-        read[name] = Given(name, fields, frozenset(names.get(key, key) for key in unusable))
+        good = dict.fromkeys(unusable, nan) | good
+        choices = {choice: good[choice] for choice in known[name].choices if choice in good}
+        read[name] = Given(name, si(reading_keys(name), good) | choices)
     return ReadReadings(read, len(errors) == before)
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from copy import deepcopy
-from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +16,6 @@ from qsbearing.files.file_keys import BALL_TABLES, ORIGIN, OTHER_TABLES, REPORT,
 from qsbearing.files.keys import (
     EFFECT_SECTIONS,
     MAKES_SET,
-    OPERATION,
-    PRELOAD,
     SECTIONS,
 )
 from qsbearing.files.limits import LARGEST_FILE
@@ -35,7 +32,7 @@ from qsbearing.files.table_checks import (
     checked,
     choice_fields,
     made,
-    si,
+    read_fields,
     table_model,
     unknown_key,
 )
@@ -52,8 +49,6 @@ if TYPE_CHECKING:
 ONE_OF_LIST = "Choose one of those that the data sheet allows: ball_set = 1 in [bearing], or its own numbers"
 STUDY_TABLES = ("vary", "study")
 """What a study file has in addition to the tables of a scene."""
-_OPERATION = table_model("operation", OPERATION)
-_PRELOAD = table_model("preload", PRELOAD)
 _REPORT = table_model(REPORT, (), dict.fromkeys(OTHER_TABLES[REPORT], as_word) | choice_fields(BALL_TABLES))
 _ORIGIN = table_model(ORIGIN, (), dict.fromkeys(OTHER_TABLES[ORIGIN], as_it_is))
 
@@ -260,9 +255,8 @@ def operation_of(document: dict[str, Any], errors: Errors, *, is_loaded: bool = 
     table = document.get("operation")
     if table is None:
         return None
-    good, unusable = checked(_OPERATION, "operation", table, errors)
     # A number that cannot be used still says that its channel is given: NaN stands for it.
-    fields = si(OPERATION, dict.fromkeys(unusable, nan) | good)
+    fields = read_fields(Operation, "operation", "operation", table, errors)
     if (
         isinstance(table, dict)
         and not is_loaded
@@ -278,9 +272,9 @@ def preload_of(table: Any, operation: Operation | None, errors: Errors) -> Prelo
     """The preload of a table [preload], where there is one; checked together with an operation that is given."""
     if table is None:
         return None
-    good, unusable = checked(_PRELOAD, "preload", table, errors)
+    fields = read_fields(Preload, "preload", "preload", table, errors)
     if operation is not None:
         errors += map(translate, axial_channel_errors(operation))
     if not isinstance(table, dict):
         return None
-    return made(lambda: Preload(**si(PRELOAD, dict.fromkeys(unusable, nan) | good)), errors)
+    return made(lambda: Preload(**fields), errors)

@@ -18,24 +18,21 @@ from qsbearing.files.keys import (
     BALL_DEVIATIONS,
     BEARING,
     CLEARANCE,
-    EFFECT_TABLES,
     EFFECTS,
     FREE_ANGLE,
-    FRICTION_RANGE,
     MATERIAL,
     MATERIALS,
     OPERATION,
     PLAY,
     PRELOAD,
     PRINTED,
-    RING_COMPLIANCES,
     SEATS,
-    TRACTION,
     Key,
+    key_of,
     keys_of,
 )
 from qsbearing.model.bearing import BallBearing, free_angle_from_clearance
-from qsbearing.model.described import materials_of, words_of
+from qsbearing.model.described import choices_of, lists_of, materials_of
 from qsbearing.model.effects import BallDiameterDeviations, ElasticRings, GyroscopicMoment
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import BY_NAME, Material
@@ -68,7 +65,7 @@ def input_tables(of: Scene | BearingSet) -> Tables:
         is_common = all(row.bearing is common and row.ring_effects is None for row in of.rows)
         tables: Tables = {"bearing": _bearing(common)} if is_common else {}
         tables["rows"] = [_row(row, not is_common) for row in of.rows]
-        tables |= surroundings_tables(of, _numbers, _material)
+        tables |= surroundings_tables(of, _numbers, _written)
     else:
         tables = {"bearing": _bearing(of.bearing)}
     if "spectrum" in of.readings:
@@ -93,13 +90,21 @@ def input_tables(of: Scene | BearingSet) -> Tables:
     return thermal_tables(tables, of.thermal, _numbers)
 
 
-def _row(row: Row, with_bearing: bool) -> Tables:
-    table: Tables = _numbers(keys_of(Row), row)
-    table |= words_of(row)
-    if row.housing_stiffness is not None:
-        from qsbearing.files.shaft_tables import stiffness_table
+def _written(of: Any) -> Tables:
+    """What is described at the fields of an object, but the parts that are tables of their own."""
+    bodies, words = ({name: getattr(of, name) for name in each(type(of))} for each in (materials_of, choices_of))
+    lists = {key.name: (key, getattr(of, key.field)) for key in map(key_of, lists_of(type(of)))}
+    table: Tables = _numbers(keys_of(type(of)), of)
+    table |= {name: _material(body) for name, body in bodies.items() if body is not None}
+    table |= {name: word if isinstance(word, bool) else str(word) for name, word in words.items() if word is not None}
+    given = {name: (key, each) for name, (key, each) in lists.items() if each is not None}
+    return table | {name: np.array([_number(key, one) for one in each]).tolist() for name, (key, each) in given.items()}
 
-        table["housing_stiffness"] = stiffness_table(row.housing_stiffness, _numbers)
+
+def _row(row: Row, with_bearing: bool) -> Tables:
+    table = _written(row)
+    if row.housing_stiffness is not None:
+        table["housing_stiffness"] = _written(row.housing_stiffness)
     if with_bearing:
         table["bearing"] = _bearing(row.bearing)
     table |= _ring_effects(row.ring_effects or ())
@@ -175,8 +180,7 @@ def _effects(of: Scene | BearingSet) -> Tables:
 def _traction(law: Traction) -> Tables:
     if not law.has_curvature:
         raise _without_key("traction.has_curvature", "only Python gives it")
-    table = {"law": str(law.law), **_numbers(TRACTION, law)}
-    return table if law.friction_range is None else table | {FRICTION_RANGE.name: list(law.friction_range)}
+    return {"law": str(law.law)} | _written(law)
 
 
 def _ring_effects(effects: Iterable[Any]) -> Tables:
@@ -185,27 +189,21 @@ def _ring_effects(effects: Iterable[Any]) -> Tables:
         if isinstance(effect, BallDiameterDeviations):
             tables[BALL_DEVIATIONS.name] = [_number(BALL_DEVIATIONS, value) for value in effect.array]
             continue
-        tables[effect.name] = _numbers(EFFECT_TABLES[effect.name], effect)
+        tables[effect.name] = _written(effect)
         if isinstance(effect, ElasticRings):
             tables[effect.name] = _elastic_rings(effect, tables[effect.name])
-            continue
         for seat, fit in getattr(effect, "fits", {}).items():
             if getattr(effect, f"{seat}_interference") == fit.mean:  # else it was changed since
                 del tables[effect.name][f"{seat}_interference_um"]
                 tables[effect.name] |= {f"{seat}_fit": fit.name, "tolerance_class": fit.tolerance_class}
-        seats = {side: getattr(effect, side) for side in materials_of(type(effect))}
-        tables[effect.name] |= {side: _material(material) for side, material in seats.items() if material is not None}
+        bodies = [name for name in materials_of(type(effect)) if name in tables[effect.name]]
+        tables[effect.name] |= {name: tables[effect.name].pop(name) for name in bodies}
     return tables
 
 
-def _elastic_rings(effect: ElasticRings, numbers: Tables) -> Tables:
+def _elastic_rings(effect: ElasticRings, flat: Tables) -> Tables:
     """Tables within tables, as the points in the keys say."""
-    flat: Tables = dict(numbers)
     flat |= {name: str(getattr(effect, field)) for name, field in SEATS.items() if getattr(effect, field) is not None}
-    for key in RING_COMPLIANCES:
-        given = getattr(effect, key.field)
-        if given is not None:
-            flat[key.name] = [_number(key, value) for value in given]
     tables: Tables = {}
     for name, value in flat.items():
         *path, last = name.split(".")

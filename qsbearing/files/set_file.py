@@ -6,6 +6,7 @@ import os
 import warnings
 from collections.abc import Iterable
 from dataclasses import replace
+from math import nan
 from typing import Any, NamedTuple
 
 from qsbearing.files.ball_lists import listed_in, said_of
@@ -13,7 +14,7 @@ from qsbearing.files.bearing_table import NO_BEARING, ReadBearing, read_bearing
 from qsbearing.files.effects_table import ReadEffects, read_effects, read_tables, ring_effects
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, translate
 from qsbearing.files.file_keys import OTHER_TABLES, REQUIRE
-from qsbearing.files.keys import SECTIONS, SET_TABLES, keys_of
+from qsbearing.files.keys import SECTIONS, SET_TABLES
 from qsbearing.files.preload_class import preload_table
 from qsbearing.files.readings_table import ReadReadings, errors_in_scene, read_readings
 from qsbearing.files.row_bearing import whole_bearing
@@ -29,7 +30,16 @@ from qsbearing.files.set_keys import GRAVITY, OTHERS
 from qsbearing.files.shaft_tables import housing_stiffness, surroundings
 from qsbearing.files.spectrum_table import over_spectrum
 from qsbearing.files.stated import Stated, stated_in
-from qsbearing.files.table_checks import Errors, as_it_is, as_word, checked, did_you_mean, si, table_model, unknown_key
+from qsbearing.files.table_checks import (
+    UNUSABLE,
+    Errors,
+    as_it_is,
+    as_word,
+    did_you_mean,
+    judged,
+    read_fields,
+    unknown_key,
+)
 from qsbearing.model.bearing import BallBearing, BearingKind
 from qsbearing.model.described import choices_of
 from qsbearing.model.validation import ErrorDetail, SceneError, Sentence, alike, question
@@ -39,9 +49,7 @@ from qsbearing.systems.sets.row import Direction, Row, placement_errors
 TABLES = (*SECTIONS, *SET_TABLES)
 LISTED = ("rows", "spacers", "floating")
 """Those that are lists of tables."""
-_NUMBERS = keys_of(Row)
 _WORDS: dict[str, Any] = {name: as_it_is if kind is bool else as_word for name, kind in choices_of(Row).items()}
-_ROW = table_model("rows", _NUMBERS, _WORDS)
 OF_OTHERS = tuple(name for name in OTHERS["rows"] if name not in _WORDS)
 """Tables within a row, which are judged as those of a scene are."""
 
@@ -185,20 +193,20 @@ def _rows(document: dict[str, Any], shared: _Shared, errors: Errors) -> list[_Re
 
 def _row(table: Any, path: str, shared: _Shared, errors: Errors) -> _ReadRow:
     plain = {key: value for key, value in table.items() if key not in OF_OTHERS} if isinstance(table, dict) else table
-    good, unusable = checked(_ROW, path, plain, errors)
+    read = read_fields(Row, "rows", path, plain, errors, _WORDS)
+    fields = {"position": nan, "offset": 0.0} | read
     if not isinstance(table, dict):
         return _ReadRow()
-    if "position_mm" not in good and "position_mm" not in unusable:
+    if "position" not in read:
         cause = "Give the position of the balls' centres along the shaft; it sets the distances between rows"
         errors.append(FileErrorDetail(f"{path}.position_mm", "missing", cause=cause))
-    numbers: dict[str, Any] = {"position": 0.0, "offset": 0.0} | si(_NUMBERS, good)
-    errors += map(translate, placement_errors(path, **numbers))
-    sprung = good.get("sprung", False)
-    if not isinstance(sprung, bool):
+    carries, sprung = fields.pop("carries", None), fields.pop("sprung", False)
+    errors += map(translate, judged(placement_errors(path, **fields)))
+    if not isinstance(sprung, bool) and sprung is not UNUSABLE:
         errors.append(FileErrorDetail(f"{path}.sprung", "is neither true nor false", sprung))
     within: Errors = []
     if "housing_stiffness" in table:
-        numbers["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
+        fields["housing_stiffness"] = housing_stiffness(table["housing_stiffness"], "housing_stiffness", within)
     effects = read_tables(table, within)
     asked = read_readings(table, within).implying(shared.asked.required) if "readings" in table else None
     bearing, stated = shared.bearing.bearing, shared.stated
@@ -207,27 +215,26 @@ def _row(table: Any, path: str, shared: _Shared, errors: Errors) -> _ReadRow:
         whole = whole_bearing(table, shared.document.get("bearing"))
         own = read_bearing({"bearing": whole}, "", within, is_of_row=True)
         bearing, stated = own.bearing, stated._replace(bearing=own)
-        if not effects and not shared.effects.has_deviations and stated.takes(shared.effects.tables.values()):
+        if not effects and shared.effects.deviations is None and stated.takes(shared.effects.tables.values()):
             effects = shared.effects.tables
         if asked is None and stated.takes(shared.asked.tables.values()):
             asked = shared.asked
     elif shared.document.get("bearing") is None:
         cause = "Give [bearing], which all rows share, or a table [rows.bearing] below each [[rows]]"
         within.append(FileErrorDetail("bearing", "missing", cause=cause))
-    carries = good.get("carries")
-    if "carries" not in unusable and not (carries is None and is_deep_groove(bearing, table.get("bearing"))):
+    if carries is not UNUSABLE and not (carries is None and is_deep_groove(bearing, table.get("bearing"))):
         errors += _direction_errors(carries, path)
     made_effects = ring_effects(effects.values(), within, shared.balance_keys, stated)
     readings = None if asked is None else asked.made(within, shared.balance_keys, stated)
     errors += _below(path, within)
-    read = _ReadRow(None, own, bool(effects), asked is not None)
+    without = _ReadRow(None, own, bool(effects), asked is not None)
     if errors or bearing is None:
-        return read
+        return without
     row = Row(
-        bearing, **numbers, carries=None if carries is None else Direction(carries), sprung=sprung,
+        bearing, **fields, carries=None if carries is None else Direction(carries), sprung=sprung,
         ring_effects=made_effects or None, readings=readings,
     )  # fmt: skip
-    return read._replace(row=row)
+    return without._replace(row=row)
 
 
 def is_deep_groove(bearing: BallBearing | None, table: Any) -> bool:

@@ -10,25 +10,24 @@ from typing import Any
 import numpy as np
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, named, required_of
+from qsbearing.files.keys import DIAMETERS, NUMBERED, PRELOAD, keys_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
 from qsbearing.files.shaft_spans import with_lengths
 from qsbearing.files.table_checks import (
+    UNUSABLE,
     Errors,
-    TableModel,
+    add_missing,
     as_it_is,
     as_number,
     checked,
-    lacking,
     list_of,
     made,
-    material,
+    read_fields,
     si,
     table_model,
 )
-from qsbearing.model.described import choices_of, materials_of, parts_of, words_of
-from qsbearing.model.material import Material
+from qsbearing.model.described import parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.shaft import (
     Housing,
@@ -42,13 +41,6 @@ _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elast
 _LISTED = tuple(kind for kind, name in NUMBERED.items() if name in parts_of(Shaft))
 
 
-def _plain(name: str) -> TableModel:
-    """How a table of a set is built, what is no number taken as it is."""
-    others = (*OTHERS[name], *materials_of(RECORDS[name]))
-    return table_model(name, SET_NUMBERS[name], dict.fromkeys(others, as_it_is))
-
-
-_MODELS = {name: _plain(name) for name in SET_NUMBERS if name != "shaft"}
 _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 
 
@@ -72,23 +64,14 @@ def surroundings(document: dict[str, Any], errors: Errors) -> dict[str, Any]:
 
 
 def surroundings_tables(
-    of: BearingSet, numbers: Callable[..., Any], named: Callable[[Material], Any]
+    of: BearingSet, numbers: Callable[..., Any], written: Callable[[Any], dict[str, Any]]
 ) -> dict[str, Any]:
     """The tables that these are read from.
 
     Args:
         numbers: of the keys of a table, those that an object holds.
-        named: a material as a file has it.
+        written: what is described at the fields of an object.
     """
-
-    def written(each: Any) -> dict[str, Any]:
-        bodies = {name: getattr(each, name) for name in materials_of(type(each))}
-        return (
-            numbers(keys_of(type(each)), each)
-            | {name: named(body) for name, body in bodies.items() if body is not None}
-            | words_of(each)
-        )
-
     tables: dict[str, Any] = {}
     if of.shaft is not None or numbers(OF_SET, of):
         tables["shaft"] = numbers(OF_SET, of)
@@ -116,12 +99,6 @@ def surroundings_tables(
             for each in of.floating
         ]
     return tables
-
-
-def stiffness_table(of: HousingStiffness, numbers: Callable[..., Any]) -> dict[str, Any]:
-    """The table [rows.housing_stiffness]."""
-    given: dict[str, Any] = numbers(SET_NUMBERS["housing_stiffness"], of)
-    return given if of.matrix is None else {MATRIX.name: np.asarray(of.matrix, float).tolist()}
 
 
 def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Shaft | None:
@@ -154,31 +131,22 @@ def _shaft(table: dict[str, Any], numbers: dict[str, Any], errors: Errors) -> Sh
 
 
 def _housing(table: Any, errors: Errors) -> Housing | None:
-    good, _ = checked(_MODELS["housing"], "housing", table, errors)
-    given: dict[str, Any] = si(keys_of(Housing), good)
-    given |= _bodies(Housing, "housing", good, errors)
+    given = read_fields(Housing, "housing", "housing", table, errors, {DIAMETERS[1].name: as_number})
+    given.pop(DIAMETERS[1].name, None)  # which fits count with: `stated`
     return made(partial(Housing, **given), errors)
-
-
-def _bodies(of: Any, path: str, good: dict[str, Any], errors: Errors) -> dict[str, Material]:
-    """The materials that a table gives."""
-    return {name: material(f"{path}.{name}", good[name], errors) for name in materials_of(of) if name in good}
 
 
 def housing_stiffness(table: Any, path: str, errors: Errors) -> HousingStiffness | None:
     """Of a row's table within [[rows]]."""
-    good, unusable = checked(_MODELS["housing_stiffness"], path, table, errors)
-    if unusable:
-        return None
-    given: dict[str, Any] = si(SET_NUMBERS["housing_stiffness"], good)
-    if MATRIX.name in good:
-        given[MATRIX.field] = good[MATRIX.name]
-    return made(partial(HousingStiffness, **given), errors)
+    before = len(errors)
+    given = read_fields(HousingStiffness, "housing_stiffness", path, table, errors, {MATRIX.name: as_it_is})
+    given |= {MATRIX.field: given.pop(MATRIX.name)} if MATRIX.name in given else {}
+    return made(partial(HousingStiffness, **given), errors) if len(errors) == before else None
 
 
 def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> list[Any]:
     """What a list of tables makes."""
-    make, keys, model = RECORDS[name], SET_NUMBERS[name], _MODELS[name]
+    make = RECORDS[name]
     tables = document.get(name, [])
     if not isinstance(tables, list):
         errors.append(FileErrorDetail(f"[[{'shaft.' * ('.' in path)}{name}]]", "is not a list of tables"))
@@ -186,21 +154,17 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
     records = []
     for number, table in enumerate(tables, 1):
         at, before = f"{path} {number}", len(errors)
-        good, unusable = checked(model, at, table, errors)
-        given: dict[str, Any] = si(keys, good)
-        missing = lacking(named(required_of(make)), good, unusable)
-        errors += [FileErrorDetail(f"{at}.{key}", "missing") for key in missing]
-        given |= _bodies(make, at, good, errors) | {name: good[name] for name in choices_of(make) if name in good}
-        if "rows" in model.checks:
-            rows = good.get("rows")
-            if not isinstance(rows, list) or not all(type(row) is int for row in rows):
+        given = read_fields(make, name, at, table, errors)
+        add_missing(make, at, given, errors)
+        if "rows" in OTHERS[name]:
+            rows = given.get("rows")
+            if rows is not UNUSABLE and (not isinstance(rows, list) or not all(type(row) is int for row in rows)):
                 cause = "Numbers of rows, from 1 in the order of the file: rows = [1, 2]"
                 problem = "missing" if rows is None else "are no numbers"
                 errors.append(FileErrorDetail(f"{at}.rows", problem, rows, cause=cause))
-            else:
-                given["rows"] = tuple(rows)
-        if "preload" in good:
-            given["preload"] = preload_of(good["preload"], None, errors)
+            given["rows"] = tuple(rows) if isinstance(rows, list) else ()
+        if given.get("preload", UNUSABLE) is not UNUSABLE:
+            given["preload"] = preload_of(given["preload"], None, errors)
         one = made(partial(make, **given), errors) if len(errors) == before else None
         records += [] if one is None else [one]
     return records

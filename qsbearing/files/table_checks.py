@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import StrEnum
-from functools import partial
+from functools import cache
 from math import isfinite, isnan, nan
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
@@ -13,32 +13,26 @@ import numpy as np
 
 from qsbearing.files.file_errors import MOST_SHOWN, FileErrorDetail, translate
 from qsbearing.files.file_keys import BALL_TABLES, ShownBalls, find
-from qsbearing.files.keys import BALL_DEVIATIONS, MATERIAL, MATERIALS, Key, named, required_of
+from qsbearing.files.keys import BALL_DEVIATIONS, MATERIALS, Key, key_of, named, required_of
 from qsbearing.files.unknown_key import Suggestion, suggest
 from qsbearing.files.usual_words import other_kind
-from qsbearing.inference.clearance import ClearanceClass
-from qsbearing.inference.data_sheet import RigidityKind, SizeSteps
-from qsbearing.inference.practice import RatingPractice
+from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.model.bearing import BearingKind
+from qsbearing.model.described import choices_of, lists_of, materials_of, numbers_of, parts_of
 from qsbearing.model.effects import MomentShares
 from qsbearing.model.effects.traction import TractionLaw
 from qsbearing.model.material import BY_NAME, STAINLESS_STEEL, Material, material_named
-from qsbearing.model.scene.scene import CHOICES
+from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import ErrorDetail, Field, SceneError, Sentence, alike, comma_advice, question
 
-CHOICES_OF_FILES: dict[str, type[StrEnum]] = {
-    "kind": BearingKind,
-    "rating_practice": RatingPractice,
-    "size_steps": SizeSteps,
-    "pair_rigidity_kind": RigidityKind,
-    "clearance_class": ClearanceClass,
-    "moment_shares": MomentShares,
-    "law": TractionLaw,
-    BALL_TABLES: ShownBalls,
-    **CHOICES,
-}
+CHOICES_OF_FILES: dict[str, Any] = {
+    **choices_of(DataSheet), "moment_shares": MomentShares, "law": TractionLaw, BALL_TABLES: ShownBalls,
+    **choices_of(Scene),
+}  # fmt: skip
 """The keys of a file whose words are those of a choice."""
+UNUSABLE: Any = object()
+"""What stands where a file has a word, a table or a list that cannot be used."""
 Errors = list[FileErrorDetail]
 Made = TypeVar("Made")
 
@@ -94,16 +88,22 @@ def list_of(check: Check) -> Check:
     return check_list
 
 
-def choice_fields(*names: str) -> dict[str, Check]:
-    """The checks of choices: a word becomes the choice."""
+def _one_of(choice: type[StrEnum]) -> Check:
+    """A word that becomes the choice."""
 
-    def check_choice(choice: type[StrEnum], value: Any, refused: list[Any]) -> Any:
+    def check_choice(value: Any, refused: list[Any]) -> Any:
         try:
             return choice(value)
         except ValueError:
             return refused.append(value)
 
-    return {name: partial(check_choice, CHOICES_OF_FILES[name]) for name in names}
+    check_choice.choice = choice  # type: ignore[attr-defined]
+    return check_choice
+
+
+def choice_fields(*names: str) -> dict[str, Check]:
+    """The checks of choices."""
+    return {name: _one_of(CHOICES_OF_FILES[name]) for name in names}
 
 
 def table_model(section: str, keys: tuple[Key, ...], others: Mapping[str, Check] = MappingProxyType({})) -> TableModel:
@@ -111,7 +111,54 @@ def table_model(section: str, keys: tuple[Key, ...], others: Mapping[str, Check]
     return TableModel(section, {key.name: as_number for key in keys} | dict(others))
 
 
-_MATERIAL, _NEEDED = table_model("material", MATERIAL), required_of(Material)
+class _Form(NamedTuple):
+    """How the tables of a class are read."""
+
+    numbers: dict[str, Key]
+    lists: dict[str, Key]
+    materials: tuple[str, ...]
+    checks: dict[str, Check]
+
+
+@cache  # a search reads a file's tables a thousand times
+def _form(of: Any) -> _Form:
+    numbers, lists = ({key.name: key for key in map(key_of, each(of))} for each in (numbers_of, lists_of))
+    checks: dict[str, Check] = dict.fromkeys(numbers, as_number) | dict.fromkeys(lists, list_of(as_number))
+    checks |= dict.fromkeys((*materials_of(of), *parts_of(of)), as_it_is)
+    words = choices_of(of)
+    checks |= {name: as_it_is if kind is bool else _one_of(kind) for name, kind in words.items()}
+    return _Form(numbers, lists, materials_of(of), checks)
+
+
+def read_fields(
+    of: Any, section: str, path: str, table: Any, errors: Errors, others: Mapping[str, Check] = MappingProxyType({})
+) -> dict[str, Any]:
+    """What a table states of the fields of a class, in SI by the names that Python has; NaN and `UNUSABLE` stand where
+    it tries to.
+
+    Args:
+        section: whose keys are likely meant by one that is unknown.
+        others: what it may have that is no field, or is checked in another way; it stays as it is.
+    """
+    numbers, lists, materials, own = _form(of)
+    checks = {**own, **others}
+    good, unusable = checked(TableModel(section, checks), path, table, errors)
+    stand_ins: dict[str, Any] = {
+        name: nan if checks[name] is as_number else UNUSABLE for name in unusable if name in checks
+    }
+    fields: dict[str, Any] = {}
+    for name, value in (stand_ins | good).items():
+        if name in materials:
+            fields[name] = material(f"{path}.{name}", value, errors)
+        elif name in others or value is UNUSABLE:
+            fields[lists[name].field if name in lists else name] = value
+        elif name in numbers:
+            fields[numbers[name].field] = numbers[name].si(value)
+        elif name in lists:
+            fields[lists[name].field] = [lists[name].si(each) for each in value]
+        else:
+            fields[name] = value
+    return fields
 
 
 def checked(model: TableModel, path: str, table: Any, errors: Errors) -> tuple[dict[str, Any], set[str]]:
@@ -130,7 +177,8 @@ def checked(model: TableModel, path: str, table: Any, errors: Errors) -> tuple[d
         if refused:
             del good[name]
             unusable.add(name)
-            errors += [_wrong_value(f"{path}.{name}", name, each) for each in refused]
+            choice = getattr(check, "choice", CHOICES_OF_FILES.get(name))
+            errors += [_wrong_value(f"{path}.{name}", name, each, choice) for each in refused]
     for name in table:
         if name not in model.checks:
             meant = unknown_key(f"{path}.{name}", str(name), model.section, table[name], errors)
@@ -151,10 +199,10 @@ def unknown_key(path: str, name: str, section: str, value: Any, errors: Errors) 
     return meant.key
 
 
-def _wrong_value(path: str, name: str, value: Any) -> FileErrorDetail:
-    if name in CHOICES_OF_FILES:
-        names = list(CHOICES_OF_FILES[name])
-        cause = other_kind(value) if name == "kind" else ""
+def _wrong_value(path: str, name: str, value: Any, choice: Any) -> FileErrorDetail:
+    if choice is not None:
+        names = list(choice)
+        cause = other_kind(value) if choice is BearingKind else ""
         cause = cause or did_you_mean(value, names) or f"One of {', '.join(names)}"
         if name == "clearance_class":
             cause += ". How exact a bearing is made, such as P5, is tolerance_class in [effects.ring_expansion]"
@@ -200,6 +248,14 @@ def judged(errors: Iterable[ErrorDetail]) -> list[ErrorDetail]:
     return [each for each in errors if not (isinstance(each.value, float) and isnan(each.value))]
 
 
+def add_missing(of: Any, path: str, fields: dict[str, Any], errors: Errors, detail: str = "") -> None:
+    """Say what a table lacks without which there is no object of the class, with NaN in its place."""
+    for key in required_of(of):
+        if key.field not in fields:
+            errors.append(FileErrorDetail(f"{path}.{key.name}", "missing", detail=detail))
+            fields[key.field] = nan
+
+
 def made(make: Callable[[], Made], errors: Errors) -> Made | None:
     """What a table's numbers make in Python; None where it refuses them, with its reasons among the errors."""
     try:
@@ -209,23 +265,14 @@ def made(make: Callable[[], Made], errors: Errors) -> Made | None:
         return None
 
 
-def lacking(names: Iterable[str], *present: Collection[str]) -> list[str]:
-    """Which of these keys a table has not.
-
-    Args:
-        present: those that can be used, those that cannot, and what else stands for one.
-    """
-    return [name for name in names if not any(name in each for each in present)]
-
-
 def material(path: str, value: Any, errors: Errors) -> Material:
     """A material by its name or its table; NaN stands for what there is not."""
     unknown = Material(nan, nan, nan)
     if isinstance(value, dict):
-        good, unusable = checked(_MATERIAL, path, value, errors)
-        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in lacking(named(_NEEDED), good, unusable)]
-        return Material(**vars(unknown) | si(MATERIAL, good))
-    if value is None:
+        fields = read_fields(Material, "material", path, value, errors)
+        add_missing(Material, path, fields, errors)
+        return Material(**vars(unknown) | fields)
+    if value is None or value is UNUSABLE:
         return unknown
     if not isinstance(value, str):
         errors.append(FileErrorDetail(path, "is not a word in quotation marks", value))
@@ -236,7 +283,7 @@ def material(path: str, value: Any, errors: Errors) -> Material:
         errors.append(FileErrorDetail(path, "is the name of several materials", value, cause=cause))
         return unknown
     if known is None:
-        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(named(_NEEDED))}"
+        others = f"One of {', '.join(BY_NAME)}, or a table with {', '.join(named(required_of(Material)))}"
         cause = question(alike(value, BY_NAME)) or others
         errors.append(FileErrorDetail(path, "is not a known material", value, cause=cause))
         return unknown

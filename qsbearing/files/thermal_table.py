@@ -3,30 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import nan
 from typing import Any
 
 from qsbearing.files.file_errors import FileErrorDetail
-from qsbearing.files.keys import named, required_of
 from qsbearing.files.readings_table import OIL_TEMPERATURE
 from qsbearing.files.table_checks import (
     Errors,
+    add_missing,
     as_whole_number,
     as_word,
     checked,
-    lacking,
     list_of,
     made,
+    read_fields,
     si,
     table_model,
 )
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, CONDUCTANCES, OIL, THERMAL, WORDS
 from qsbearing.systems.heat.network import Conductance, OilFlow, Thermal
 
-_TABLE = table_model("thermal", THERMAL, dict.fromkeys(WORDS, as_word))
-_OIL = table_model("oil", OIL)
 _BY_NODE = {name: table_model(name, keys) for name, keys in BY_NODE.items()}
-_CONDUCTANCE = table_model(CONDUCTANCES, CONDUCTANCE, {"between": list_of(as_word), "row": as_whole_number})
+_OF_CONDUCTANCE = {"between": list_of(as_word), "row": as_whole_number}
 NODE_KEYS = {
     "ring_expansion": {f"{node}_temperature_C": node for node in ("inner_ring", "outer_ring", "shaft", "housing")},
     "ball_expansion": {"ball_temperature_C": "balls"},
@@ -43,11 +40,9 @@ def thermal_of(document: dict[str, Any], errors: Errors) -> Thermal | None:
     within = (CONDUCTANCES, "oil", *BY_NODE)
     plain = {key: value for key, value in table.items() if key not in within} if isinstance(table, dict) else table
     before = len(errors)
-    good, unusable = checked(_TABLE, "thermal", plain, errors)
+    fields = read_fields(Thermal, "thermal", "thermal", plain, errors, dict.fromkeys(WORDS, as_word))
     if not isinstance(table, dict):
         return None
-    fields: dict[str, Any] = si(THERMAL, dict.fromkeys(unusable - set(WORDS), nan) | good)
-    fields |= {word: good[word] for word in WORDS if word in good}
     for name, keys in BY_NODE.items():
         numbers, _ = checked(_BY_NODE[name], f"thermal.{name}", table.get(name, {}), errors)
         fields[name] = si(keys, numbers)
@@ -102,10 +97,9 @@ def _nodes(table: dict[str, Any]) -> set[str]:
 
 
 def _oil(table: Any, errors: Errors) -> OilFlow | None:
-    good, unusable = checked(_OIL, "thermal.oil", table, errors)
-    missing = lacking(named(required_of(OilFlow)), good, unusable)
-    errors += [FileErrorDetail(f"thermal.oil.{name}", "missing", detail="a flow of oil needs it") for name in missing]
-    return None if missing or unusable else OilFlow(**si(OIL, good))
+    before, fields = len(errors), read_fields(OilFlow, "oil", "thermal.oil", table, errors)
+    add_missing(OilFlow, "thermal.oil", fields, errors, "a flow of oil needs it")
+    return OilFlow(**fields) if len(errors) == before else None
 
 
 def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
@@ -116,13 +110,13 @@ def _conductances(tables: Any, errors: Errors) -> tuple[Conductance, ...]:
         return ()
     conductances = []
     for number, table in enumerate(tables, 1):
-        path = f"thermal.{CONDUCTANCES} {number}"
-        good, unusable = checked(_CONDUCTANCE, path, table, errors)
-        missing = lacking(("between", "W_per_K"), good, unusable)
-        errors += [FileErrorDetail(f"{path}.{name}", "missing") for name in missing]
-        if not missing and not unusable:
-            ends = tuple(good["between"])
-            conductances.append(Conductance(ends, **si(CONDUCTANCE, good), row=good.get("row")))
+        path, before = f"thermal.{CONDUCTANCES} {number}", len(errors)
+        fields = read_fields(Conductance, CONDUCTANCES, path, table, errors, _OF_CONDUCTANCE)
+        if "between" not in fields:
+            errors.append(FileErrorDetail(f"{path}.between", "missing"))
+        add_missing(Conductance, path, fields, errors)
+        if len(errors) == before:
+            conductances.append(Conductance(**fields | {"between": tuple(fields["between"])}))
     return tuple(conductances)
 
 

@@ -13,7 +13,7 @@ from qsbearing.inference.clearance import ClearanceClass, clearance_limits
 from qsbearing.inference.practice import RatingPractice, practice_errors
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.bearing_errors import FREE_ANGLE_MAX, LARGEST_USUAL_F
-from qsbearing.model.described import given_in
+from qsbearing.model.described import given_in, one_of
 from qsbearing.model.material import STEEL, Material, material_errors
 from qsbearing.model.units import N, mm, um
 from qsbearing.model.validation import (
@@ -88,11 +88,11 @@ class DataSheet:
     free_contact_angle: float | None = field(default=None, metadata=given_in("deg"))
     diametral_clearance: float | None = field(default=None, metadata=given_in("mm"))
     """In place of the free contact angle; of a deep groove bearing."""
-    clearance_class: ClearanceClass | None = None
+    clearance_class: ClearanceClass | None = field(default=None, metadata=one_of(ClearanceClass))
     """In place of both, of a deep groove bearing: the clearance of ISO 5753-1 by its bore, usual, least and largest."""
-    kind: BearingKind = BearingKind.ANGULAR_CONTACT
+    kind: BearingKind = field(default=BearingKind.ANGULAR_CONTACT, metadata=one_of(BearingKind))
     maker: str = ""
-    rating_practice: RatingPractice | None = None
+    rating_practice: RatingPractice | None = field(default=None, metadata=one_of(RatingPractice))
     """What C and C0 mean; None: as the maker is known to use them, or unknown."""
     dynamic_rating_factor: float | None = field(default=None, metadata=given_in())
     """C printed over that of ISO 281, of a series."""
@@ -104,7 +104,7 @@ class DataSheet:
     """Axial rigidity of a back-to-back pair at its preload [N/m]."""
     pair_preload: float | None = field(default=None, metadata=given_in("N"))
     """[N]."""
-    pair_rigidity_kind: RigidityKind | None = None
+    pair_rigidity_kind: RigidityKind | None = field(default=None, metadata=one_of(RigidityKind))
     """None: as the maker is known to print it, else the tangent."""
     outer_ball_pass: float | None = field(default=None, metadata=given_in())
     """How often a ball passes a point of the outer ring in one revolution of the inner one [-]; with `inner_ball_pass`
@@ -119,7 +119,7 @@ class DataSheet:
     """Of the circle of ball centres; None: halfway between bore and outside diameter."""
     groove_radius_coefficient: float | None = field(default=None, metadata=given_in())
     """f = r/D of both grooves."""
-    size_steps: SizeSteps | None = None
+    size_steps: SizeSteps | None = field(default=None, metadata=one_of(SizeSteps))
     """None: in inches, as nearly all are; of deep groove bearings of dimension series 18 in millimetres too."""
     ball_material: Material = STEEL
     ring_material: Material = STEEL

@@ -27,7 +27,7 @@ from qsbearing.model.bearing_errors import (
     clearance_errors,
 )
 from qsbearing.model.contact.hertz import effective_modulus
-from qsbearing.model.described import A_MATERIAL, Input, given_in, number
+from qsbearing.model.described import A_MATERIAL, Input, given_in, number, one_of
 from qsbearing.model.material import STEEL, Material
 from qsbearing.model.validation import LENGTH, SceneError, choose, numeric, raise_if_any
 
@@ -75,7 +75,7 @@ class BallBearing:
     """alpha0, of the line of contact when all clearance is just taken up without load [rad]."""
     ball_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     ring_material: Material = field(default=STEEL, metadata=A_MATERIAL)
-    kind: BearingKind = BearingKind.ANGULAR_CONTACT
+    kind: BearingKind = field(default=BearingKind.ANGULAR_CONTACT, metadata=one_of(BearingKind))
     name: str = ""
     radial_interference: ArrayLike = 0.0
     """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings

@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 
 from qsbearing.files import catalogue
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
-from qsbearing.files.preload_class import in_numbers
 from qsbearing.files.result_names import reading_of
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.toml import check_tables
@@ -123,7 +122,6 @@ class Study(Plotted):
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
             errors.append(FileErrorDetail("[[spectrum]]", "is not part of a study", cause=cause))
-        document = in_numbers(document, errors)
         varied = _table(document, "vary", errors) | (vary or {})
         options = _table(document, "study", errors)
         given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.files import bearing_table, effects_table, scene_file
+from qsbearing.files import bearing_table, effects_table, table_checks
 from qsbearing.files import keys as scene_keys
 from qsbearing.files.file_keys import sections
 from qsbearing.files.scene_file import load_scene
@@ -162,7 +162,7 @@ def test_every_number_of_python_has_a_key_and_every_key_a_place() -> None:
         "axial_clearance",
     }
     assert {key.field for key in scene_keys.BEARING} == numbers
-    models = (bearing_table._BEARING, scene_file._OPERATION, effects_table._EFFECTS)
+    models = (bearing_table._BEARING, table_checks._form(qs.Operation), effects_table._EFFECTS)
     for model, section in zip(models, ("bearing", "operation", "effects"), strict=True):
         elsewhere = {*scene_keys.EFFECT_TABLES, "traction"}
         assert set(model.checks) == set(scene_keys.SECTIONS[section]) - elsewhere

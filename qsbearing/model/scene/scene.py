@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from functools import cached_property
 from typing import Any
 
@@ -16,6 +15,7 @@ from qsbearing.model.accuracy import COARSEST, FINEST
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.bearing_errors import clash_errors, shapes_of
 from qsbearing.model.contact.hertz import HertzForm
+from qsbearing.model.described import choices_of, one_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
@@ -60,17 +60,6 @@ SPEED_PARAMETER_MAX = 1.0e7
 """dm n [mm rpm]; the fastest bearings ever run reached about 3.5e6."""
 
 
-CHOICES: dict[str, type[StrEnum]] = {
-    "raceway_control": RacewayControl,
-    "hertz_angle": HertzAngle,
-    "hertz_form": HertzForm,
-    "tilt_lever": TiltLever,
-    "orbit_radius": OrbitRadius,
-    "ball_motion": MotionOfBalls,
-}
-"""The fields of a scene that choose one of several; each may be given as a member or as its word."""
-
-
 @dataclass(frozen=True)
 class Scene(InNotebooks):
     """All the input of a solve. An effect that is not named here is not simulated.
@@ -82,11 +71,11 @@ class Scene(InNotebooks):
     bearing: BallBearing
     operation: Operation = field(default_factory=Operation)
     ball_effects: tuple[BallEffect, ...] = ()
-    raceway_control: RacewayControl | None = None
+    raceway_control: RacewayControl | None = field(default=None, metadata=one_of(RacewayControl))
     """Needed by the ball effects, and by nothing else."""
-    hertz_angle: HertzAngle = HertzAngle.FREE
-    hertz_form: HertzForm = HertzForm.EXACT
-    tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
+    hertz_angle: HertzAngle = field(default=HertzAngle.FREE, metadata=one_of(HertzAngle))
+    hertz_form: HertzForm = field(default=HertzForm.EXACT, metadata=one_of(HertzForm))
+    tilt_lever: TiltLever = field(default=TiltLever.GROOVE_CENTRE, metadata=one_of(TiltLever))
     ring_effects: tuple[RingEffect, ...] = ()
     """What changes the bearing before it is loaded."""
     preload: Preload | None = None
@@ -96,9 +85,9 @@ class Scene(InNotebooks):
     at it."""
     tolerance: float | None = None
     """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
-    orbit_radius: OrbitRadius = OrbitRadius.PITCH_CIRCLE
+    orbit_radius: OrbitRadius = field(default=OrbitRadius.PITCH_CIRCLE, metadata=one_of(OrbitRadius))
     """Of the balls, for their motion; only the ball effects ask for it."""
-    ball_motion: MotionOfBalls = MotionOfBalls.OWN
+    ball_motion: MotionOfBalls = field(default=MotionOfBalls.OWN, metadata=one_of(MotionOfBalls))
     """Whether each ball has the axis and orbit of its azimuth, or all have the mean; likewise."""
     thermal: Any = None
     """A `qsbearing.Thermal`; with it `qs.solve` finds the temperatures at which the bearing runs."""
@@ -220,6 +209,10 @@ class Scene(InNotebooks):
     def gyroscopic_moment(self) -> GyroscopicMoment | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ball_effects if isinstance(effect, GyroscopicMoment)), None)
+
+
+CHOICES: dict[str, Any] = dict(choices_of(Scene))
+"""The fields of a scene that choose one of several; each may be given as a member or as its word."""
 
 
 def tolerance_errors(of: Any) -> list[ErrorDetail]:
