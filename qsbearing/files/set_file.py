@@ -227,6 +227,10 @@ def _row(table: Any, path: str, shared: _Shared, errors: Errors) -> _ReadRow:
     made_effects = ring_effects(effects.values(), within, shared.balance_keys, stated)
     readings = None if asked is None else asked.made(within, shared.balance_keys, stated)
     errors += _below(path, within)
+    if isinstance(table.get("bearing"), dict) and "name" not in table["bearing"]:
+        own = own._replace(
+            name="", entry=None
+        )  # what the catalogue prints of a bearing is not of one with other numbers
     without = _ReadRow(None, own, bool(effects), asked is not None)
     if errors or bearing is None:
         return without

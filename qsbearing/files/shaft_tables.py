@@ -27,7 +27,7 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
-from qsbearing.model.described import parts_of
+from qsbearing.model.described import choices_of, parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.shaft import (
     Housing,
@@ -154,7 +154,8 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
     records = []
     for number, table in enumerate(tables, 1):
         at, before = f"{path} {number}", len(errors)
-        given = read_fields(make, name, at, table, errors)
+        # Of words, the object says which it knows, and of others why they are not computed.
+        given = read_fields(make, name, at, table, errors, dict.fromkeys(choices_of(make), as_it_is))
         add_missing(make, at, given, errors)
         if "rows" in OTHERS[name]:
             rows = given.get("rows")

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.documents.numbers import with_minus
 from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.scene_tables import input_tables
@@ -152,7 +153,7 @@ def test_run_shows_the_play_and_json_has_it(tmp_path: Path) -> None:
     solution = solved(read(text))
     low, high = (float(each / qs.um) for each in solution.axial_play)  # type: ignore[union-attr]
     assert found["axial_play"] == pytest.approx({"from_um": low, "to_um": high})
-    assert f"Axial play: from {low:.6g} to {high:.6g} µm" in shown
+    assert with_minus(f"Axial play: from {low:.6g} to {high:.6g} µm") in shown
     assert "2 rows, locating and floating" in shown and "in +x where that is both or none" in shown
     assert [row["axial_load_N"] for row in found["rows"]] == pytest.approx([800.0, 0.0], abs=1e-6)
     open_end = ran(file, text.replace("position_mm = 0\n", 'position_mm = 0\ncarries = "+x"\n'), "run", "--json").stdout
