@@ -170,8 +170,8 @@ def test_beyond_rest_two_rows_at_one_place_are_refused() -> None:
 @pytest.mark.parametrize(
     ("kind", "words"),
     [
-        ("four_point", "position_mm"),
-        ("four_point_contact", "At speed"),
+        ("four_point", "inner_shim_mm: missing: a four-point bearing has two arcs"),
+        ("four_point_contact", 'kind = "four_point"'),
         ("double_row", "two [[rows]]"),
         ("self_aligning", "Only rows of balls in grooved raceways"),
         ("angular", "Did you mean angular_contact?"),
