@@ -12,7 +12,7 @@ import click
 from qsbearing.cli.ball_sets import blocks_of_lists, document_at
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
-from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import ALLOWED, DEFAULT_ACCURACY, is_allowed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,8 +52,8 @@ def explain(scene: str, as_json: bool, verify: bool, tolerance: float) -> None:
     from qsbearing.remarks.of_solution import message
     from qsbearing.studies.chooser.explained import explained
 
-    if not 0.0 < tolerance <= 1.0:
-        refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
+    if not is_allowed(tolerance):
+        refuse(f"--tolerance {tolerance:g}: a relative change, {ALLOWED} (0.01 is one per cent)")
     loaded = load_one(scene)
     # Its readings need it, and one of before 2024 loads scipy.linalg, which `solving` puts out of reach.
     importlib.import_module("scipy.special")

@@ -43,6 +43,7 @@ from qsbearing.files.preload_class import CLASSES
 from qsbearing.files.set_keys import GRAVITY, MATRIX, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
+from qsbearing.model.accuracy import COARSEST, FINEST
 from qsbearing.model.described import choices_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.effects.traction import Traction
@@ -86,7 +87,7 @@ def scene_schema() -> Schema:
         "operation": closed(_numbers(OPERATION, "operation")),
         "preload": {"anyOf": [_ref("preload"), {"enum": list(CLASSES)}]},
         "effects": {"anyOf": [{"const": AUTO}, _effects()]},
-        "tolerance": _NUMBER | {"exclusiveMinimum": 0, "maximum": 1},
+        "tolerance": _NUMBER | {"minimum": FINEST, "maximum": COARSEST},
         "readings": _ref("readings"),
         "thermal": _thermal(),
         REQUIRE: _required(),

@@ -34,8 +34,6 @@ from qsbearing.systems.sets.shaft import (
 )
 
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
-
-
 _LISTED = ("section", "load", "support", "mass")
 
 

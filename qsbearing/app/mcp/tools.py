@@ -21,7 +21,7 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.scene_file import document_of, text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables, tables_of
-from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import COARSEST, DEFAULT_ACCURACY, FINEST
 from qsbearing.model.scene.scene import Scene
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.whole import whole_record, with_input
@@ -42,6 +42,8 @@ Tables = Annotated[
     Field(description="a bearing of the catalogue, a file below the folder, the text of a scene file, or its tables"),
 ]
 Vary = Annotated[dict[str, Any], Field(description='keys and what they take, as {"axial_load_N": "500:2000:4"}')]
+Tolerance = Annotated[float, Field(ge=FINEST, le=COARSEST)]
+Seed = Annotated[int, Field(ge=0)]
 Points = Annotated[int | None, Field(ge=1, le=MOST_POINTS)]
 
 
@@ -66,7 +68,7 @@ class Tools:
         record = with_input(of, whole_record(solution, all_taken(solution)))
         return _told(record, balls)
 
-    def explain(self, scene: Tables, tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = DEFAULT_ACCURACY) -> Answer:
+    def explain(self, scene: Tables, tolerance: Tolerance = DEFAULT_ACCURACY) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
         is needed: whether it changes a result by more than the tolerance."""
         return explained(self._one(scene), tolerance).record
@@ -80,7 +82,7 @@ class Tools:
         minimise: str | None = None,
         maximise: str | None = None,
         points: Points = None,
-        seed: Annotated[int, Field(ge=0)] = 0,
+        seed: Seed = 0,
     ) -> Answer:
         """Find values of up to six keys of a scene, each with "LOW:HIGH", that meet goals ("NAME=VALUE") and limits
         ("NAME<=VALUE") of results, and make one as small or large as possible. The answer's input is the scene found.
@@ -97,7 +99,7 @@ class Tools:
         vary: Vary,
         quantities: list[str] | None = None,
         samples: Points = None,
-        seed: Annotated[int, Field(ge=0)] = 0,
+        seed: Seed = 0,
         out: str = "",
     ) -> Answer:
         """Solve a scene at all combinations of what keys take: "START:STOP:COUNT", a list, or "normal(MEAN,SD)". The
