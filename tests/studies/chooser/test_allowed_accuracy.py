@@ -1,4 +1,4 @@
-"""The errors that may be allowed are one range wherever one is given: Python, files and their schema, commands, tools."""
+"""The errors that may be allowed are one range wherever one is given: in Python, files, schema, commands and tools."""
 
 from __future__ import annotations
 
