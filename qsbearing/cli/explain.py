@@ -13,7 +13,7 @@ from qsbearing.cli.ball_sets import blocks_of_lists
 from qsbearing.cli.output import UNSOLVED, note, print_table, print_text, refuse
 from qsbearing.cli.scene import load_one, solving
 from qsbearing.cli.settings import set_option, told, with_changes
-from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import ALLOWED, DEFAULT_ACCURACY, is_allowed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -54,8 +54,8 @@ def explain(scene: str, settings: tuple[str, ...], as_json: bool, verify: bool, 
     from qsbearing.remarks.of_solution import message
     from qsbearing.studies.chooser.explained import explained
 
-    if not 0.0 < tolerance <= 1.0:
-        refuse(f"--tolerance {tolerance:g}: a relative change, above 0 and at most 1 (0.01 is one per cent)")
+    if not is_allowed(tolerance):
+        refuse(f"--tolerance {tolerance:g}: a relative change, {ALLOWED} (0.01 is one per cent)")
     loaded, document, changes = load_one(scene, settings)
     # Its readings need it, and one of before 2024 loads scipy.linalg, which `solving` puts out of reach.
     importlib.import_module("scipy.special")

@@ -296,10 +296,10 @@ def _output(
 
 def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
     if accuracy is not None:
-        from qsbearing.model.accuracy import COARSEST, FINEST
+        from qsbearing.model.accuracy import ALLOWED, is_allowed
 
-        if not FINEST <= accuracy <= COARSEST:
-            allowed = f"    allowed: {FINEST:g} to {COARSEST:g}, a relative error\n    1e-3 is 0.1 %"
+        if not is_allowed(accuracy):
+            allowed = f"    allowed: {ALLOWED}, a relative error\n    1e-3 is 0.1 %"
             refuse(f"--accuracy {accuracy:g}: is outside its range\n{allowed}")
         if scene.thermal is not None:
             refuse("--accuracy: a scene with a heat balance has the effects that its file names")

@@ -36,7 +36,7 @@ from qsbearing.files.table_checks import (
     si,
     table_model,
 )
-from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model import accuracy
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallEffect,
@@ -85,7 +85,7 @@ def read_effects(document: dict[str, Any], errors: Errors) -> ReadEffects:
     """What a file asks for in [effects]."""
     table = document.get("effects")
     if table == AUTO:
-        tolerance = _tolerance(document.get("tolerance", DEFAULT_ACCURACY), errors)
+        tolerance = _tolerance(document.get("tolerance", accuracy.DEFAULT_ACCURACY), errors)
         return ReadEffects({"tolerance": tolerance}, {})
     if "tolerance" in document:
         cause = 'Write effects = "auto" next to it, at the top of the file, or leave it out'
@@ -146,8 +146,8 @@ def _traction(effects: Any, errors: Errors) -> tuple[dict[str, Any], Any]:
 
 
 def _tolerance(value: Any, errors: Errors) -> float | None:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value <= 1.0:
-        cause = "Give the relative error that is allowed, above 0 and at most 1: 0.01 is 1 %"
+    if isinstance(value, bool) or not isinstance(value, int | float) or not accuracy.is_allowed(value):
+        cause = f"Give the relative error that is allowed, {accuracy.ALLOWED}: 0.01 is 1 %"
         errors.append(FileErrorDetail("tolerance", "is not a relative error", value, cause=cause))
         return None
     return float(value)

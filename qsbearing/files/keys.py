@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from qsbearing.inference.data_sheet import DataSheet
 from qsbearing.model.bearing import BallBearing
-from qsbearing.model.described import Input, lists_of, materials_of, number, numbers_of
+from qsbearing.model.described import Input, choices_of, lists_of, materials_of, number, numbers_of
 from qsbearing.model.effects import (
     BallDiameterDeviations,
     BallExpansion,
@@ -84,7 +85,7 @@ def required_of(of: Any) -> tuple[Key, ...]:
     return tuple(key_of(each) for each in numbers_of(of) if each.is_required)
 
 
-def named(keys: tuple[Key, ...]) -> tuple[str, ...]:
+def named(keys: Iterable[Key]) -> tuple[str, ...]:
     """As the file spells them."""
     return tuple(key.name for key in keys)
 
@@ -131,7 +132,8 @@ IN_PLACE = (*_OF_GROOVES, *RACEWAYS, *PRINTED, *DATA_SHEET)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Preload)
-SPECTRUM = (key_of(number("share")), key_of(number("hours", "h")), *OPERATION)
+SHARES = (0.0, 1.0)
+SPECTRUM = (key_of(number("share", range=SHARES)), key_of(number("hours", "h")), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""
 
 RING_EFFECTS: dict[str, Any] = types_in("ring_effects")
@@ -176,10 +178,11 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "thermal": (),
 }
 """Every key a file may hold, by its table; those of readings and of heat stand with each of them."""
-EFFECT_SECTIONS = {name: (*named(keys), *materials_of(RING_EFFECTS[name])) for name, keys in EFFECT_TABLES.items()}
-EFFECT_SECTIONS[RingExpansion.name] += SEAT_FITS
-EFFECT_SECTIONS[ElasticRings.name] += (*SEATS, *named(RING_COMPLIANCES))
-EFFECT_SECTIONS[Traction.name] = ("law", *named((*TRACTION, FRICTION_RANGE)))
+_WORDS: dict[str, Iterable[str]] = {RingExpansion.name: SEAT_FITS, ElasticRings.name: SEATS}
+EFFECT_SECTIONS: dict[str, tuple[str, ...]] = {
+    name: (*named(keys), *materials_of(of), *choices_of(of), *_WORDS.get(name, ()), *named(map(key_of, lists_of(of))))
+    for name, keys in EFFECT_TABLES.items() if (of := RING_EFFECTS[name])
+} | {Traction.name: ("law", *named((*TRACTION, FRICTION_RANGE)))}  # fmt: skip
 """Every key that the tables within [effects] may hold, by table."""
 
 SET_TABLES = ("rows", "shaft", "housing", "spacers", "floating")

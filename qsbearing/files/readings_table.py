@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.file_keys import reading_keys, reading_tables
-from qsbearing.files.stated import NOTHING, Given, Stated
+from qsbearing.files.stated import Given, Stated
 from qsbearing.files.table_checks import Errors, TableModel, as_word, checked, judged, si, table_model
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.validation import Field, Sentence, alike, question
@@ -40,9 +40,7 @@ class ReadReadings(NamedTuple):
         more = {name: Given(name, is_implied=True) for name in required if name not in self.tables}
         return self._replace(tables=self.tables | more, required=required)
 
-    def made(
-        self, errors: Errors, balance_keys: frozenset[str] = frozenset(), stated: Stated = NOTHING
-    ) -> dict[str, dict[str, Any]]:
+    def made(self, errors: Errors, balance_keys: frozenset[str], stated: Stated) -> dict[str, dict[str, Any]]:
         """The readings that are asked for, by name, with their arguments in SI.
 
         Args:

@@ -29,13 +29,13 @@ from qsbearing.files.keys import (
     OPERATION,
     PRELOAD,
     RATINGS,
-    RING_COMPLIANCES,
     RING_EFFECTS,
     SEATS,
     SHEET_CHOICES,
     SPECTRUM,
     TRACTION,
     Key,
+    key_of,
     named,
     required_of,
 )
@@ -43,7 +43,8 @@ from qsbearing.files.preload_class import CLASSES
 from qsbearing.files.set_keys import GRAVITY, MATRIX, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
-from qsbearing.model.described import choices_of, materials_of, parts_of
+from qsbearing.model.accuracy import COARSEST, FINEST
+from qsbearing.model.described import choices_of, lists_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.material import BY_NAME, Material
@@ -86,7 +87,7 @@ def scene_schema() -> Schema:
         "operation": closed(_numbers(OPERATION, "operation")),
         "preload": {"anyOf": [_ref("preload"), {"enum": list(CLASSES)}]},
         "effects": {"anyOf": [{"const": AUTO}, _effects()]},
-        "tolerance": _NUMBER | {"exclusiveMinimum": 0, "maximum": 1},
+        "tolerance": _NUMBER | {"minimum": FINEST, "maximum": COARSEST},
         "readings": _ref("readings"),
         "thermal": _thermal(),
         REQUIRE: _required(),
@@ -141,11 +142,14 @@ def _traction() -> Schema:
 
 def _effect_table(name: str) -> Schema:
     own = _numbers(EFFECT_TABLES[name], name)
-    own |= dict.fromkeys(materials_of(RING_EFFECTS[name]), _MATERIAL)
+    of = RING_EFFECTS[name]
+    own |= dict.fromkeys(materials_of(of), _MATERIAL)
+    own |= {word: _one_of(kind, name, word) for word, kind in choices_of(of).items()}
     if CLASS in EFFECT_SECTIONS[name]:
         own |= {f"{seat}_fit": {"enum": list(names(seat))} for seat in FITTED} | {CLASS: {"enum": list(classes())}}
     if name == ElasticRings.name:
-        own |= dict.fromkeys(SEATS, _WORD) | {key.name: _list(_NUMBER) for key in RING_COMPLIANCES}
+        own |= dict.fromkeys(SEATS, _WORD)
+    own |= dict.fromkeys(named(map(key_of, lists_of(of))), _list(_NUMBER))
     return _told(_nested(own) if name == ElasticRings.name else closed(own), notes().get((name, ""), ""))
 
 

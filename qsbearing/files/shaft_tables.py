@@ -36,8 +36,6 @@ from qsbearing.systems.sets.shaft import (
 )
 
 _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elastic"
-
-
 _LISTED = tuple(kind for kind, name in NUMBERED.items() if name in parts_of(Shaft))
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
-from qsbearing.files.keys import OPERATION, SPECTRUM, SPECTRUM_POINT
+from qsbearing.files.keys import OPERATION, SHARES, SPECTRUM, SPECTRUM_POINT
 from qsbearing.files.table_checks import Errors, TableModel, as_number, checked, flattened, table_model
 from qsbearing.model.operation import Operation
 from qsbearing.model.scene.scene import Scene
@@ -163,9 +163,9 @@ def _points(tables: Any, rest: dict[str, Any], errors: Errors) -> tuple[list[Poi
                     "Its part of the time, 0 to 1; the shares of all points add up to 1. Or give hours of all points"
                 )
                 errors.append(FileErrorDetail(f"{path}.{time}", "missing", cause=cause))
-        elif time == "share" and not 0.0 <= share <= 1.0:
+        elif time == "share" and not SHARES[0] <= share <= SHARES[1]:
             cause = f"In per cent? {share:.6g} % = {share / 100:.6g}" if 1.0 < share <= 100.0 else ""
-            errors.append(FileErrorDetail(f"{path}.share", "is outside its range", share, "", (0.0, 1.0), cause))
+            errors.append(FileErrorDetail(f"{path}.share", "is outside its range", share, "", SHARES, cause))
         elif share < 0.0:
             errors.append(FileErrorDetail(f"{path}.hours", "is negative", share, "h"))
         points.append(point_in_file(good))
@@ -173,7 +173,7 @@ def _points(tables: Any, rest: dict[str, Any], errors: Errors) -> tuple[list[Poi
     total = sum(shares)
     if time == "hours":
         return points, [share / total if total > 0.0 else np.nan for share in shares]
-    if np.isfinite(total) and abs(total - 1.0) > WHOLE and all(0.0 <= share <= 1.0 for share in shares):
+    if np.isfinite(total) and abs(total - 1.0) > WHOLE and all(SHARES[0] <= share <= SHARES[1] for share in shares):
         cause = "Parts of the time, which together are all of it"
         errors.append(
             FileErrorDetail("spectrum.share", f"adds up to {total:.6g} over all points, not to 1", cause=cause)

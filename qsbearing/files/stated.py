@@ -95,9 +95,6 @@ class Stated(NamedTuple):
         return given._replace(fields=in_order | fields)
 
 
-NOTHING = Stated()
-
-
 def stated_in(document: dict[str, Any], bearing: ReadBearing, errors: Errors) -> Stated:
     """What a file with this bearing states.
 

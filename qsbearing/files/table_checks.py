@@ -35,8 +35,6 @@ UNUSABLE: Any = object()
 """What stands where a file has a word, a table or a list that cannot be used."""
 Errors = list[FileErrorDetail]
 Made = TypeVar("Made")
-
-
 Check = Callable[[Any, list[Any]], Any]
 """Gives the usable value; adds to the list what it refuses."""
 

@@ -24,12 +24,14 @@ from qsbearing.files.keys import (
     PRELOAD,
     SEATS,
     Key,
+    key_of,
 )
 from qsbearing.files.printed_numbers import is_printed
 from qsbearing.files.scene_file import load_scene
 from qsbearing.files.thermal_keys import BY_NODE, CONDUCTANCE, OIL, THERMAL, WORDS
 from qsbearing.files.thermal_table import NODE_KEYS
 from qsbearing.model.bearing import BallBearing
+from qsbearing.model.described import lists_of
 from qsbearing.model.effects import ElasticRings, RingExpansion
 from qsbearing.model.effects.body_temperature import body_temperatures
 from qsbearing.model.material import BY_NAME, Material
@@ -197,10 +199,11 @@ def effect_lines(effects: Iterable[Any], heat: Thermal | None = None, bearing: B
     of_nodes = {f"{'ball' if node == 'balls' else node}_temperature" for node in nodes}
     lines: list[Line] = []
     for effect in effects:
+        keys = *NUMBERS.get(effect.name, EFFECTS), *map(key_of, lists_of(type(effect)))
         lines.append((effect.name, "on", "", ""))
         for each in fields(effect):
             value = getattr(effect, each.name)
-            key = _key(NUMBERS.get(effect.name, EFFECTS), each.name)
+            key = _key(keys, each.name)
             if value is None:
                 continue
             if isinstance(value, Material):

@@ -39,7 +39,14 @@ class New(NamedTuple):
     def file(self) -> str:
         """Which of `FILES` gives it."""
         known = {"systems.sets": "set", "systems.heat": "heat"}
-        return known.get(".".join(self.of.split(".")[:2]), "everything")
+        return "wear" if "GrooveWear" in self.of else known.get(".".join(self.of.split(".")[:2]), "everything")
+
+    @property
+    def metadata(self) -> str:
+        """Of the field."""
+        if self.unit.startswith("one_of"):
+            return f"described.{self.unit}"
+        return "described.A_MATERIAL" if isinstance(self.value, str) else f"described.given_in({self.unit})"
 
 
 NEW = [
@@ -87,6 +94,36 @@ NEW = [
     New("systems.sets.shaft.ShaftMass", "skin_material", "", "shaft.masses.1.skin_material", value="M50"),
     New("systems.sets.shaft.Housing", "skin_material", "", "housing.skin_material", value="M50"),
     New("systems.sets.shaft.Spacer", "skin_material", "", "spacers.1.skin_material", value="M50"),
+    New("systems.sets.row.Row", "squeeze", '"N"', "rows.1.squeeze_N", default="0.0"),
+    New(
+        "model.effects.elastic_rings.ElasticRings",
+        "outer_lip",
+        '"mm", part=OUTER, printed="width"',
+        "effects.elastic_rings.outer.lip_mm",
+    ),
+    New(
+        "readings.friction_estimate.EstimateArguments",
+        "rim",
+        '"mm", printed="width"',
+        "readings.friction_estimate.rim_mm",
+    ),
+    New("model.effects.groove_wear.GrooveWear", "rest", '"um"', "effects.groove_wear.rest_um", default="0.0"),
+    New("model.effects.groove_wear.GrooveWear", "rim", '"mm", printed="width"', "effects.groove_wear.rim_mm"),
+    New("model.effects.groove_wear.GrooveWear", "skin_material", "", "effects.groove_wear.skin_material", value="M50"),
+    New(
+        "model.effects.groove_wear.GrooveWear",
+        "by_side",
+        '"um", is_list=True',
+        "effects.groove_wear.by_side_um",
+        value=[1.0, 2.5],
+    ),
+    New(
+        "model.effects.groove_wear.GrooveWear",
+        "way",
+        "one_of(BearingKind)",
+        "effects.groove_wear.way",
+        value="deep_groove",
+    ),
     New("systems.heat.network.Thermal", "wind", '"rpm"', "thermal.wind_rpm"),
     New("systems.heat.network.OilFlow", "leak", '"cm3/min"', "thermal.oil.leak_cm3_min"),
     New("systems.heat.network.Conductance", "area", '"mm"', "thermal.conductances.1.area_mm"),
@@ -152,6 +189,12 @@ FILES: dict[str, dict[str, Any]] = {
         },
     },
 }  # fmt: skip
+FILES["wear"] = {
+    "bearing": BEARING,
+    "operation": {"axial_load_N": 100.0},
+    "effects": {"groove_wear": {"depth_um": 2.0}},
+}
+"""With the effect of the walk-through, and its table."""
 FILES["set"]["rows"][0]["housing_stiffness"] = {"axial_stiffness_N_per_um": 500.0}
 
 TRIAL = """
@@ -189,9 +232,12 @@ def answers(each):
         "schema": f'"{path[-1]}"' in schema,
         "hint": hint if "Did you mean" not in hint else path[-1] in hint,
         "report": path[-1] in repr(section),
-        "study": keys.find(each["path"] + ".density_kg_m3" * (each["value"] != 3.0)) is not None,
-        "unset": paths.value_at(input_tables(scene_or_set_of(copy.deepcopy(without), "a file")), path),
+        "study": keys.find(each["path"] + ".density_kg_m3" * (each["value"] == "M50")) is not None,
+        "unset": unset(without, path),
+        "stands_in": unset(without | {"bearing": without["bearing"] | {"width_mm": 31.0}}, path),
     }
+def unset(file, path):
+    return paths.value_at(input_tables(scene_or_set_of(copy.deepcopy(file), "a file")), path)
 
 
 for each in new:
@@ -219,16 +265,31 @@ def add(new: New, package: Path) -> None:
     end = behind.end_lineno if isinstance(behind, ast.Expr) else of.body[last].end_lineno
     lines = text.splitlines()
     assert end is not None
-    what = f"given_in({new.unit})" if new.value == 3.0 else "A_MATERIAL"
-    lines.insert(end, f"    {new.field}: Any = field(default={new.default}, metadata=described.{what})")
-    lines.insert(lines.index("from __future__ import annotations") + 1, "from qsbearing.model import described")
+    lines.insert(end, f"    {new.field}: Any = field(default={new.default}, metadata={new.metadata})")
+    at = lines.index("from __future__ import annotations") + 1
+    lines.insert(at, "from qsbearing.model import described")
+    if "one_of" in new.metadata:
+        lines.insert(at + 1, "from qsbearing.model.bearing import BearingKind")
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def add_effect(package: Path) -> None:
+    """Add that of the walk-through: one file, and one line."""
+    page = (package / "guide" / "adding_an_effect.md").read_text(encoding="utf-8")
+    file, line = (page.split(f"```{language}\n")[1].split("```")[0] for language in ("python", "text"))
+    effects = package / "model" / "effects"
+    (effects / "groove_wear.py").write_text(file, encoding="utf-8")
+    listed = (effects / "__init__.py").read_text(encoding="utf-8")
+    (effects / "__init__.py").write_text(
+        listed.replace('    "centrifugal_force",\n', line + '    "centrifugal_force",\n')
+    )
 
 
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("one_place")
     shutil.copytree(PACKAGE, folder / "qsbearing", ignore=shutil.ignore_patterns("__pycache__", "records"))
+    add_effect(folder / "qsbearing")
     for each in NEW:
         add(each, folder / "qsbearing")
     environment = {**os.environ, "PYTHONPATH": str(folder), "NUMBA_DISABLE_JIT": "1"}
@@ -243,9 +304,11 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 
 @pytest.mark.parametrize("new", NEW, ids=lambda new: new.path)
 def test_a_field_is_read_written_hinted_at_and_shown(answers: dict[str, Any], new: New) -> None:
+    unset = None if new.default == "None" else 0.0
     assert answers[new.path] == {
-        "written": new.value, "again": new.value, "schema": True, "hint": True, "report": True, "study": True,
-        "unset": None if new.default == "None" else 0.0,
+        "written": new.value, "again": new.value, "schema": True, "hint": True, "report": True,
+        "study": isinstance(new.value, float) or new.value == "M50",
+        "unset": unset, "stands_in": 31.0 if "printed" in new.unit else unset,
     }  # fmt: skip
 
 

@@ -23,7 +23,7 @@ from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.scene_file import document_of, text_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables, tables_of
-from qsbearing.model.accuracy import DEFAULT_ACCURACY
+from qsbearing.model.accuracy import COARSEST, DEFAULT_ACCURACY, FINEST
 from qsbearing.model.scene.scene import Scene
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.whole import whole_record, with_input
@@ -49,6 +49,8 @@ Changes = Annotated[
     dict[str, Any] | None,
     Field(description='keys of the scene and the value of each instead, as {"operation.speed_rpm": 12000}'),
 ]
+Tolerance = Annotated[float, Field(ge=FINEST, le=COARSEST)]
+Seed = Annotated[int, Field(ge=0)]
 Points = Annotated[int | None, Field(ge=1, le=MOST_POINTS)]
 
 
@@ -73,12 +75,7 @@ class Tools:
         record = with_input(of, whole_record(solution, all_taken(solution)))
         return _told(record, balls) | _of_changes(changed_keys)
 
-    def explain(
-        self,
-        scene: Tables,
-        tolerance: Annotated[float, Field(gt=0.0, le=1.0)] = DEFAULT_ACCURACY,
-        changes: Changes = None,
-    ) -> Answer:
+    def explain(self, scene: Tables, tolerance: Tolerance = DEFAULT_ACCURACY, changes: Changes = None) -> Answer:
         """How much each effect and choice matters at this operating point, each solved with and without, and whether it
         is needed: whether it changes a result by more than the tolerance."""
         of, _, changed_keys = self._scene_or_set(scene, changes)
@@ -95,7 +92,7 @@ class Tools:
         minimise: str | None = None,
         maximise: str | None = None,
         points: Points = None,
-        seed: Annotated[int, Field(ge=0)] = 0,
+        seed: Seed = 0,
         changes: Changes = None,
     ) -> Answer:
         """Find values of up to six keys of a scene, each with "LOW:HIGH", that meet goals ("NAME=VALUE") and limits
@@ -117,7 +114,7 @@ class Tools:
         vary: Vary,
         quantities: list[str] | None = None,
         samples: Points = None,
-        seed: Annotated[int, Field(ge=0)] = 0,
+        seed: Seed = 0,
         out: str = "",
         changes: Changes = None,
     ) -> Answer:
