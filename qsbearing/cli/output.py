@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from qsbearing.documents.model import Block
+    from qsbearing.documents.model import Block, Callout, Paragraph
     from qsbearing.model.scene.scene import Scene
     from qsbearing.systems.sets.bearing_set import BearingSet
 
@@ -42,6 +42,12 @@ def note(message: str, name: str = "qsbearing") -> None:
 
     with suppress(OSError):
         click.echo("\n".join(map(printable, f"{name}: {message}".split("\n"))), err=True)
+
+
+def note_remark(remark: Callout | Paragraph, about: str = "") -> None:
+    """A remark as a note, with its line to paste below it."""
+    said = getattr(remark, "said", remark.text)
+    note(f"{about}{said}" + (f"\n    {remark.paste}" if remark.paste else ""))
 
 
 @contextmanager

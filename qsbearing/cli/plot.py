@@ -8,7 +8,7 @@ from contextlib import ExitStack
 import click
 
 from qsbearing.cli.files import PICTURES, check_installed, claimed, draw, ending_problems, write_files
-from qsbearing.cli.output import note, refuse
+from qsbearing.cli.output import note, note_remark, refuse
 
 
 @click.command(short_help="Draw the results of a sweep.")
@@ -52,7 +52,7 @@ def plot(
         except (OSError, RuntimeError) as error:  # of HDF5, which reads what is drawn only now
             refuse(f"{results}: is damaged: {error}")
         for each in of_results(dataset.attrs):
-            note(each.text)
+            note_remark(each)
     if out is None:
         note(f"drawn to {target}")
 

@@ -11,7 +11,7 @@ from copy import deepcopy
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from qsbearing.cli.ball_sets import note_of_lists
-from qsbearing.cli.output import note, refuse, warnings_as_notes
+from qsbearing.cli.output import note, note_remark, refuse, warnings_as_notes
 from qsbearing.cli.settings import settings_of
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def _told_by_sweep(source: str) -> None:
     from qsbearing.studies.remarked import KEPT, of_results
 
     for each in of_results(attributes_of(Path(source), KEPT)):
-        note(f"{source}: {each.text}")
+        note_remark(each, f"{source}: ")
 
 
 def solve(requested: Scene | BearingSet, tolerance: float | None = None) -> Any:

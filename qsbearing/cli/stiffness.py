@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 import click
 
 from qsbearing.cli.files import claimed, write_files
-from qsbearing.cli.output import UNSOLVED, note, print_text, refuse
+from qsbearing.cli.output import UNSOLVED, note, note_remark, print_text, refuse
 from qsbearing.cli.settings import set_option, told
 from qsbearing.cli.vary import study_of, vary_option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from qsbearing.documents.model import Callout, Paragraph
     from qsbearing.studies.remarked import Look
 
 
@@ -104,11 +105,9 @@ def stiffness(
         write_files(writers, {"--out": lambda: text})
         if not writers:
             print_text(text.decode())
-    said = [each.text for each in told(changes)] + [
-        each.text for each in of_look(together(looks), len(columns["status"]))
-    ]
+    said: list[Callout | Paragraph] = [*told(changes), *of_look(together(looks), len(columns["status"]))]
     for each in said:
-        note(each)
+        note_remark(each)
     if not (columns["status"] == "converged").any():
         sys.exit(UNSOLVED)
 
@@ -147,6 +146,6 @@ def _for_finite_elements(
     for each in told(changes):
         note(each.text)
     for remark in blocks(every_remark(solution)):
-        note(remark.text)
+        note_remark(remark)
     if form in INSTEAD:
         note(f"--format {form} goes with version {LAST}; {INSTEAD[form]}")

@@ -118,6 +118,12 @@ class Callout:
     paste: str = ""
     """A line that does what it asks for, or a command that says more, which a terminal shows below it."""
 
+    @property
+    def said(self) -> str:
+        """The text without the command that stands below it."""
+        before = self.text.removesuffix(f" (see {self.paste}).")
+        return self.text if before == self.text else f"{before}."
+
 
 @dataclass(frozen=True)
 class Facts:

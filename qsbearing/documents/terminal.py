@@ -60,8 +60,7 @@ def laid_out(blocks: Sequence[Block], width: int = USUAL) -> Group:
                 part = _text(block.text, block.lead, "bold")
                 below = _to_paste(block.paste)
             case Callout():
-                said = f"{block.text.removesuffix(f' (see {block.paste}).')}".removesuffix(".") + "."
-                part = _text(said if block.paste else block.text, block.lead, f"bold {block.colour}")
+                part = _text(block.said, block.lead, f"bold {block.colour}")
                 below = _to_paste(block.paste)
             case _:
                 raise TypeError(f"a terminal shows no {type(block).__name__}")

@@ -101,10 +101,24 @@ def why_unknown(name: str, known: Known, is_listed: bool = True) -> tuple[str, s
     near = alike(plain, every if is_listed else [*every, *known])
     meant = [each for each in near if not any(each.startswith(f"{other}_") for other in near)]
     if not is_listed:
+        meant = meant or _sharing(plain, dict.fromkeys(_without_row(each)[1] for each in known.values()))
         return "is not a result", question(meant) or "`qsbearing guide readings` and `qsbearing run --json` show names"
     names = dict.fromkeys(each.name for each in every.values())
     there = f"There are {', '.join(names)}; with _max, _min or, where a sign is a direction, _size for all balls of one"
     return "is not a result", question(meant) or there
+
+
+MOST_SHARING = 3
+"""Names that are told which share words with another."""
+
+
+def _sharing(name: str, known: Iterable[str]) -> list[str]:
+    """Those that have most words of a name, with the fewest others; none where they have none."""
+    words = {*name.lower().split("_")}
+    shared = {each: len(words & {*each.lower().split("_")}) for each in known}
+    most = max(shared.values(), default=0)
+    best = [each for each, count in shared.items() if count == most > 0]
+    return sorted(best, key=lambda each: each.count("_"))[:MOST_SHARING]
 
 
 def _without_row(place: Place) -> tuple[str, str]:

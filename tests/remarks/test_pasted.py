@@ -78,3 +78,10 @@ def test_the_terminal_ends_each_remark_with_it(tmp_path: Path) -> None:
         if line.startswith("qsbearing guide "):
             assert f"(see {line})" not in " ".join(lines)
             assert CliRunner().invoke(cli, shlex.split(line)[1:]).exit_code == 0
+
+
+def test_notes_end_with_it_too() -> None:
+    said = CliRunner().invoke(cli, ["stiffness", "b218", "--format", "json"]).stderr.splitlines()
+    assert "    --set effects.raceway_control=friction" in said
+    points = CliRunner().invoke(cli, ["sweep", "b218", "--vary", "speed_rpm=9000:10000:2"]).output.splitlines()
+    assert "    --set effects.raceway_control=friction" in points

@@ -78,7 +78,7 @@ raceway_control = "outer"
 SETS = {"pair": PAIR + EACH, "triple": TRIPLE + EACH}
 
 
-def number(cell: str) -> float:
+def as_float(cell: str) -> float:
     """Of a cell as people read it."""
     return float(cell.replace("−", "-"))
 
@@ -132,18 +132,18 @@ def test_both_forms_are_written_and_sound(folder: Path, name: str) -> None:
 def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
     page, solution = page_of(folder / "out", name), qs.solve_set(qs.load_set(folder / f"{name}.toml"))
     (shaft,) = tables_with(page, "displacement", "load", "imposed")
-    found = np.array([[number(line[1]), number(line[3])] for line in shaft])
+    found = np.array([[as_float(line[1]), as_float(line[3])] for line in shaft])
     sizes = np.array([qs.um, qs.um, qs.um, qs.mrad, qs.mrad])
     np.testing.assert_allclose(found[:, 0], solution.displacement / sizes, rtol=1e-5, atol=1e-9)
     np.testing.assert_allclose(found[:, 1], solution.load, rtol=1e-5, atol=1e-6)
     (matrix,) = tables_with(page, "axial /µm", "tilt z /mrad")
-    printed = np.array([[number(cell) for cell in line[2:]] for line in matrix])
+    printed = np.array([[as_float(cell) for cell in line[2:]] for line in matrix])
     np.testing.assert_allclose(printed, solution.stiffness * sizes, rtol=1e-5, atol=1e-5)
     (stiffness,) = tables_with(page, "locked (other displacements held)", "effective (other loads held)")
-    effective = [number(line[2]) * unit for line, unit in zip(stiffness, (1e6, 1e6, 1e6, 1e3, 1e3), strict=True)]
+    effective = [as_float(line[2]) * unit for line, unit in zip(stiffness, (1e6, 1e6, 1e6, 1e3, 1e3), strict=True)]
     np.testing.assert_allclose(effective, solution.effective_stiffness, rtol=1e-5)
     (preload,) = tables_with(page, "before fitting N", "mounted N", "with the loads N")
-    forces = np.array([[number(cell) for cell in (*line[1:4], line[5])] for line in preload])
+    forces = np.array([[as_float(cell) for cell in (*line[1:4], line[5])] for line in preload])
     known = solution.preload_unmounted, solution.preload_mounted, solution.preload_in_operation, solution.axial_loads
     np.testing.assert_allclose(forces, np.transpose(known), rtol=1e-5)
     assert [line[4] for line in preload] == [percent(share, digits=3) for share in solution.preload_share]
@@ -151,7 +151,7 @@ def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
     contacts = list(tables_with(page, "angle i deg", "load o N", "p0 i MPa"))
     assert len(contacts) == len(solution.rows)
     for table, row in zip(contacts, solution.rows, strict=True):
-        first = [number(cell) for cell in table[0][2:]]
+        first = [as_float(cell) for cell in table[0][2:]]
         contact = [(row.inner.angle, qs.deg), (row.outer.angle, qs.deg), (row.inner.load, 1.0), (row.outer.load, 1.0)]
         contact += [(row.inner.max_pressure, qs.MPa), (row.outer.max_pressure, qs.MPa)]
         np.testing.assert_allclose(first, [values[0] / size for values, size in contact], rtol=1e-5)
@@ -161,10 +161,10 @@ def test_the_numbers_are_those_of_the_solution(folder: Path, name: str) -> None:
 def test_the_printed_loads_of_the_rows_are_the_load_on_the_shaft(folder: Path, name: str) -> None:
     page, of = page_of(folder / "out", name), qs.load_set(folder / f"{name}.toml")
     (rows,) = tables_with(page, "row", "carries", "axial N", "largest ball N")
-    axial = sum(number(line[4]) * (1.0 if line[3] == "+x" else -1.0) for line in rows)
+    axial = sum(as_float(line[4]) * (1.0 if line[3] == "+x" else -1.0) for line in rows)
     assert axial == pytest.approx(of.operation.axial_load, abs=0.02)
     for column, load in ((5, of.operation.radial_load_y), (6, of.operation.radial_load_z)):
-        assert sum(number(line[column]) for line in rows) == pytest.approx(load or 0.0, abs=0.01)
+        assert sum(as_float(line[column]) for line in rows) == pytest.approx(load or 0.0, abs=0.01)
 
 
 def test_the_input_names_every_row(folder: Path) -> None:
@@ -269,7 +269,7 @@ def test_key_results_of_a_set_are_those_of_its_solution(folder: Path) -> None:
         pressures = [side.max_pressure[side.load > 0.0].max() / 1e6 for side in (row.inner, row.outer)]
         assert line[3] == f"{pressures[0]:.4g} / {pressures[1]:.4g}"
         life = qs.readings.life(row, dynamic_load_rating=47.5e3).duration / 3600.0
-        assert number(line[-1]) == pytest.approx(life, rel=1e-3)
+        assert as_float(line[-1]) == pytest.approx(life, rel=1e-3)
 
 
 def test_where_a_row_loses_its_preload_is_said_and_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

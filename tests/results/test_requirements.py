@@ -252,6 +252,22 @@ def test_every_name_is_known_before_anything_is_solved(
     assert f"require.{wrong}: is not a result" in str(caught.value) and meant in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("stiffness_at_tool", "tool_effective_stiffness_axial"), ("contact_pressure", "max_pressure"),
+        ("pressure_MPa", "max_pressure"), ("life.hours", "life_duration"),
+    ],
+)  # fmt: skip
+def test_words_of_a_name_lead_to_results_that_have_them(name: str, meant: str) -> None:
+    with pytest.raises(qs.SceneError) as caught:
+        made(PAIR | BENT, {name: ">= 1"})
+    asked_for = str(caught.value).partition("Did you mean ")[2]
+    assert meant in asked_for.replace("?", "").replace(" or ", ", ").split(", ")
+    with pytest.raises(qs.SceneError, match="show names"):
+        made(PAIR | BENT, {"L10h": ">= 1"})
+
+
 @pytest.mark.parametrize("tables", [heated.tables(), input_tables(heated.pair()), PAIR | BENT])
 def test_names_before_and_after_the_solution_are_the_same(tables: dict[str, Any]) -> None:
     of = made(tables, {})
