@@ -40,8 +40,9 @@ def report(scene: str, settings: tuple[str, ...], out: str) -> None:
     Of a file with [[spectrum]] it opens with the life under all operating points, and shows the one that does most
     damage.
 
-    It contains key results and warnings, the input, assumptions, the effects that are simulated or left out and why,
-    results with pictures, readings, curves around the operating point, and the evidence that applies.
+    Page 1 answers what is required, shows the case under its load, what gives way, what the model leaves out and the
+    main numbers. Warnings, results, readings, curves around the operating point, assumptions and effects, the input and
+    the evidence that applies follow. Balls of a set's rows are listed with ball_tables = "each" in [report].
 
     Exit codes: 0 written, 1 no equilibrium or not converged, 2 bad input, 3 written, but a requirement of the file's
     [require] is not met.

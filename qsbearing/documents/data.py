@@ -8,7 +8,7 @@ from typing import Any
 
 from qsbearing.documents import model
 from qsbearing.documents.formula import forms, split
-from qsbearing.documents.inline import runs
+from qsbearing.documents.inline import runs, with_minus
 
 Plain = dict[str, Any]
 
@@ -21,7 +21,7 @@ def data(document: model.Document) -> Plain:
     """The document as plain data; pictures are numbered, their bytes kept apart in `pictures`."""
     counted = _Counted(document.is_numbered)
     plain = {
-        "title": document.title,
+        "title": with_minus(document.title),
         "kind": document.kind,
         "summary": runs(document.summary),
         "head": _blocks(document.head, 1, counted),

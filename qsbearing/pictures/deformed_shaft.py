@@ -104,11 +104,17 @@ def main_plane(solution: SetSolution, place: CasePlace) -> float:
 
 
 def draw_deformed_shaft(
-    axes: Any, solution: SetSolution, place: CasePlace, plane: float = XY, scale: Scale | None = None
+    axes: Any,
+    solution: SetSolution,
+    place: CasePlace,
+    plane: float = XY,
+    scale: Scale | None = None,
+    are_points_told: bool = True,
 ) -> None:
     """Args:
     plane: direction in which deflections are seen, from y towards z [rad].
     scale: of the figure; None: its own.
+    are_points_told: whether named points say how far they move.
     """
     factor, top = scale or scale_of(solution, place)
     drawn = _Drawn(axes, solution, place, np.array([np.cos(plane), np.sin(plane)]), factor)
@@ -118,10 +124,10 @@ def draw_deformed_shaft(
         drawn.row(number)
     drawn.loads(top)
     drawn.supports()
-    drawn.points(top)
+    drawn.points(top, are_points_told)
     axes.set_title(f"{_plane(plane)}: deflection × {factor:,.0f}", fontsize=11, fontweight="bold")
     axes.set_xlabel("x, mm", fontsize=9)
-    axes.set_ylim(-1.5 * top / mm, 1.85 * top / mm)
+    axes.set_ylim(-1.5 * top / mm, (1.85 if are_points_told else 1.45) * top / mm)
     axes.set_yticks([])
     axes.margins(x=0.04)
     axes.set_aspect("equal")
@@ -262,12 +268,14 @@ class _Drawn(NamedTuple):
                 transform=_below(self.axes), **label,
             )  # fmt: skip
 
-    def points(self, top: float) -> None:
+    def points(self, top: float, are_told: bool) -> None:
         """Named ones, and how far they move in this plane."""
         shaft = self.solution.set.shaft
         for label, position in ({} if shaft is None else shaft.points).items():
             y = float(self.at([position])[0][0])
             self.axes.plot(position / mm, y / mm, marker="o", ms=4, color="black", zorder=3)
+            if not are_told:
+                continue
             text = f"{label}: {y / self.factor / um:.3g} µm".replace("-", "−")
             self.axes.annotate(text, (position / mm, 1.58 * top / mm), ha="center", fontsize=9)
             self.axes.plot(2 * [position / mm], [y / mm, 1.54 * top / mm], color="0.6", lw=0.6, ls=":", zorder=0.9)

@@ -1,6 +1,7 @@
 """The section through one ball: both rings, the lines of action of its contacts, their angles and loads.
 
-Ball, groove radii and groove centres are to scale, as they lie under load. Of the rings only the grooves are known to
+Ball, groove radii and groove centres are to scale, as they lie under load; the free contact angle is that in operation,
+with all that grows and fits. Of the rings only the grooves are known to
 the model: faces, shoulders and seats are sketched, except a bore or an outside diameter that the scene gives.
 
 Texts are plain and the title's height is given: to set formulas and to look for room takes three quarters of the time
@@ -44,16 +45,17 @@ def draw_section(axes: Axes, solution: Solution, place: CasePlace, ball: int | N
     ball: its number from zero; None: the one with the largest contact load.
     """
     number = most_loaded_ball(solution, place) if ball is None else ball
-    bearing = solution.scene.bearing
+    bearing = solution.scene.operating_bearing
     diameter = _number(bearing.ball_diameter, place, solution) / mm
     free = _number(bearing.free_contact_angle, place, solution)
     _ball(axes, diameter)
     reach = 0.88 * diameter
     end = reach * np.array([np.sin(free), np.cos(free)])
     axes.plot([-end[0], end[0]], [-end[1], end[1]], color=GREY, linewidth=0.8, linestyle=":")
+    words = "free, in operation" if solution.scene.is_reshaped else "free"
     beside = "right" if free > STEEP else "left"  # of a steep line, off the centre line
     axes.text(
-        0.98 * end[0], 0.98 * end[1], f" free: {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center"
+        0.98 * end[0], 0.98 * end[1], f" {words}: {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center"
     )
     axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
     seats: list[float] = []
@@ -123,7 +125,7 @@ def _ring(
 
 def _thickness(solution: Solution, place: CasePlace, side: str, diameter: float) -> float:
     """Of a ring below its groove's bottom [mm]: given by its seat, or sketched."""
-    rings, bearing = solution.scene.ring_expansion, solution.scene.bearing
+    rings, bearing = solution.scene.ring_expansion, solution.scene.operating_bearing
     if rings is None:
         return THICKNESS * diameter
     seat = _number(getattr(rings, "bore_diameter" if side == "inner" else "outside_diameter"), place, solution) / mm

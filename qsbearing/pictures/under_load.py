@@ -68,7 +68,7 @@ def _of_set(solution: SetSolution, index: Index) -> Any:
     else:
         above, below = figure.subfigures(2, 1, height_ratios=(OF_SHAFT, below_height))
     axes = above.subplots()
-    draw_deformed_shaft(axes, solution, place, main_plane(solution, place), scale)
+    draw_deformed_shaft(axes, solution, place, main_plane(solution, place), scale, are_points_told=False)
     title = _moves(solution, place, scale.factor, "\n" if is_short else ", ")
     axes.set_title(title, fontsize=10 if is_short else 13, fontweight="bold", pad=8)
     panels = below.subplots(lines, columns, squeeze=False, subplot_kw={"projection": "polar"}).ravel()

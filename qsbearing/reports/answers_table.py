@@ -67,7 +67,11 @@ def words_of(answer: Answer) -> str:
 def _row(answer: Answer) -> list[Cell]:
     value, bound = numbers_of(answer)
     unit = printed_unit(answer.limit.unit)
-    asked = requested_for(answer.limit) if math.isnan(answer.bound) else f"{SIGNS[answer.limit.sense]} {bound}"
+    asked = (
+        requested_for(answer.limit)
+        if math.isnan(answer.bound)
+        else f"{SIGNS[answer.limit.sense]}\N{NO-BREAK SPACE}{bound}"
+    )
     name = ", ".join(filter(None, (capital(words_of(answer)), whose(answer))))
     has_number = math.isfinite(answer.value)
     status = COLOURS[answer.state]

@@ -535,7 +535,7 @@ def test_a_new_limit_appears_everywhere_with_one_place_edited(tmp_path: Path) ->
     assert (seal["found"], seal["answer"], seal["origin"]) == (pytest.approx(12000.0), "not met", "model")
     callout = next(each for each in head if each.startswith("Callout"))
     assert "Seal, 12,000 of 9000 rpm" in callout and "beyond the limit" in callout
-    assert any("'Seal', '12,000 rpm', '≤ 9000'" in each for each in head if each.startswith("Table"))
+    assert any("'Seal', '12,000 rpm', '≤\\xa09000'" in each for each in head if each.startswith("Table"))
 
 
 def test_each_built_in_limit_says_what_it_needs() -> None:
