@@ -326,10 +326,10 @@ _ALL = (
          "Preload excessive: {who} is pressed by {unmounted_N:.4g} N before fitting, {mounted_N:.4g} N mounted and "
          "{in_operation_N:.4g} N in operation without external loads: more than {limit:g} times the given preload of "
          "{given_N:.4g} N."),
-    Kind("rows_press", CHECK, "sets#deep-groove-rows",
+    Kind("rows_press", CHECK, "locating",
          "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: the outer "
          "ring of each is held on the side to which it is pushed. Let row {slides} slide", say=_pressing),
-    Kind("axially_free", CHECK, "sets#deep-groove-rows",
+    Kind("axially_free", CHECK, "locating",
          "Nothing holds the shaft along x where it is.", " It lies amid its play of {play_um:.4g} µm."),
     Kind("stiffness_undetermined", WRONG, HYPOTHESES,
          "No stiffness: in a row, no raceway control is consistent, and several solutions exist."),
