@@ -177,7 +177,7 @@ def _pressing(fields: Mapping[str, Any], words: Words) -> str:
 
 
 ROWS_PRESS = Kind(
-    "rows_press", CHECK, "sets#deep-groove-rows",
+    "rows_press", CHECK, "locating",
     "The rows press each other axially with {pressed_N:.4g} N, which no load and no preload asks for: the outer "
     "ring of each is held on the side to which it is pushed. Let row {slides} slide",
     say=_pressing,
@@ -214,7 +214,7 @@ def _pressing_rows(cases: CaseRange) -> Iterator[Holding]:
 
 
 AXIALLY_FREE = Kind(
-    "axially_free", CHECK, "sets#deep-groove-rows",
+    "axially_free", CHECK, "locating",
     "Nothing holds the shaft along x where it is.",
     " It lies amid its play of {play_um:.4g} µm.",
 )  # fmt: skip
