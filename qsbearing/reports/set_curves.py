@@ -15,6 +15,7 @@ from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.reports.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import (
     MOST,
     Limits,
@@ -63,7 +64,7 @@ def _speed(of: BearingSet, changes: Sequence[StateChange]) -> list[Block]:
     if own == 0.0 or not depends_on_speed(of):
         return [Callout("No curve over the speed: the shaft stands still, or nothing in the set depends on it.")]
     speeds = own * np.linspace(*SPEED_RANGE, POINTS)
-    swept = solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={}))
+    swept = solve_set(set_at_speed(of, speeds))
     marks = [(np.sign(own) * each.value / rpm, _what(each)) for each in changes]
     figure = _figure(swept, speeds / rpm, own / rpm, "shaft, rpm", marks)
     return shown(swept, figure, "the speed of the shaft", CURVES, speed_sentences(of, changes))

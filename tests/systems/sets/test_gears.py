@@ -16,6 +16,7 @@ from qsbearing.files.set_file import set_of
 from qsbearing.results.set_record import set_record
 from qsbearing.results.shaft_report import shaft_tables
 from qsbearing.studies.schema import file_schema
+from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import loaded
 from tests.systems.sets.arrangements import S6210C
 from tests.systems.sets.test_elastic_shaft import bare
@@ -375,3 +376,16 @@ speed_rpm = -900
     shares = qs.solve_set(of).torque_sum
     torque = 1000.0 / SPEED
     assert shares == pytest.approx([3.0 + 4.0 - torque, -6.0 - 4.0 + 2.0 * torque], rel=1e-9)
+
+
+def test_torques_stay_while_the_speed_is_searched_through() -> None:
+    """From rest on, where a power gives none."""
+    of = read(SET)
+    by_torque = read(SET.replace("power_kW = 1\n", f"torque_Nm = {1000.0 / SPEED!r}\n"))
+    for highest in (3.0 * SPEED, 8.0 * SPEED):
+        one, other = (qs.preload_speeds(each, highest) for each in (of, by_torque))
+        assert [each.sentence for each in one] == [each.sentence for each in other]
+    for factor in (0.0, 0.5, 2.0):
+        turning = [set_at_speed(each, factor * SPEED) for each in (of, by_torque)]
+        loads = [np.array([load.values for load in each.shaft_loads]) for each in turning]
+        assert loads[0] == pytest.approx(loads[1], rel=1e-12)
