@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from math import nan
 from typing import Any
 
 import numpy as np
 
-from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.keys import NUMBERED, PRELOAD, keys_of, named, required_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
@@ -20,6 +21,7 @@ from qsbearing.files.table_checks import (
     as_it_is,
     as_number,
     checked,
+    judged,
     lacking,
     list_of,
     made,
@@ -29,7 +31,10 @@ from qsbearing.files.table_checks import (
 )
 from qsbearing.model.described import choices_of, materials_of, parts_of, words_of
 from qsbearing.model.material import Material
+from qsbearing.model.validation import SceneError
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.belts import belt_errors
+from qsbearing.systems.sets.gears import gear_errors
 from qsbearing.systems.sets.shaft import (
     Housing,
     HousingStiffness,
@@ -48,6 +53,8 @@ def _plain(name: str) -> TableModel:
     return table_model(name, SET_NUMBERS[name], dict.fromkeys(others, as_it_is))
 
 
+_JUDGES: dict[str, Callable[[str, Any], Any]] = {"gears": gear_errors, "belts": belt_errors}
+"""What finds every fault of one of a list's tables, whatever else the file has."""
 _MODELS = {name: _plain(name) for name in SET_NUMBERS if name != "shaft"}
 _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 
@@ -201,6 +208,11 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
                 given["rows"] = tuple(rows)
         if "preload" in good:
             given["preload"] = preload_of({"preload": good["preload"]}, None, errors)
+        if judge := _JUDGES.get(name):
+            holes = {key.field: nan for key in keys if key.name in (*missing, *unusable)}
+            told = {each.key for each in errors[before:]}
+            wrong = map(translate, judged(SceneError(judge(at, make(**holes | given)))))
+            errors += [each for each in wrong if each.key not in told]
         one = made(partial(make, **given), errors) if len(errors) == before else None
         records += [] if one is None else [one]
     return records
