@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from qsbearing.files.file_errors import FileErrorDetail
+from qsbearing.files.file_errors import FileErrorDetail, translate
 from qsbearing.files.keys import DIAMETERS, NUMBERED, PRELOAD, keys_of
 from qsbearing.files.scene_file import preload_of
 from qsbearing.files.set_keys import GRAVITY, MATRIX, OF_SET, OTHERS, RECORDS, SET_NUMBERS
@@ -21,6 +21,7 @@ from qsbearing.files.table_checks import (
     as_it_is,
     as_number,
     checked,
+    judged,
     list_of,
     made,
     read_fields,
@@ -29,6 +30,8 @@ from qsbearing.files.table_checks import (
 )
 from qsbearing.model.described import choices_of, parts_of
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.belts import belt_errors
+from qsbearing.systems.sets.gears import gear_errors
 from qsbearing.systems.sets.shaft import (
     Housing,
     HousingStiffness,
@@ -39,6 +42,8 @@ _ELASTIC = "Each with length_mm and outer_diameter_mm; they make the shaft elast
 _LISTED = tuple(kind for kind, name in NUMBERED.items() if name in parts_of(Shaft))
 
 
+_JUDGES: dict[str, Callable[[str, Any], Any]] = {"gears": gear_errors, "belts": belt_errors}
+"""What finds every fault of one of a list's tables, whatever else the file has."""
 _SHAFT = table_model("shaft", SET_NUMBERS["shaft"])
 
 
@@ -164,6 +169,10 @@ def _listed(document: dict[str, Any], name: str, path: str, errors: Errors) -> l
             given["rows"] = tuple(rows) if isinstance(rows, list) else ()
         if given.get("preload", UNUSABLE) is not UNUSABLE:
             given["preload"] = preload_of(given["preload"], None, errors)
+        if judge := _JUDGES.get(name):
+            told = {each.key for each in errors[before:]}
+            wrong = map(translate, judged(judge(at, make(**given))))
+            errors += [each for each in wrong if each.key not in told]
         one = made(partial(make, **given), errors) if len(errors) == before else None
         records += [] if one is None else [one]
     return records

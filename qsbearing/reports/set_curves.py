@@ -16,6 +16,7 @@ from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_si
 from qsbearing.reports.curves import LOAD_RANGE, POINTS, SIZE, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import (
     MOST,
     Limits,
@@ -50,7 +51,7 @@ def over_speed(of: BearingSet) -> Swept | None:
     if own == 0.0 or not depends_on_speed(of):
         return None
     speeds = own * np.linspace(*SPEED_RANGE, POINTS)
-    return Swept(solve_set(replace(of, operation=replace(of.operation, speed=speeds), readings={})), speeds, own)
+    return Swept(solve_set(set_at_speed(of, speeds)), speeds, own)
 
 
 def section(of: BearingSet, limits: Limits, swept: Swept | None) -> Section:

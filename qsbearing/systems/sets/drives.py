@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from qsbearing.systems.sets.shaft import Shaft, ShaftLoad, outside
 from qsbearing.systems.sets.torque import speed_errors, torque_on_shaft
 
 if TYPE_CHECKING:
+    from qsbearing.systems.sets.bearing_set import BearingSet
     from qsbearing.systems.sets.belts import Belt
     from qsbearing.systems.sets.gears import Gear
 
@@ -47,6 +49,27 @@ def torque_scale(of: Shaft, speed: ArrayLike) -> NDArray:
     """The largest of them [N m]."""
     sizes: list[Any] = [np.abs(torque_on_shaft(each, speed)) for _, each in drives_of(of)]
     return np.asarray(np.max(np.broadcast_arrays(*sizes), axis=0)) if sizes else np.zeros(())
+
+
+def with_torques(of: Shaft | None, speed: ArrayLike) -> Shaft | None:
+    """A shaft whose gears and belts have the torques that their powers make at this speed: loads that stay while the
+    speed changes."""
+    if of is None:
+        return None
+    torques: dict[str, Any] = {"gears": [], "belts": []}
+    for name, each in drives_of(of):
+        power = each.power
+        given: dict[str, Any] = (
+            {} if power is None else {"torque": np.asarray(power, float) / np.abs(speed), "power": None}
+        )
+        torques[f"{name.partition(' ')[0]}s"].append(replace(each, **given))
+    return replace(of, gears=tuple(torques["gears"]), belts=tuple(torques["belts"]))
+
+
+def set_at_speed(of: BearingSet, speed: ArrayLike) -> BearingSet:
+    """A set at another speed of its shaft, under the loads and torques that it has at its own; without its readings."""
+    shaft = with_torques(of.shaft, of.operation.speed)
+    return replace(of, operation=replace(of.operation, speed=speed), shaft=shaft, readings={})
 
 
 def drive_errors(of: Shaft, speed: ArrayLike) -> list[ErrorDetail]:

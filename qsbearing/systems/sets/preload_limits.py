@@ -16,6 +16,7 @@ from qsbearing.model.units import rpm, um
 from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, check_kind, within
 from qsbearing.remarks.wording import spanned
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_search import StateChange, changes, firsts, opposed_errors, sentence, together
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.shaft import with_loads
@@ -67,10 +68,7 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
     errors = within("highest_speed", highest_speed, SPEED, 1e-3, 1e7) + opposed_errors(of)
     if errors:
         raise SceneError(errors)
-    return changes(
-        lambda speeds: replace(of, operation=replace(of.operation, speed=speeds), readings={}),
-        *(float(highest_speed), threads),
-    )
+    return changes(lambda speeds: set_at_speed(of, speeds), float(highest_speed), threads)
 
 
 def speed_sentence(of: BearingSet, *same: StateChange) -> str:

@@ -20,6 +20,7 @@ from qsbearing.model.solution.solver import TOLERANCE, unfound_errors
 from qsbearing.model.validation import raise_if_any
 from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what there is to say of sets
 from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.drives import with_torques
 from qsbearing.systems.sets.elastic_shaft import axial_deflection
 from qsbearing.systems.sets.one_way import settle
 from qsbearing.systems.sets.problem import Problem
@@ -213,6 +214,7 @@ class HotSet:
             effects, readings = hot_row(*given, number, len(self.of.rows))
             rows.append(replace(row, ring_effects=effects, readings=readings))
         operation = at_speed(self.operation, factor)
+        bodies["shaft"] = with_torques(bodies.get("shaft", self.of.shaft), self.operation.speed)
         return self._solve(replace(self.of, rows=tuple(rows), operation=operation, thermal=None, **bodies))
 
     def rows(self, solution: SetSolution) -> Sequence[Solution]:

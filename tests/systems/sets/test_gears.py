@@ -16,7 +16,10 @@ from qsbearing.files.set_file import set_of
 from qsbearing.results.set_record import set_record
 from qsbearing.results.shaft_report import shaft_tables
 from qsbearing.studies.schema import file_schema
+from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import loaded
+from qsbearing.systems.sets.solve import HotSet
+from tests.systems.heat.spindle import pair
 from tests.systems.sets.arrangements import S6210C
 from tests.systems.sets.test_elastic_shaft import bare
 
@@ -344,6 +347,13 @@ def test_all_faults_of_a_file_are_told_at_once() -> None:
     with pytest.raises(qs.SceneFileError) as caught:
         read(broken)
     assert len(caught.value.errors) == 3
+    worse = broken.replace("azimuth_deg = 90\n", "").replace("torque_Nm = 3\n", 'torque_Nm = "3"\n')
+    with pytest.raises(qs.SceneFileError) as caught:
+        read(worse.replace('apex = "-x"\n', "") + "[shaft]\n")
+    assert {each.key for each in caught.value.errors} == {  # type: ignore[attr-defined]
+        "shaft.gear 1.azimuth_deg", "shaft.gear 1.hand", "shaft.gear 1.torque_Nm", "shaft.gear 2.torque_Nm",
+        "shaft.gear 2.apex", "shaft.belt 1.pretension_N",
+    }  # fmt: skip
 
 
 def test_a_mesh_in_a_plane_pushes_in_that_plane_alone() -> None:
@@ -375,3 +385,31 @@ speed_rpm = -900
     shares = qs.solve_set(of).torque_sum
     torque = 1000.0 / SPEED
     assert shares == pytest.approx([3.0 + 4.0 - torque, -6.0 - 4.0 + 2.0 * torque], rel=1e-9)
+
+
+def test_torques_stay_while_the_speed_is_searched_through() -> None:
+    """From rest on, where a power gives none."""
+    of = read(SET)
+    by_torque = read(SET.replace("power_kW = 1\n", f"torque_Nm = {1000.0 / SPEED!r}\n"))
+    for highest in (3.0 * SPEED, 8.0 * SPEED):
+        one, other = (qs.preload_speeds(each, highest) for each in (of, by_torque))
+        assert [each.sentence for each in one] == [each.sentence for each in other]
+    for factor in (0.0, 0.5, 2.0):
+        turning = [set_at_speed(each, factor * SPEED) for each in (of, by_torque)]
+        loads = [np.array([load.values for load in each.shaft_loads]) for each in turning]
+        assert loads[0] == pytest.approx(loads[1], rel=1e-12)
+
+
+def test_torques_stay_while_a_heat_balance_searches_the_speed() -> None:
+    gear = {"position_mm": 25, "azimuth_deg": 0, "pitch_diameter_mm": 60, "power_kW": 0.5, "drives": True}
+    of = pair(shaft={"gears": [gear]})
+    solution = qs.solve_set(of)
+    assert solution.thermal is not None
+    speed = float(of.operation.speed)  # type: ignore[arg-type]
+    temperatures = {name: np.asarray(each) for name, each in solution.thermal.temperatures.items()}
+    machine = HotSet(of, (), lambda each: each)  # type: ignore[arg-type,return-value]
+    for factor in (0.1, 1.0, 1.5):
+        made = machine.solve(temperatures, np.asarray(factor))
+        assert float(made.operation.speed) == pytest.approx(factor * speed)  # type: ignore[attr-defined]
+        (load,) = made.shaft_loads  # type: ignore[attr-defined]
+        assert float(load.radial_z) == pytest.approx(-500.0 / speed / 0.03, rel=1e-12)
