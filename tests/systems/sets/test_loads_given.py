@@ -58,6 +58,6 @@ def test_a_set_that_nothing_loads_is_asked_whether_that_is_meant(tmp_path: Path,
 def test_the_head_says_how_fast_outer_rings_turn(tmp_path: Path, rpm: int) -> None:
     loads = f"preload.rigid_N = 300\noperation = {{speed_rpm = 1000, outer_speed_rpm = {rpm}}}"
     shown = CliRunner().invoke(cli, ["run", str(written(tmp_path, loads))]).stdout
-    assert f"shaft 1000 rpm, outer ring {rpm} rpm, its channels" in " ".join(shown.split())
+    assert f"shaft 1000 rpm, outer ring {str(rpm).replace('-', '−')} rpm, its channels" in " ".join(shown.split())
     summary = set_document._summary(qs.solve_set(qs.load_set(tmp_path / "set.toml")))
     assert f"Shaft 1000 rpm, outer ring {rpm} rpm." in summary

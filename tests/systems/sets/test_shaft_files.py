@@ -230,7 +230,7 @@ def test_run_shows_the_shaft(tmp_path: Path) -> None:
     assert sum(part["radial_y"] for part in shown["shares"].values()) == pytest.approx(1.0)
     assert [each["at"] for each in found["line"]][:4] == ["begin", "tool", "load 1", "row 1"]
     table = CliRunner().invoke(cli, ["run", str(tmp_path / "spindle.toml")]).stdout
-    assert "Point tool, at -75 mm" in table
+    assert "Point tool, at −75 mm" in table
     assert "housing 1" in table
 
 
