@@ -31,8 +31,8 @@ def facts_of_set(solution: SetSolution, readings: Sequence[Readings]) -> Facts:
     names = dict.fromkeys(name for of_row in rows for name, _ in of_row)
     of_rows: list[tuple[str, Cell]] = []
     for name in names:
-        found = list(dict.fromkeys(text for of_row in rows for known, text in of_row if known == name))
-        of_rows.append((name, found[0] if len(found) == 1 else f"rows: {', '.join(map(str, found))}"))
+        texts = list(dict.fromkeys(text for of_row in rows for known, text in of_row if known == name))
+        of_rows.append((name, texts[0] if len(texts) == 1 else f"rows: {', '.join(map(str, texts))}"))
     return Facts([*_pairs(results_of_shaft(solution, readings)), *of_rows])
 
 

@@ -19,7 +19,7 @@ from qsbearing.documents.html import part
 from qsbearing.files.file_errors import SceneFileError
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
-from qsbearing.reports.key_results import key_results_of_set
+from qsbearing.reports.key_results import results_of_shaft, rows_table
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.studies.chooser.explain_set import explain_set
 from qsbearing.systems.sets.bearing_set import BearingSet
@@ -82,11 +82,11 @@ def test_an_answer_is_that_of_the_same_numbers(spindle: dict[str, Any], drawn: N
     same = answers.opened(text.replace("radial_y_N = 500", "radial_y_N = 300"), "spindle")["document"]
     assert same == document
     solution = qs.solve_set(set_of(spindle))
-    shaft, rows = key_results_of_set(solution, [{}, {}])
+    shaft, rows = results_of_shaft(solution, [{}, {}]), rows_table(solution, [{}, {}])
     assert told["is_solved"] and [each["name"] for each in told["key"][:2]] == ["tool: deflection", "tool: stiffness"]
     assert [
         ", ".join(f"{one['of']} {one['number']} {one['unit']}" for one in each["parts"]) for each in told["key"]
-    ] == [text for _, text in shaft.rows]
+    ] == [each.line[1] for each in shaft]
     for row, line in zip(told["rows"], rows.rows, strict=True):
         numbers = {each["name"]: " / ".join(one["number"] for one in each["parts"]) for each in row["key"]}
         assert [row["name"], numbers["axial load"], numbers["preload mounted"]] == list(line[:3])
