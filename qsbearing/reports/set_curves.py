@@ -15,7 +15,6 @@ from qsbearing.model.units import MPa, rpm, um
 from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_size, legend, legend_within
 from qsbearing.reports.curves import LOAD_RANGE, POINTS, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import (
     MOST,
     Limits,
@@ -23,6 +22,7 @@ from qsbearing.systems.sets.preload_limits import (
     load_sentences,
     loaded,
     loads_of,
+    set_at_speed,
     speed_sentences,
 )
 from qsbearing.systems.sets.preload_search import StateChange
