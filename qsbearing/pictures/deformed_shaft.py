@@ -31,7 +31,7 @@ STEEP = 0.5
 """Slope of the enlarged centre line at which cross sections turn no further."""
 
 
-class Shape(NamedTuple):
+class ShaftPiece(NamedTuple):
     """A stretch of the shaft: what it is before it bends [m]."""
 
     x: NDArray
@@ -49,12 +49,12 @@ class Scale(NamedTuple):
     """From the axis to whatever is farthest from it [m]."""
 
 
-def shapes_of(solution: SetSolution) -> list[Shape]:
+def shapes_of(solution: SetSolution) -> list[ShaftPiece]:
     """Of the sections; of a rigid shaft a straight one through its rows."""
     shaft = solution.set.shaft
     if shaft is not None and shaft.sections:
         return [
-            Shape(
+            ShaftPiece(
                 np.linspace(*ends, FINE),
                 *(0.5 * np.linspace(*each, FINE) for each in (section.outer_diameters, section.inner_diameters)),
             )
@@ -64,7 +64,7 @@ def shapes_of(solution: SetSolution) -> list[Shape]:
     seat = min(0.5 * pitch - 0.5 * BOX * ball for _, pitch, ball, _ in rows)
     beyond = 1.5 * BOX * max(ball for _, _, ball, _ in rows)
     ends = min(at for at, *_ in rows) - beyond, max(at for at, *_ in rows) + beyond
-    return [Shape(np.linspace(*ends, FINE), np.full(FINE, seat), np.zeros(FINE))]
+    return [ShaftPiece(np.linspace(*ends, FINE), np.full(FINE, seat), np.zeros(FINE))]
 
 
 def scale_of(solution: SetSolution, place: CasePlace) -> Scale:
@@ -166,7 +166,7 @@ class _Drawn(NamedTuple):
         slope = self.factor * (np.stack([moved[:, 4], -moved[:, 3]], axis=1) @ self.direction)
         return bent, np.clip(slope, -STEEP, STEEP)
 
-    def section(self, shape: Shape, is_first: bool) -> None:
+    def section(self, shape: ShaftPiece, is_first: bool) -> None:
         """Both halves of its section, and its outline before it bends; cross sections are square to the centre line."""
         bent, slope = self.at(shape.x)
         for side in (1.0, -1.0):

@@ -28,6 +28,7 @@ raceway the speed has a kink, and eight balls tell the excursion to some per cen
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,7 +44,7 @@ from qsbearing.readings.ball_motion import AXIS, orbital_speed
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.remarks.kinds import CHECK, Kind
-from qsbearing.remarks.remark import Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
 
 CLEARANCES = (1e-6, 0.1)
 """Of a pocket [m]."""
@@ -97,6 +98,12 @@ class PocketClearance:
         return [] if given is None else within("pocket_clearance", given, LENGTH, *CLEARANCES)
 
 
+def _pressing(excursion: NDArray, clearance: NDArray, i: int) -> Remark:
+    """On balls of a case, counted along the flattened axes."""
+    needed, room = (float(np.broadcast_to(each, excursion.shape).flat[i]) / mm for each in (excursion, clearance))
+    return remark(BALLS_PRESS_CAGE, excursion_mm=needed, clearance_mm=room)
+
+
 @with_arguments(PocketClearance)
 def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
     """How far the balls run ahead of and behind a cage that turns evenly.
@@ -115,18 +122,15 @@ def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
     if solution.scene.ball_diameter_deviations is not None:  # a ball has a speed of its own
         mean, lead, lag, own = (np.full_like(each, np.nan) for each in (mean, lead, lag, own))
     lead, lag = radius * lead, radius * lag
-    excursion, use, said = lead + lag, None, []
+    excursion, use = lead + lag, None
+    said: Remarks = ()
     if given.pocket_clearance is not None:
-        use = np.asarray(excursion / np.asarray(given.pocket_clearance, float))
-        beyond = use > 1.0
-        if beyond.any():
-            worst = np.unravel_index(np.nanargmax(np.where(beyond, use, 0.0)), np.shape(use))
-            clearance = float(np.broadcast_to(given.pocket_clearance, use.shape)[worst]) / mm
-            needed = float(excursion[worst]) / mm
-            said.append((beyond, remark(BALLS_PRESS_CAGE, excursion_mm=needed, clearance_mm=clearance)))
+        clearance = np.asarray(given.pocket_clearance, float)
+        use = np.asarray(excursion / clearance)
+        said = remarks([(np.where(use > 1.0, use, 0.0), partial(_pressing, excursion, clearance))], solution.shape)
     advance = radius[..., None] * own
     gap, on_outer = _of_momentum(solution)
-    return BallAdvance(mean, lead, lag, excursion, advance, use, gap, on_outer, remarks(said, solution.shape))
+    return BallAdvance(mean, lead, lag, excursion, advance, use, gap, on_outer, said)
 
 
 def _of_momentum(solution: Solution) -> tuple[NDArray, NDArray] | tuple[None, None]:

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from math import copysign, cos, nan, sin
 from typing import Any
 
@@ -38,7 +39,7 @@ from qsbearing.readings.cut_contact import edge_pressure, of_share
 from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
 from qsbearing.readings.passes import filled, of_balls, of_cases
 from qsbearing.remarks.kinds import NOTE, WRONG, Kind, in_words
-from qsbearing.remarks.remark import Remark, Remarked, Remarks, remark, remarks
+from qsbearing.remarks.remark import Holding, Remark, Remarked, Remarks, remark, remarks
 from qsbearing.remarks.wording import Words
 
 NEEDS = ("load", "sine", "cosine", "semi_major_axis", "semi_minor_axis", "max_pressure"), ()
@@ -120,7 +121,7 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
     """
     raceways: list[RacewayOverrun | None] = []
-    said = []
+    said: list[Holding] = []
     for side, name, contacts, shoulder, other in (
         (INNER, "inner", solution.inner, given.inner_shoulder_diameter, given.inner_open_diameter),
         (OUTER, "outer", solution.outer, given.outer_shoulder_diameter, given.outer_open_diameter),
@@ -175,19 +176,23 @@ ELLIPSE_CUT_LITTLE = Kind(
 )  # fmt: skip
 
 
-def _remarks(name: str, raceway: RacewayOverrun) -> list[tuple[NDArray, Remark]]:
-    """One for each of the ranges, with the numbers of its most cut contact."""
+def _remarks(name: str, raceway: RacewayOverrun) -> list[Holding]:
+    """One for each of the ranges, with the numbers of the case's most cut contact."""
     share = np.nan_to_num(raceway.share_beyond)
     worst = share.max(axis=-1)
-    said = []
-    for low, high in ((LARGE, np.inf), (SMALL, LARGE), (0.0, SMALL)):
-        where = (worst > low if low == 0.0 else worst >= low) & (worst < high)
-        if where.any():
-            at = np.unravel_index(np.argmax(np.where(where[..., None], share, 0.0)), share.shape)
-            numbers = _numbers(raceway, at) if low >= SMALL else {}
-            kind = ELLIPSE_CUT if low == LARGE else ELLIPSE_CUT_LITTLE
-            said.append((where, remark(kind, name, beyond_percent=100.0 * float(share[at]), **numbers)))
-    return said
+
+    def cut(kind: Kind, has_numbers: bool, i: int) -> Remark:
+        case = np.unravel_index(i, worst.shape)
+        at = (*case, int(share[case].argmax()))
+        numbers = _numbers(raceway, at) if has_numbers else {}
+        return remark(kind, name, beyond_percent=100.0 * float(share[at]), **numbers)
+
+    return [
+        (np.where((worst >= low) & (worst < high), worst, 0.0), partial(cut, kind, low >= SMALL))
+        for kind, low, high in (
+            (ELLIPSE_CUT, LARGE, np.inf), (ELLIPSE_CUT_LITTLE, SMALL, LARGE), (ELLIPSE_CUT_LITTLE, 0.0, SMALL)
+        )
+    ]  # fmt: skip
 
 
 def _numbers(raceway: RacewayOverrun, at: tuple[Any, ...]) -> dict[str, float]:

@@ -15,7 +15,10 @@ from qsbearing.model.effects import EFFECTS
 from qsbearing.model.effects.raceway_control import INNER
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.case_index import Index
+from qsbearing.model.solution.groups import CONTACTS, MAX_PRESSURE
 from qsbearing.model.solution.judgement import estimated, settings_to_add
+from qsbearing.model.solution.limit import Limit, spare
+from qsbearing.model.solution.result_keys import MAX, Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mm
@@ -186,6 +189,11 @@ def _apex(of: CaseRange) -> Iterator[Holding]:
         yield least < 0.0, passed
 
 
+STATIC_LIMIT = Limit(
+    tuple(Place(group, MAX_PRESSURE, over=MAX) for group in CONTACTS), "<=", STATIC_PRESSURE / MPa,
+    "ISO 76; beyond it permanent dents",
+)  # fmt: skip
+"""Of contact pressures; reports answer it, and remarks tell where it is not met."""
 _YIELDING = (
     " Steel with a yield strength of {yield_strength_MPa:.5g} MPa begins to yield below the surface near "
     "{first_yield_MPa:g} MPa."
@@ -217,10 +225,11 @@ def _pressure(of: CaseRange) -> Iterator[Holding]:
         if rings is not None:
             near = float(f"{first_yield[i] / MPa:.2g}")
             yielding = {"yield_strength_MPa": strength[i] / MPa, "first_yield_MPa": near}
-        return remark(kind, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_PRESSURE / MPa, **yielding)
+        return remark(kind, pressure_MPa=pressure[i] / MPa, limit_MPa=STATIC_LIMIT.value, **yielding)
 
-    yield pressure > STATIC_PRESSURE, lambda i: reached(PRESSURE_DENTS, i)
-    yield (pressure > first_yield) & (pressure <= STATIC_PRESSURE), lambda i: reached(PRESSURE_YIELDS, i)
+    dents = of.cases(spare(solution, [STATIC_LIMIT])) < 0.0
+    yield dents, lambda i: reached(PRESSURE_DENTS, i)
+    yield (pressure > first_yield) & ~dents, lambda i: reached(PRESSURE_YIELDS, i)
 
 
 SPARSE = 0.25

@@ -194,7 +194,8 @@ Holding = tuple[ArrayLike, Remark | Callable[[int], Remark]]
 """Where a remark holds, or by how much (0: not at all), and the remark; or what makes that of a case by its number
 along the flattened axes."""
 Remarks = tuple[tuple[NDArray, Remark | Callable[[int], Remark]], ...]
-"""Those of a reading: where each holds, of shape (*cases), or () where it holds of all alike; and the remark."""
+"""Those of a reading: where each holds, or by how much, of shape (*cases), or () where it holds of all alike; and the
+remark."""
 
 
 def remarks(holding: Iterable[Holding], shape: tuple[int, ...]) -> Remarks:
@@ -204,7 +205,7 @@ def remarks(holding: Iterable[Holding], shape: tuple[int, ...]) -> Remarks:
         holding: where each holds, which broadcasts to the case axes.
         shape: the case axes of the solution; none for a single case, or for what holds of all alike.
     """
-    marked = [(np.broadcast_to(np.asarray(where, bool), shape), each) for where, each in holding]
+    marked = [(np.broadcast_to(np.asarray(where), shape), each) for where, each in holding]
     return tuple((where, each) for where, each in marked if where.any())
 
 

@@ -39,7 +39,7 @@ class Swept(NamedTuple):
     """Of the case itself [rad/s]."""
 
 
-class Panel(NamedTuple):
+class SmallPicture(NamedTuple):
     """What is drawn over the speed."""
 
     title: str
@@ -65,11 +65,11 @@ def figure_of(swept: Swept, required: Sequence[Answer]) -> Any:
     return _figure(swept, _panels(swept, required))
 
 
-def _panels(swept: Swept, required: Sequence[Answer]) -> list[Panel]:
+def _panels(swept: Swept, required: Sequence[Answer]) -> list[SmallPicture]:
     return [*_required(swept, required), *_usual(swept.solution)][:PANELS]
 
 
-def _required(swept: Swept, required: Sequence[Answer]) -> Iterator[Panel]:
+def _required(swept: Swept, required: Sequence[Answer]) -> Iterator[SmallPicture]:
     """What is required and no reading: once for each result, with all that is asked of it."""
     by_words: dict[str, list[Answer]] = {}
     for each in required:
@@ -78,7 +78,7 @@ def _required(swept: Swept, required: Sequence[Answer]) -> Iterator[Panel]:
     for title, alike in by_words.items():
         values = _worst(swept.solution, alike[0])
         if values is not None:
-            yield Panel(title, {"": values}, [CHANNEL_LINES[""]], [float(np.max(each.bound)) for each in alike])
+            yield SmallPicture(title, {"": values}, [CHANNEL_LINES[""]], [float(np.max(each.bound)) for each in alike])
 
 
 def _worst(solution: Any, answer: Answer) -> NDArray | None:
@@ -90,29 +90,29 @@ def _worst(solution: Any, answer: Answer) -> NDArray | None:
     return np.asarray(worst.reduce([np.abs(each) if answer.limit.is_of_sizes else each for each in every]))  # type: ignore[arg-type]
 
 
-def _usual(solution: Any) -> Iterator[Panel]:
+def _usual(solution: Any) -> Iterator[SmallPicture]:
     yield _stiffness(solution)
     is_set = isinstance(solution, SetSolution)
     if is_set and solution.preload_in_operation is not None:
-        yield Panel("preload in operation, N", *_of_rows(solution.preload_in_operation))
+        yield SmallPicture("preload in operation, N", *_of_rows(solution.preload_in_operation))
     elif not is_set and solution.scene.preload is not None and solution.preload_loads is not None:
-        yield Panel("preload in operation, N", {"": solution.preload_loads.arrays[1]}, [CHANNEL_LINES[""]])
+        yield SmallPicture("preload in operation, N", {"": solution.preload_loads.arrays[1]}, [CHANNEL_LINES[""]])
     pressures = [_pressure(row) for row in (solution.rows if is_set else (solution,))]
-    yield Panel("maximum contact pressure, MPa", *_of_rows(np.stack(pressures, axis=-1)))
+    yield SmallPicture("maximum contact pressure, MPa", *_of_rows(np.stack(pressures, axis=-1)))
 
 
 ALIKE = 0.02
 """Part by which both radial directions may differ that share a line."""
 
 
-def _stiffness(solution: Any) -> Panel:
+def _stiffness(solution: Any) -> SmallPicture:
     """Across the shaft at its first named point; else of ring or shaft along and across it, locked where it is held."""
     if isinstance(solution, SetSolution) and solution.points:
         name, point = next(iter(solution.points.items()))
         y, z = (point.effective_stiffness[:, i] * um for i in (1, 2))
         title = f"stiffness at the {name}, N/µm"
         if np.allclose(y, z, rtol=ALIKE, equal_nan=True):
-            return Panel(f"radial {title}", {"": np.fmin(y, z)}, [CHANNEL_LINES[""]])
+            return SmallPicture(f"radial {title}", {"": np.fmin(y, z)}, [CHANNEL_LINES[""]])
         values, title, which = point.effective_stiffness, title, (1, 2)
     else:
         are_free = {0, 1} <= set(map(int, solution.free_channels))
@@ -120,7 +120,7 @@ def _stiffness(solution: Any) -> Panel:
         title, which = f"{'effective' if are_free else 'locked'} stiffness, N/µm", (0, 1)
     names = [name for name in CHANNEL_LINES if name][: len(CHANNELS)]
     lines = {CHANNELS[i].label: values[:, i] * um for i in which}
-    return Panel(title, lines, [CHANNEL_LINES[names[i]] for i in which])
+    return SmallPicture(title, lines, [CHANNEL_LINES[names[i]] for i in which])
 
 
 def _pressure(row: Solution) -> NDArray:
@@ -147,7 +147,7 @@ def _of_rows(values: NDArray) -> tuple[dict[str, NDArray], list[dict[str, Any]]]
     return lines, styles
 
 
-def _figure(swept: Swept, panels: Sequence[Panel]) -> Any:
+def _figure(swept: Swept, panels: Sequence[SmallPicture]) -> Any:
     figure = figure_of_size(WIDTH, HEIGHT)
     solved = np.asarray(swept.solution.converged)
     along, own = swept.speeds / rpm, swept.own / rpm

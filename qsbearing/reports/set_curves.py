@@ -16,7 +16,6 @@ from qsbearing.pictures.style import CHANNEL_LINES, RED, ROW_LINES, figure_of_si
 from qsbearing.reports.curves import LOAD_RANGE, POINTS, SIZE, SPEED_RANGE, finish, mark_stiffness, shown
 from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.drives import set_at_speed
 from qsbearing.systems.sets.preload_limits import (
     MOST,
     Limits,
@@ -24,6 +23,7 @@ from qsbearing.systems.sets.preload_limits import (
     load_sentences,
     loaded,
     loads_of,
+    set_at_speed,
     speed_sentences,
 )
 from qsbearing.systems.sets.preload_search import StateChange

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.contact.hertz import STATIC_PRESSURE
-from qsbearing.model.solution.groups import CONTACTS, FRICTION, MAX_PRESSURE, OF_PRELOAD, RING, RINGS, channels
+from qsbearing.model.solution.groups import CONTACTS, FRICTION, OF_PRELOAD, RING, RINGS, channels
 from qsbearing.model.solution.limit import Answer, Estimate, Limit, Origin, answers
 from qsbearing.model.solution.preload_state import EXCESSIVE
 from qsbearing.model.solution.result_keys import MAX, SIZE, Group, Place, Result
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, mm, rpm
 from qsbearing.remarks.balls import LEAST_TYPICAL, MOST_TYPICAL
+from qsbearing.remarks.bearing import STATIC_LIMIT
 
 if TYPE_CHECKING:
     from qsbearing.model.effects import RingExpansion
@@ -66,8 +66,7 @@ class BuiltIn(NamedTuple):
 
 
 def _pressure(part: Part) -> Iterator[Limit]:
-    places = tuple(part.place(group, MAX_PRESSURE, MAX) for group in CONTACTS)
-    yield Limit(places, "<=", STATIC_PRESSURE / MPa, "ISO 76; beyond it permanent dents")
+    yield STATIC_LIMIT._replace(places=tuple(each._replace(row=part.row) for each in STATIC_LIMIT.places))
 
 
 def _of_loaded(contacts: Any) -> NDArray | None:

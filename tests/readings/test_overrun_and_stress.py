@@ -16,6 +16,7 @@ from qsbearing.readings.bearing_numbers import INNER, OUTER, BearingNumbers, loa
 from qsbearing.readings.cut_contact import of_share
 from qsbearing.readings.shoulder_overrun import groove_depth
 from qsbearing.remarks.kinds import Severity
+from qsbearing.remarks.remark import told
 from tests.qsbearing.scenes import B218, DEEP_GROOVE, SPINDLE, UPRIGHT, resting, solved, turning
 
 
@@ -144,7 +145,8 @@ def test_a_cut_contact_says_how_bad_it_is() -> None:
         Severity.GOOD_TO_KNOW,
     ]
     wrong, numbers, small = found.warnings
-    assert "most of it is beyond the edge" in wrong
+    assert wrong.startswith("2 of 5 cases, the first 3: ") and "with 16 % of its major axis" in wrong
+    assert "most of it is beyond the edge" in told(found.remarks, (4,))[0].text
     assert "8.3 % of its major axis: at the same approach it carries 0.72 % less load, which acts 0.15 deg" in numbers
     assert "load and angle hold" in small
 

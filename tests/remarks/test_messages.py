@@ -19,7 +19,8 @@ from qsbearing.documents.guide import topics
 from qsbearing.documents.model import anchor_of
 from qsbearing.files import catalogue
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.model.contact.hertz import first_yield_pressure, subsurface_shear
+from qsbearing.model.contact.hertz import STATIC_PRESSURE, first_yield_pressure, subsurface_shear
+from qsbearing.model.solution.limit import Standing
 from qsbearing.readings.ball_motion import CONTROL_ASSUMED
 from qsbearing.readings.rating_life import LIFE_FACTOR_CAPPED
 from qsbearing.readings.shoulder_overrun import ELLIPSE_CUT
@@ -27,7 +28,8 @@ from qsbearing.remarks.kinds import Severity
 from qsbearing.remarks.preload import PRELOAD_LOST
 from qsbearing.remarks.remark import Remark, Warned, in_order, remark, some_balls
 from qsbearing.reports.guide_lists import every_kind
-from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, solved, turning
+from qsbearing.results.built_in_limits import built_in_answers
+from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, INNER, OUTER, SPINDLE, resting, solved, turning
 from tests.remarks.test_data import typed
 
 SEPARATED = "No axial load keeps the raceways together"
@@ -311,3 +313,20 @@ def test_a_ball_without_orbit_refuses_the_case_in_words() -> None:
     solution = qs.solve(turning(20e3, effects=CENTRIFUGAL, control=INNER, **loads))
     assert (solution.status, solution.reason) == (qs.Status.NO_EQUILIBRIUM, qs.Reason.NO_ORBIT)
     assert "would leave the ball standing" in qs.message(solution)
+
+
+def test_dents_are_said_where_the_limit_of_reports_is_not_met() -> None:
+    """At the limit, and just beyond by no more than a search leaves, it is met, and nothing is said of dents."""
+    least, most = 20e3, 600e3
+    for _ in range(60):
+        middle = 0.5 * (least + most)
+        largest = qs.solve(resting(axial_load=middle)).inner.max_pressure.max()
+        least, most = (middle, most) if largest < STATIC_PRESSURE * (1.0 + 3e-7) else (least, middle)
+    loads = np.array([0.99 * most, most, 1.01 * most])
+    solution = qs.solve(resting(axial_load=loads))
+    assert solution.inner.max_pressure[1].max() > STATIC_PRESSURE
+    for place, load in enumerate(loads):
+        alone = qs.solve(resting(axial_load=float(load)))
+        (answer,) = (each for each in built_in_answers(alone, {}) if each.limit.name == "contact pressure")
+        said = {each.remark.code for each in qs.warnings(solution, place)}
+        assert ("pressure_dents" in said) == (answer.state is Standing.NOT_MET) == (place == 2)

@@ -14,12 +14,14 @@ from qsbearing.files.scene_file import scene_of
 from qsbearing.model.contact.hertz import STATIC_PRESSURE
 from qsbearing.model.solution.limit import Answer, Standing
 from qsbearing.readings.asked import take_asked
+from qsbearing.remarks.bearing import BALLS_SPARSE
+from qsbearing.remarks.kinds import Kind
 from qsbearing.remarks.remark import remark
 from qsbearing.reports.answers_table import answers_table
-from qsbearing.reports.guide_lists import every_kind
 from qsbearing.reports.verdict import verdict
 from qsbearing.results.built_in_limits import BUILT_IN, built_in_answers
 from qsbearing.results.requirements import Answered
+from qsbearing.systems.sets.remarks import STIFFNESS_UNDETERMINED
 from tests.systems.heat.spindle import BEARING, EFFECTS, scene, tables
 
 B218 = qs.load_scene("B218").bearing
@@ -106,16 +108,16 @@ def test_the_row_that_is_closest_stands_for_its_set() -> None:
     ("load", "said", "status", "words"),
     [
         (20_000.0, (), "pass", ("Within every limit that was checked.", "The closest is contact pressure", "%)")),
-        (20_000.0, ("balls_sparse",), "warning", ("Within every limit that was checked", "Check the data")),
-        (20_000.0, ("stiffness_undetermined",), "fail", ("The model does not describe this case.",)),
+        (20_000.0, (BALLS_SPARSE,), "warning", ("Within every limit that was checked", "Check the data")),
+        (20_000.0, (STIFFNESS_UNDETERMINED,), "fail", ("The model does not describe this case.",)),
         (2e6, (), "fail", ("Contact pressure", "beyond the limit.")),
     ],
 )
 def test_the_answer_follows_from_margins_and_remarks(
-    load: float, said: tuple[str, ...], status: str, words: tuple[str, ...]
+    load: float, said: tuple[Kind, ...], status: str, words: tuple[str, ...]
 ) -> None:
     found = list(of(qs.Operation(axial_load=load)).values())
-    shown = verdict(found, [remark(every_kind()[code]) for code in said])
+    shown = verdict(found, [remark(kind) for kind in said])
     assert shown.status == status
     for each in words:
         assert each in shown.text

@@ -26,8 +26,8 @@ FILES = {
     "spindle": "spindle",
     "tight": "heat",
 }
-"""Files of the guide and their pages: a bearing, one with requirements, with fits, with elastic rings, over a spectrum;
-a pair; a spindle; a heat balance."""
+"""Files of the guide and their pages: a bearing, with requirements, fits, elastic rings, over a spectrum; a pair; a
+spindle; a heat balance."""
 GLANCE, HEAT = "How it stands under load", "Temperatures over the speed"
 LEFT_OUT, NUMBERS, SPEED = "What the model leaves out", "In numbers", "Over the speed"
 LIMITS = ("Callout", "Table", "Paragraph")

@@ -15,7 +15,6 @@ from qsbearing.systems.sets.shaft import Shaft, ShaftLoad, outside
 from qsbearing.systems.sets.torque import speed_errors, torque_on_shaft
 
 if TYPE_CHECKING:
-    from qsbearing.systems.sets.bearing_set import BearingSet
     from qsbearing.systems.sets.belts import Belt
     from qsbearing.systems.sets.gears import Gear
 
@@ -64,12 +63,6 @@ def with_torques(of: Shaft | None, speed: ArrayLike) -> Shaft | None:
         )
         torques[f"{name.partition(' ')[0]}s"].append(replace(each, **given))
     return replace(of, gears=tuple(torques["gears"]), belts=tuple(torques["belts"]))
-
-
-def set_at_speed(of: BearingSet, speed: ArrayLike) -> BearingSet:
-    """A set at another speed of its shaft, under the loads and torques that it has at its own; without its readings."""
-    shaft = with_torques(of.shaft, of.operation.speed)
-    return replace(of, operation=replace(of.operation, speed=speed), shaft=shaft, readings={})
 
 
 def drive_errors(of: Shaft, speed: ArrayLike) -> list[ErrorDetail]:

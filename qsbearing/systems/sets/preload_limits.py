@@ -16,7 +16,7 @@ from qsbearing.model.units import rpm, um
 from qsbearing.model.validation import RATIO, SPEED, ErrorDetail, SceneError, check_kind, within
 from qsbearing.remarks.wording import spanned
 from qsbearing.systems.sets.bearing_set import BearingSet
-from qsbearing.systems.sets.drives import set_at_speed
+from qsbearing.systems.sets.drives import with_torques
 from qsbearing.systems.sets.preload_search import StateChange, changes, firsts, opposed_errors, sentence, together
 from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.shaft import with_loads
@@ -69,6 +69,12 @@ def speed_changes(of: BearingSet, highest_speed: float, threads: int | None = No
     if errors:
         raise SceneError(errors)
     return changes(lambda speeds: set_at_speed(of, speeds), float(highest_speed), threads)
+
+
+def set_at_speed(of: BearingSet, speed: ArrayLike) -> BearingSet:
+    """A set at another speed of its shaft, under the loads and torques that it has at its own; without its readings."""
+    shaft = with_torques(of.shaft, of.operation.speed)
+    return replace(of, operation=replace(of.operation, speed=speed), shaft=shaft, readings={})
 
 
 def speed_sentence(of: BearingSet, *same: StateChange) -> str:

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from qsbearing.model.compiler.compiled import has_fast_code
 from qsbearing.model.effects.traction import Traction
 from qsbearing.model.kernel import arched_start, traction_balance, traction_ball
 from qsbearing.model.kernel.traction_ball import FX, FZ, GROOVE, MOVED_BALL, ORBIT, WX, WZ, X1
@@ -96,7 +95,6 @@ def test_many_balls_settle_under_combined_load() -> None:
     np.testing.assert_allclose(total, -of.case.prescribed[:2], rtol=1e-9)
 
 
-@pytest.mark.skipif(not has_fast_code(), reason="takes the compiled solve as a reference elsewhere")
 def test_it_rolls_with_least_weighted_slip() -> None:
     """Against a search over all motions of the sum that the linear law dissipates."""
     of = Arched(1e4, axial_load=5e3)

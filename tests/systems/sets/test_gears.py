@@ -16,8 +16,7 @@ from qsbearing.files.set_file import set_of
 from qsbearing.results.set_record import set_record
 from qsbearing.results.shaft_report import shaft_tables
 from qsbearing.studies.schema import file_schema
-from qsbearing.systems.sets.drives import set_at_speed
-from qsbearing.systems.sets.preload_limits import loaded
+from qsbearing.systems.sets.preload_limits import loaded, set_at_speed
 from qsbearing.systems.sets.solve import HotSet
 from tests.systems.heat.spindle import pair
 from tests.systems.sets.arrangements import S6210C
