@@ -30,6 +30,8 @@ INSTEAD = {
 """Formats that will go, and what to use in place of each."""
 NO_TANGENT = "the raceway control of some ball contradicts itself there: there is no stiffness"
 
+NO_TILTS = "stiffness against tilts has no number where friction moves the balls: --format csv has the rest"
+
 
 @click.command(short_help="Tabulate stiffness over speed and load, for rotor dynamics.")
 @click.argument("scene")
@@ -131,7 +133,8 @@ def _for_finite_elements(
         writers = claimed(stack, {"--out": out}, problems, scene)
         solution = solve(of)
         if not solution.converged or not np.isfinite(solution.stiffness).all():
-            note(solution.message() if not solution.converged else NO_TANGENT)
+            is_moved = getattr(solution, "friction", None) is not None
+            note(solution.message() if not solution.converged else NO_TILTS if is_moved else NO_TANGENT)
             sys.exit(UNSOLVED)
         seats = files.seats_of(solution, units, mirrored=mirrored)
         if form == "ross":

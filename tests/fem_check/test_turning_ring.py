@@ -70,9 +70,9 @@ def test_stiffness_over_frequency_is_that_of_a_ring_whose_axis_goes_round() -> N
         qs.Scene(of, qs.Operation(speed=SPEED, axial_load=THRUST)), Traction(0.07), radii=SHARE[0], angles=SHARE[1]
     )
     product = turning_stiffness(motion, FREQUENCIES).radial
-    found = turning_ring_stiffness(float(motion.displacement[0]), motion.outer.angle[0], motion.outer.load[0])
-    np.testing.assert_allclose(found[:3], product[:3], rtol=0.01)
-    np.testing.assert_allclose(found[3], product[3], rtol=0.05)
+    in_time = turning_ring_stiffness(float(motion.displacement[0]), motion.outer.angle[0], motion.outer.load[0])
+    np.testing.assert_allclose(in_time[:3], product[:3], rtol=0.01)
+    np.testing.assert_allclose(in_time[3], product[3], rtol=0.05)
     rise = product[2] / product[0]
     assert rise > 1.05
-    assert found[2] / found[0] == pytest.approx(rise, abs=2e-3)
+    assert in_time[2] / in_time[0] == pytest.approx(rise, abs=2e-3)

@@ -79,6 +79,15 @@ def test_explain_says_so_and_gives_no_line_that_is_refused() -> None:
     assert thrust["orbit_radius"].under_control == "" and thrust["orbit_radius"].add, "friction knows it under thrust"
 
 
+def test_chosen_effects_leave_none_of_them_unsaid() -> None:
+    """Nor are they chosen: the scene would be refused."""
+    solution = qs.solve(scene(**RADIAL), effects="auto")
+    assert solution.choice is not None and solution.friction is not None
+    assert not {"elastic_rings", "hertz_angle", "orbit_radius"} & {*solution.choice.added, *solution.choice.effects}
+    said = [each.values["effect"] for each in every_remark(solution, {}) if each.code == "effect_unknown_to_friction"]
+    assert said == ["elastic_rings"]
+
+
 def test_what_is_refused_beside_friction_is_what_is_said_not_to_go_with_it() -> None:
     solution = qs.solve(scene(**RADIAL))
     outer = under_control(solution.scene, qs.RacewayControl.OUTER)

@@ -17,7 +17,7 @@ from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.of_cases import SolutionOfCases
 from qsbearing.model.solution.status import Status
 from qsbearing.model.validation import SPEED, ErrorDetail, SceneError, check_kind, choose, numeric, raise_if_any
-from qsbearing.systems.rotor_dynamics.axes import Tilt, in_rotor_axes, is_tilt_supported, translations
+from qsbearing.systems.rotor_dynamics.axes import MOVED, Tilt, in_rotor_axes, is_tilt_supported, translations
 
 _SPEED_IN_ROSS = {"2": "frequency", "3": "speed"}
 """What a version calls the speed of the shaft, the axis of a table of coefficients. In 3 a frequency is the whirl's."""
@@ -125,14 +125,18 @@ def _speed_errors(speed: NDArray) -> list[ErrorDetail]:
 
 
 def _stiffness_errors(matrix: NDArray, tilt: Tilt) -> list[ErrorDetail]:
-    unsolved = ~np.isfinite(matrix).all(axis=(-2, -1))
+    has_moved = np.isfinite(matrix[..., MOVED, MOVED]).all(axis=(-2, -1))
+    unsolved = ~has_moved if tilt is Tilt.HELD else ~np.isfinite(matrix).all(axis=(-2, -1))
+    if unsolved.any() and has_moved.all():
+        cause = 'Where friction moves the balls, stiffness against tilts has no number. tilt = "held" needs none'
+        return [ErrorDetail("tilt", "needs the stiffness against tilts, which is NaN", str(tilt), cause=cause)]
     if unsolved.any():
         problem = (
             f"{int(unsolved.sum())} of {unsolved.size} matrices hold NaN, the first at index {int(unsolved.argmax())}"
         )
         return [ErrorDetail("stiffness", problem, cause="A case that is not solved has none; leave it out")]
-    loose = ~np.atleast_1d(is_tilt_supported(matrix))
-    if tilt is Tilt.FREE and loose.any():
+    loose = ~np.atleast_1d(is_tilt_supported(matrix)) if tilt is Tilt.FREE else np.zeros(1, bool)
+    if loose.any():
         cause = 'Nothing resists them there, so that the matrix of the tilts has no inverse. tilt = "held" needs none'
         return [
             ErrorDetail("tilt", f"the tilts cannot be left free at index {int(loose.argmax())}", "free", cause=cause)

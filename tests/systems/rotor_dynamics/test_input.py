@@ -35,6 +35,20 @@ def test_every_error_is_said_at_once() -> None:
     assert "1 of 3 matrices hold NaN, the first at index 1" in found["stiffness"]
 
 
+def test_balls_that_friction_moves_have_no_stiffness_against_tilts() -> None:
+    """So that only held ones make an element."""
+    both, thrust = (qs.CentrifugalForce(), qs.GyroscopicMoment()), qs.Operation(speed=SPEEDS, axial_load=300.0)
+    solution = qs.solve(qs.Scene(spindle_bearing(SPEEDS).scene.bearing, thrust, both, "friction"))  # type: ignore[arg-type]
+    assert solution.converged.all()
+    for tilt in ("included", "free"):
+        said = errors(solution.to_ross, 0, slice(1, 3), tilt=tilt)
+        assert set(said) == {"tilt"} and 'tilt = "held" needs none' in said["tilt"]
+    try:
+        solution.to_ross(0, slice(1, 3), tilt="held")
+    except ImportError as error:
+        assert "ROSS" in str(error)
+
+
 @pytest.mark.parametrize(
     ("speed", "said"),
     [

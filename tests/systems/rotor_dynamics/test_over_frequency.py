@@ -146,6 +146,10 @@ def test_the_command_refuses(tmp_path: Path) -> None:
         done = CliRunner().invoke(cli, ["stiffness", *words])
         assert done.exit_code == 2, (words, done.output)
         assert all(each in done.output for each in said), done.output
+    still = tmp_path / "still.toml"
+    still.write_text(path.read_text("utf-8").replace("[operation]", "[operation]\nspeed_rpm = 9000"), "utf-8")
+    done = CliRunner().invoke(cli, ["stiffness", str(still), "--format", "json"])
+    assert done.exit_code == 1 and "stiffness against tilts has no number" in done.output
 
 
 def test_frequencies_are_hertz_or_times_the_shaft_s_speed() -> None:
