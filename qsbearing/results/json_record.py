@@ -22,7 +22,7 @@ from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
-from qsbearing.results.readings_record import Readings, number, readings_record
+from qsbearing.results.readings_record import Readings, number, readings_record, within
 from qsbearing.results.remarks import every_remark, remarks_record
 
 DISPLACEMENT_NOISE = 1e-15
@@ -299,14 +299,6 @@ def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
         own["raceway_control"] = None if control is None else str(control[index][ball])
         records.append(own | {"slips": None if slips is None else bool(slips[index][ball])})
     return records
-
-
-def within(record: dict[str, Any], group: Group, table: str) -> dict[str, Any]:
-    """The table of a group within one of its record, of this name."""
-    path = group.table or ()
-    for name in path[path.index(table) + 1 :]:
-        record = record.setdefault(name, {})
-    return record
 
 
 def traction_record(solution: Solution, index: CasePlace = ()) -> dict[str, Any]:

@@ -14,8 +14,7 @@ from qsbearing.model.solution.friction_band import Band, friction_band
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
-from qsbearing.results.json_record import within
-from qsbearing.results.readings_record import number
+from qsbearing.results.readings_record import number, within
 from qsbearing.results.readings_report import per_contact
 from qsbearing.results.tables import digits_of
 

@@ -278,11 +278,11 @@ def balanced(
         arrays = points, np.empty((size, size)), np.empty(size), np.empty(balls)
         memory = np.zeros(arcs, kernel.GROOVE), np.zeros(1, MOTION), np.zeros(balls, kernel.MOVED_BALL)
         given = cases[part], laws[part], *memory, arrays, carried
-        found = places[part], contacts[part], torques[part]
+        into = places[part], contacts[part], torques[part]
         if start is None:
-            solve_arched(*given, shims[part], results[part], *found)
+            solve_arched(*given, shims[part], results[part], *into)
         else:
-            solve_motions(*given, results[part], positions[part], *found)
+            solve_motions(*given, results[part], positions[part], *into)
 
     in_threads(solve_stretch, count, threads)
     inside = Inside(shape, cases, laws, points, carried, results, places, shims)

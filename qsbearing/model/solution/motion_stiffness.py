@@ -181,9 +181,9 @@ def _blocks(motion: FrictionMotion) -> list[Blocks]:
     parts = of_balls[solved], of_ring[solved]
     displacements = np.ascontiguousarray(inside.results["displacement"][solved])
     arrays = inside.points, np.empty(balls)
-    found = displacements, places[solved]
+    where = displacements, places[solved]
     shims = np.ascontiguousarray(inside.shims[solved])
-    read_blocks(cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, shims, *found, *parts)
+    read_blocks(cases[solved], inside.laws[solved], *memory, arrays, inside.is_carried, shims, *where, *parts)
     of_balls[solved], of_ring[solved] = parts
     made = []
     for k in range(count):
