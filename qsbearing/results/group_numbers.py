@@ -51,11 +51,3 @@ def tables_of(groups: Iterable[Group], solution: Solution | SetSolution, index: 
             table = table.setdefault(name, {})
         table.update(numbers_or_none(group, solution, index))
     return tables
-
-
-def within(record: dict[str, Any], group: Group, table: str) -> dict[str, Any]:
-    """The table of a group within one of its record, of this name."""
-    path = group.table or ()
-    for name in path[path.index(table) + 1 :]:
-        record = record.setdefault(name, {})
-    return record

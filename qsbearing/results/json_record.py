@@ -22,8 +22,8 @@ from qsbearing.model.units import um, zero_celsius
 from qsbearing.model.version import __version__
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
-from qsbearing.results.group_numbers import numbers_of, numbers_or_none, within
-from qsbearing.results.readings_record import Readings, number, readings_record
+from qsbearing.results.group_numbers import numbers_of, numbers_or_none
+from qsbearing.results.readings_record import Readings, number, readings_record, within
 from qsbearing.results.remarks import every_remark, remarks_record
 
 DISPLACEMENT_NOISE = 1e-15

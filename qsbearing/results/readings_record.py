@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.files.file_keys import IN_FILE
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.columns import columns
+from qsbearing.model.solution.result_keys import Group
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import Readings, of_readings
 
@@ -77,3 +78,11 @@ def _one(name: str, reading: Any, solution: Solution, index: CasePlace, balls: A
 def number(value: Any) -> float | None:
     """The value as a float; None for NaN and infinity, which JSON has not."""
     return float(value) if math.isfinite(value) else None
+
+
+def within(record: dict[str, Any], group: Group, table: str) -> dict[str, Any]:
+    """The table of a group within one of its record, of this name."""
+    path = group.table or ()
+    for name in path[path.index(table) + 1 :]:
+        record = record.setdefault(name, {})
+    return record

@@ -16,8 +16,7 @@ from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place,
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
 from qsbearing.results.contact_table import per_contact
-from qsbearing.results.group_numbers import within
-from qsbearing.results.readings_record import number
+from qsbearing.results.readings_record import number, within
 from qsbearing.results.tables import digits_of
 
 
