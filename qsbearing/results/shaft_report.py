@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from qsbearing.documents.model import Table
 from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import mm
 from qsbearing.results.group_numbers import tables_of
+from qsbearing.results.record_type import Record
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.bearing_set import places_on_shaft
@@ -22,7 +21,7 @@ LEAST_SHARE = 1e-4
 """Less is said to be nothing."""
 
 
-def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
+def shaft_record(solution: SetSolution) -> Record | None:
     """Of a single case; None without a shaft."""
     shaft = solution.set.shaft
     if shaft is None:
@@ -40,7 +39,7 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     return {"points": points, "line": line, "supports": [*own.get("supports", {}).values()]}
 
 
-def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
+def shaft_tables(shaft: Record | None) -> list[Table]:
     """Of a record: deflection and inner forces along the shaft; stiffness of its points, and whose it is."""
     if shaft is None:
         return []
@@ -63,7 +62,7 @@ def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
     return tables
 
 
-def _values(each: dict[str, Any]) -> list[float]:
+def _values(each: Record) -> list[float]:
     """Of a place on the shaft, as a line of the table has them."""
     bent, inner = list(each["displacement"].values()), list(each["inner_forces"].values())
     grown = [] if each["axial_growth_um"] is None else [each["axial_growth_um"]]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,17 +14,18 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import TRACTION, TRACTION_GROUPS
 from qsbearing.results.readings_record import number
 from qsbearing.results.readings_report import per_contact
+from qsbearing.results.record_type import Record
 from qsbearing.results.tables import digits_of
 
 
-def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+def of_balance(solution: Solution, index: CasePlace = ()) -> Record | None:
     """One case's numbers: the bearing's, its balls', how they were found, and the band; None where not solved."""
     if not np.asarray(solution.converged)[index]:
         return None
     law = solution.scene.traction or Traction()
     exists = np.flatnonzero(np.isfinite(solution.azimuth[index]))
-    whole: dict[str, Any] = {}
-    balls: list[dict[str, Any]] = [{} for _ in exists]
+    whole: Record = {}
+    balls: list[Record] = [{} for _ in exists]
     for group in TRACTION_GROUPS:
         for each in group.results:
             values = Place(group, each).of(solution)
@@ -50,7 +49,7 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
     return {**whole, **how, "band": band_record(friction_band(solution), index), "balls": balls}
 
 
-def _points(law: Traction) -> dict[str, Any]:
+def _points(law: Traction) -> Record:
     """Of each contact; and the relative errors that they leave in displacements, where they are known."""
     is_usual = (law.radial_points, law.points_around) == (RADII, ANGLES)
     return {
@@ -61,7 +60,7 @@ def _points(law: Traction) -> dict[str, Any]:
     }
 
 
-def band_record(band: Band | None, index: CasePlace = ()) -> dict[str, Any] | None:
+def band_record(band: Band | None, index: CasePlace = ()) -> Record | None:
     """Least and largest displacement and locked stiffness over the range of the friction coefficient."""
     if band is None:
         return None
@@ -74,7 +73,7 @@ def _ends(of: Result, span: tuple[NDArray, NDArray], index: CasePlace) -> list[f
     return [number(values[index]) for end in span if (values := of.of(end)) is not None]
 
 
-def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
+def tables_of_balance(solution: Solution, record: Record) -> list[Block]:
     """Of a single case: numbers of the bearing, of its contacts the smallest and the largest, the band, and how all was
     found; nothing where friction has not moved the balls."""
     balance = record.get(TRACTION)
@@ -94,7 +93,7 @@ def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]
     return [*filter(None, tables), Paragraph(_how(balance))]
 
 
-def _band_table(band: dict[str, Any] | None) -> Table | None:
+def _band_table(band: Record | None) -> Table | None:
     if band is None:
         return None
     rows = []
@@ -108,7 +107,7 @@ def _band_table(band: dict[str, Any] | None) -> Table | None:
     return Table(("", "least", "largest", ""), rows, "lrrl", f"Band for friction coefficients of {least:g} to {most:g}")
 
 
-def _how(balance: dict[str, Any]) -> str:
+def _how(balance: Record) -> str:
     points, law = balance["contact_points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
     said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
     if points["relative_error"] is not None:
