@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -91,6 +91,21 @@ def row_name(row: Any, number: int) -> str:
     return of_row(row, number).row
 
 
+class RemarkRecord(TypedDict):
+    """A remark as JSON has it."""
+
+    code: str
+    severity: str
+    """Of `Severity`, in small letters."""
+    of: dict[str, Any]
+    """What of `Of` there is to tell."""
+    values: dict[str, Any]
+    """null for a number that is not finite."""
+    text: str
+    paste: str
+    """A line to be pasted."""
+
+
 @dataclass(frozen=True)
 class Remark:
     """What there is to beware of in a result, or to know of it."""
@@ -130,11 +145,16 @@ class Remark:
         """In words, as `qs.warnings` gives it."""
         return Warned(self.written(words), self)
 
-    def record(self, words: Words) -> dict[str, Any]:
-        """As JSON has it; null for a number that is not finite."""
-        values = {name: _plain(value, words) for name, value in self.values.items()}
-        head = {"code": self.code, "severity": self.kind.severity.name.lower(), "of": self.of.record()}
-        return {**head, "values": values, "text": self.written(words), "paste": self.paste(words)}
+    def record(self, words: Words) -> RemarkRecord:
+        """As JSON has it."""
+        return {
+            "code": self.code,
+            "severity": self.kind.severity.name.lower(),
+            "of": self.of.record(),
+            "values": {name: _plain(value, words) for name, value in self.values.items()},
+            "text": self.written(words),
+            "paste": self.paste(words),
+        }
 
     def paste(self, words: Words) -> str:
         """A line to be pasted: an option that does what it asks for, or the command that says more."""

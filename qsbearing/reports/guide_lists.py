@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from qsbearing.files import sheet_by_name
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.inference import infer
 from qsbearing.model.solution.groups import GROUPS
 from qsbearing.model.solution.result_keys import Result, printed_unit
 from qsbearing.readings.asked import READINGS
-from qsbearing.remarks import of_solution
 from qsbearing.remarks.kinds import KINDS, Kind
-from qsbearing.studies import inferred
-from qsbearing.studies.design import compare
-from qsbearing.systems.sets import remarks
-
-DESCRIBING = (of_solution, remarks, infer, sheet_by_name, inferred, compare)
-"""What, with the readings, describes kinds of remarks: once it is imported, every kind has entered itself."""
 
 
 def every_kind() -> dict[str, Kind]:
-    """All kinds of remarks, in the order of their codes."""
+    """All kinds of remarks, in the order of their codes.
+
+    With the readings, what is imported here describes all that there are; it is loaded only where they are listed.
+    """
+    from qsbearing.files import sheet_by_name  # noqa: F401
+    from qsbearing.inference import infer  # noqa: F401
+    from qsbearing.remarks import of_solution  # noqa: F401
+    from qsbearing.studies import inferred  # noqa: F401
+    from qsbearing.studies.design import compare  # noqa: F401
+    from qsbearing.systems.sets import remarks  # noqa: F401
+
     return dict(sorted(KINDS.items()))
 
 

@@ -10,6 +10,7 @@ from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.result_keys import Group, Place
 from qsbearing.model.solution.solution import Solution
 from qsbearing.results.readings_record import number
+from qsbearing.results.record_type import Record
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 def numbers_of(
     group: Group, solution: Solution | SetSolution, index: CasePlace = (), row: int = 0, readings: Any = None
-) -> dict[str, Any] | None:
+) -> Record | None:
     """Of one case, which may share one number with all; None where none of them is called for.
 
     Args:
@@ -32,7 +33,7 @@ def numbers_of(
     return {key: None if values is None else number(values[index]) for key, values in numbers.items()}
 
 
-def numbers_or_none(group: Group, *of: Any) -> dict[str, Any]:
+def numbers_or_none(group: Group, *of: Any) -> Record:
     """As `numbers_of`; each None where none is called for."""
     return numbers_of(group, *of) or no_numbers(group)
 
@@ -42,9 +43,9 @@ def no_numbers(group: Group) -> dict[str, None]:
     return {each.in_record: None for each in group.results}
 
 
-def tables_of(groups: Iterable[Group], solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str, Any]:
+def tables_of(groups: Iterable[Group], solution: Solution | SetSolution, index: CasePlace = ()) -> Record:
     """The numbers of these groups in their tables, each within another."""
-    tables: dict[str, Any] = {}
+    tables: Record = {}
     for group in groups:
         table = tables
         for name in group.table or ():

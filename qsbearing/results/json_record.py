@@ -24,6 +24,7 @@ from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.remark import Remark
 from qsbearing.results.group_numbers import numbers_of, numbers_or_none
 from qsbearing.results.readings_record import Readings, number, readings_record, within
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import every_remark, remarks_record
 
 DISPLACEMENT_NOISE = 1e-15
@@ -40,7 +41,7 @@ def record(
     index: CasePlace = (),
     thermal_of: Thermal | None = None,
     said: Sequence[Remark] | None = None,
-) -> dict[str, Any]:
+) -> Record:
     """One case as the object that `run --json` prints.
 
     Args:
@@ -84,13 +85,13 @@ TABLES = dict.fromkeys(
 """All others, but those of the channels of the ring."""
 
 
-def _at_top(solution: Solution, index: CasePlace) -> dict[str, Any]:
+def _at_top(solution: Solution, index: CasePlace) -> Record:
     """Numbers outside tables; None for what the scene does not call for."""
     numbers = (numbers_or_none(group, solution, index) for group in GROUPS if group.table == ())
     return {key: value for each in numbers for key, value in each.items()}
 
 
-def how_it_ended(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str, Any]:
+def how_it_ended(solution: Solution | SetSolution, index: CasePlace = ()) -> Record:
     """Of a case of a bearing or set."""
     return {
         "version": __version__,
@@ -116,7 +117,7 @@ CHANNEL_UNITS = {
 """Of `stiffness_SI`, a load (row) per displacement (column), and of `compliance_SI`, the other way round."""
 
 
-def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index: CasePlace = ()) -> dict[str, Any]:
+def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index: CasePlace = ()) -> Record:
     """Of the ring, or of a set's shaft; what is rounding is zero.
 
     Args:
@@ -124,8 +125,8 @@ def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index
     """
     solved = bool(np.asarray(solution.converged)[index])
     rounding = {"displacement": DISPLACEMENT_NOISE, "load": noise}
-    motion: dict[str, Any] = {}
-    stiffness: dict[str, Any] = {}
+    motion: Record = {}
+    stiffness: Record = {}
     for group in channels(RING):
         values = value_at(group.holder, solution)[index]
         if group.prefix in rounding:
@@ -140,7 +141,7 @@ def motion_and_stiffness(solution: Solution | SetSolution, noise: NDArray, index
     }
 
 
-def choice_record(solution: Any, index: CasePlace) -> dict[str, Any]:
+def choice_record(solution: Any, index: CasePlace) -> Record:
     """What was chosen and left out; null where the scene names its effects."""
     choice = solution.choice
     if choice is None:
@@ -167,7 +168,7 @@ def choices(scene: Scene) -> dict[str, str | None]:
     }
 
 
-def preload(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+def preload(solution: Solution, index: CasePlace = ()) -> Record | None:
     """The preload before fitting, mounted and in operation; None where the scene has none."""
     if solution.scene.preload is None:
         return None
@@ -177,12 +178,12 @@ def preload(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
     return {"kind": solution.scene.preload.kind, **numbers, "state": state, **last}
 
 
-def elastic_rings(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+def elastic_rings(solution: Solution, index: CasePlace = ()) -> Record | None:
     """How the rings deflect, and what part of the axial displacement that is; None between rigid rings."""
     if solution.scene.elastic_rings is None:
         return None
     sides = ("inner", "outer")
-    table: dict[str, Any] = dict.fromkeys(("share_of_axial_displacement", *sides))
+    table: Record = dict.fromkeys(("share_of_axial_displacement", *sides))
     table |= table_of("elastic_rings", solution, index) or {}
     for side in sides:
         if table[side] is not None:
@@ -191,10 +192,10 @@ def elastic_rings(solution: Solution, index: CasePlace = ()) -> dict[str, Any] |
     return table
 
 
-def table_of(name: str, solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+def table_of(name: str, solution: Solution, index: CasePlace = ()) -> Record | None:
     """The numbers that are described as of this table, those of the tables within it last; None where the scene calls
     for none of them."""
-    table: dict[str, Any] = {}
+    table: Record = {}
     for group in GROUPS:
         if group.table and group.table[0] == name and not group.axis:
             own = numbers_of(group, solution, index)
@@ -207,7 +208,7 @@ def table_of(name: str, solution: Solution, index: CasePlace = ()) -> dict[str, 
 
 def temperatures(
     solution: Solution, index: CasePlace = (), thermal_of: Thermal | None = None
-) -> dict[str, dict[str, Any]] | None:
+) -> dict[str, Record] | None:
     """Of rings, shaft, housing and balls, and whether each is given, found or assumed; None where the scene gives
     none."""
     known = solution.scene.temperatures
@@ -225,7 +226,7 @@ def temperatures(
     }
 
 
-def thermal(solution: Solution | SetSolution, index: CasePlace = ()) -> dict[str, Any] | None:
+def thermal(solution: Solution | SetSolution, index: CasePlace = ()) -> Record | None:
     """Temperatures and heat of the steady state; None where the scene asks for none."""
     if solution.thermal is None:
         return None
@@ -244,7 +245,7 @@ OF_BALLS = (
 )
 
 
-def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
+def balls(solution: Solution, index: CasePlace = ()) -> list[Record]:
     """What there is to say about each ball of one case, under the keys of `run --json`."""
     called_for = [each for each in OF_BALLS if each.is_requested is None or each.is_requested(requested(solution))]
     read = [
@@ -255,7 +256,7 @@ def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
     control, slips = solution.raceway_control, solution.slips
     records = []
     for ball in map(int, np.flatnonzero(np.isfinite(solution.azimuth[index]))):
-        own: dict[str, Any] = {}
+        own: Record = {}
         for group, each, values in read:
             holder = within(own, group, "balls")
             holder[each.key] = None if values is None else number(values[ball])
@@ -264,7 +265,7 @@ def balls(solution: Solution, index: CasePlace = ()) -> list[dict[str, Any]]:
     return records
 
 
-def traction_record(solution: Solution, index: CasePlace = ()) -> dict[str, Any]:
+def traction_record(solution: Solution, index: CasePlace = ()) -> Record:
     """What the balance of friction says, under its key, null at rest; nothing by a hypothesis."""
     if solution.balance is None:
         return {}

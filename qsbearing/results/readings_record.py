@@ -14,6 +14,7 @@ from qsbearing.model.solution.columns import columns
 from qsbearing.model.solution.result_keys import Group
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import Readings, of_readings
+from qsbearing.results.record_type import Record
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -43,7 +44,7 @@ def all_columns(solution: Solution, readings: Readings) -> dict[str, NDArray]:
     return table
 
 
-def readings_record(solution: Solution, readings: Readings, index: CasePlace = ()) -> dict[str, Any] | None:
+def readings_record(solution: Solution, readings: Readings, index: CasePlace = ()) -> Record | None:
     """One case's readings, each under its name: the bearing's numbers, then its balls', then what to beware of.
 
     None stands for what was not asked for, or has no number.
@@ -54,11 +55,11 @@ def readings_record(solution: Solution, readings: Readings, index: CasePlace = (
     return {name: _one(name, reading, solution, index, balls) for name, reading in readings.items()}
 
 
-def _one(name: str, reading: Any, solution: Solution, index: CasePlace, balls: Any) -> dict[str, Any]:
+def _one(name: str, reading: Any, solution: Solution, index: CasePlace, balls: Any) -> Record:
     from qsbearing.readings.asked import READINGS
 
-    out: dict[str, Any] = {}
-    rows: list[dict[str, Any]] = [{} for _ in balls]
+    out: Record = {}
+    rows: list[Record] = [{} for _ in balls]
     for place, values in READINGS[name].values(reading):
         side, key = place.group.raceway, place.result.key
         if not place.is_per_ball:

@@ -35,6 +35,7 @@ from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import how_it_ended, record
 from qsbearing.results.readings_record import Readings, number
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.tables import freedom
 
@@ -66,7 +67,7 @@ def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> li
     return [*parts, *blocks(said, is_apart=True, words=words)]
 
 
-def heat_tables(record: dict[str, Any]) -> list[Block]:
+def heat_tables(record: Record) -> list[Block]:
     """Of a record's steady state; none where it has none."""
     if record["thermal"] is None:
         return []
@@ -97,7 +98,7 @@ def tables_of_rings(solution: Solution, thermal_of: Thermal | None = None) -> li
     return _expansion(solution, record(solution, {}, (), thermal_of, ()))
 
 
-def _tables(solution: Solution, record: dict[str, Any]) -> list[Table]:
+def _tables(solution: Solution, record: Record) -> list[Table]:
     tables = [
         channels_table("Inner ring", solution, record),
         *_expansion(solution, record),
@@ -106,7 +107,7 @@ def _tables(solution: Solution, record: dict[str, Any]) -> list[Table]:
     return [*tables, stiffness_matrix_table(record), *_of_balls(solution, record)]
 
 
-def _balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
+def _balance(solution: Solution, record: Record) -> list[Block]:
     """Of friction that moves the balls."""
     if solution.friction is None:
         return []
@@ -115,7 +116,7 @@ def _balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
     return tables_of_balance(solution, record)
 
 
-def _of_balls(solution: Solution, record: dict[str, Any]) -> list[Table]:
+def _of_balls(solution: Solution, record: Record) -> list[Table]:
     rows, count = distinct(record["balls"]), len(record["balls"])
     tables = [contacts_table(rows, count), _ellipses(rows, count)]
     if any(OPPOSITE in row.ball for row in rows):
@@ -130,7 +131,7 @@ class AlikeBalls:
     """Balls that are alike, by their numbers, and what is true of each of them."""
 
     members: list[int]
-    ball: dict[str, Any]
+    ball: Record
     azimuths: list[float]
 
     def names(self, count: int) -> tuple[str, str]:
@@ -143,7 +144,7 @@ class AlikeBalls:
         return ", ".join(map(str, self.members)), ", ".join(places)
 
 
-def distinct(balls: Sequence[dict[str, Any]]) -> list[AlikeBalls]:
+def distinct(balls: Sequence[Record]) -> list[AlikeBalls]:
     """The balls with equal ones gathered, in the order of their first."""
     largest = max((ball[side]["load_N"] for ball in balls for side in SIDES), default=0.0) or 1.0
     rows: dict[Any, AlikeBalls] = {}
@@ -158,7 +159,7 @@ def distinct(balls: Sequence[dict[str, Any]]) -> list[AlikeBalls]:
     return list(rows.values())
 
 
-def _heading(solution: Solution, record: dict[str, Any]) -> list[Block]:
+def _heading(solution: Solution, record: Record) -> list[Block]:
     name = solution.scene.bearing.name or "Bearing"
     parts: list[Block] = [
         Paragraph(f"{name}  {geometry_text(solution)}", name),
@@ -208,7 +209,7 @@ def named_loads(loads: Iterable[float]) -> str:
     )
 
 
-def preload_text(preload: dict[str, Any]) -> str:
+def preload_text(preload: Record) -> str:
     """A record's preload in its three states, and what has become of it."""
     states = (("unmounted_N", "before fitting"), ("mounted_N", "mounted, at rest"), ("in_operation_N", "in operation"))
     text = ", ".join(f"{preload[key]:.6g} N {words}" for key, words in states)
@@ -218,7 +219,7 @@ def preload_text(preload: dict[str, Any]) -> str:
     return f"{text}: {preload['state']}; without external loads {share} of the given preload"
 
 
-def ending(record: dict[str, Any]) -> list[Block]:
+def ending(record: Record) -> list[Block]:
     """Why the case of a record has no solution; nothing where it has one."""
     status, message = record["status"].replace("_", " ").capitalize(), record["message"]
     if record["status"] == "converged":
@@ -238,7 +239,7 @@ def pulse(solution: Solution | SetSolution) -> list[Block]:
     return [Callout(told, "pass", "Converged", "green", is_apart=True)]
 
 
-def requested_for(record: dict[str, Any]) -> str:
+def requested_for(record: Record) -> str:
     """The effects of a record, and the choices that are not the usual ones."""
     choices = record["choices"]
     *others, last = record["effects"] or ["No ball effects (static)"]
@@ -260,7 +261,7 @@ def requested_for(record: dict[str, Any]) -> str:
 FROM_MIDDLE = "axial from middle"
 
 
-def channels_table(title: str, solution: Solution | SetSolution, record: dict[str, Any]) -> Table:
+def channels_table(title: str, solution: Solution | SetSolution, record: Record) -> Table:
     """Displacement and load of ring or shaft."""
     rows = []
     values = zip(CHANNELS, record["displacement"].values(), record["load"].values(), strict=True)
@@ -284,7 +285,7 @@ def heading_of(result: Result) -> str:
     return "\n".join(filter(None, (" ".join(words[:2]), " ".join(below))))
 
 
-def _expansion(solution: Solution, record: dict[str, Any]) -> list[Table]:
+def _expansion(solution: Solution, record: Record) -> list[Table]:
     """Lengths before and after the ring effects, and the state of the rings."""
     operating, rings = record["operating_geometry"], record["rings"]
     tables = []
@@ -301,7 +302,7 @@ def _expansion(solution: Solution, record: dict[str, Any]) -> list[Table]:
     return tables + _shapes(record) + temperature_tables(record)
 
 
-def _shapes(record: dict[str, Any]) -> list[Table]:
+def _shapes(record: Record) -> list[Table]:
     """How elastic rings have deflected."""
     elastic = record["elastic_rings"]
     if elastic is None:
@@ -317,7 +318,7 @@ def _shapes(record: dict[str, Any]) -> list[Table]:
     return [Table(heading, rows, caption=f"Rings deflected by the ball loads{part}")]
 
 
-def temperature_tables(record: dict[str, Any]) -> list[Table]:
+def temperature_tables(record: Record) -> list[Table]:
     """The temperatures that a record was solved with, those that its file leaves out among them."""
     if record["temperatures"] is None:
         return []
@@ -328,7 +329,7 @@ def temperature_tables(record: dict[str, Any]) -> list[Table]:
     return [Table(("", "°C", "from"), rows, "lrl", "Temperatures")]
 
 
-def stiffness_table(solution: Solution | SetSolution, record: dict[str, Any]) -> Table:
+def stiffness_table(solution: Solution | SetSolution, record: Record) -> Table:
     """Locked and effective stiffness of a solution's record, channel by channel; its title states which are free."""
     heading = ("", "locked (other\ndisplacements held)", "effective\n(other loads held)", "")
     rows = []
@@ -338,7 +339,7 @@ def stiffness_table(solution: Solution | SetSolution, record: dict[str, Any]) ->
     return Table(heading, rows, "lrrl", f"Stiffness ({freedom(solution.free_channels)})")
 
 
-def stiffness_matrix_table(record: dict[str, Any]) -> Table:
+def stiffness_matrix_table(record: Record) -> Table:
     """The whole tangent of a record."""
     tilts = [channel.is_rotation for channel in CHANNELS]
     sizes = [mrad if tilt else um for tilt in tilts]  # of a column's displacement
@@ -394,7 +395,7 @@ def _ellipses(rows: list[AlikeBalls], count: int) -> Table:
     return _per_ball(title, heading, rows, count, [_contact_column(rows, *pair, 5) for pair in pairs])
 
 
-def _motion(rows: list[AlikeBalls], count: int, record: dict[str, Any]) -> Table:
+def _motion(rows: list[AlikeBalls], count: int, record: Record) -> Table:
     gyroscopic = "gyroscopic_moment" in record["effects"]
     title = "Ball inertia and motion" + ("; µ: friction coefficient that Mg requires" if gyroscopic else "")
     shown = [each for each in OF_BALL if each not in ELSEWHERE and any(row.ball[each.key] is not None for row in rows)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +21,7 @@ from qsbearing.results.json_record import (
     thermal,
 )
 from qsbearing.results.readings_record import Readings, all_columns, number
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.results.shaft_report import shaft_record
 from qsbearing.systems.sets.remarks import with_rows
@@ -32,7 +32,7 @@ OF_THE_SET = ("version", "seconds", "effects", "choices", "preload", "left_out",
 """What a row's own record would only repeat."""
 
 
-def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
+def set_record(solution: SetSolution, readings: Sequence[Readings]) -> Record:
     """A single case of a set as the object that `run --json` prints.
 
     Args:
@@ -65,7 +65,7 @@ def set_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str,
     }
 
 
-def _load_noise(solution: SetSolution, rows: list[dict[str, Any]]) -> float:
+def _load_noise(solution: SetSolution, rows: list[Record]) -> float:
     """Beside the largest load of the shaft or of a row."""
     largest = [abs(load) for row in rows for load in list(row["share"].values())[:3] if load is not None]
     largest += list(np.nan_to_num(np.abs(solution.load)))
@@ -76,7 +76,7 @@ def _slide(solution: SetSolution) -> dict[str, float | None]:
     return {} if solution.slide is None else {"slide_um": number(solution.slide / um)}
 
 
-def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remark]) -> dict[str, Any]:
+def _row(solution: SetSolution, i: int, readings: Readings, said: Sequence[Remark]) -> Record:
     heat = None if solution.thermal is None else solution.thermal.thermal
     row, own = solution.set.rows[i], record(solution.rows[i], readings, (), heat, said)
     state = solution.preload_state
@@ -110,7 +110,7 @@ def set_columns(solution: SetSolution, readings: Sequence[Readings]) -> dict[str
     }
 
 
-def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: dict[str, Any]) -> dict[str, NDArray]:
+def _row_columns(solution: SetSolution, i: int, readings: Readings, shaft: Record) -> dict[str, NDArray]:
     row, own = solution.set.rows[i], all_columns(solution.rows[i], readings)
     of_row = {"row": i + 1, "position_mm": np.asarray(row.position) / mm}
     count = own["ball"].size

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from qsbearing.model.units import rpm
 from qsbearing.remarks.remark import row_name
 from qsbearing.remarks.wording import Words, capital
 from qsbearing.results.readings_record import Readings
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.report import (
     channels_table,
@@ -65,7 +65,7 @@ def tables(solution: SetSolution, readings: Sequence[Readings]) -> list[Block]:
     return [*_tables(solution, record), *_system_life(record)]
 
 
-def _tables(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
+def _tables(solution: SetSolution, record: Record) -> list[Block]:
     tables: list[Block] = [
         channels_table("Shaft", solution, record),
         *rows_tables(record),
@@ -76,7 +76,7 @@ def _tables(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     return tables if record["stiffness_SI"][0][0] is None else [*tables, stiffness_matrix_table(record)]
 
 
-def _temperatures(record: dict[str, Any]) -> list[Table]:
+def _temperatures(record: Record) -> list[Table]:
     """Of each row; once where all are alike."""
     rows = record["rows"]
     if all(row["temperatures"] == rows[0]["temperatures"] for row in rows):
@@ -88,7 +88,7 @@ def _temperatures(record: dict[str, Any]) -> list[Table]:
     ]
 
 
-def _system_life(record: dict[str, Any]) -> list[Block]:
+def _system_life(record: Record) -> list[Block]:
     basic, modified = record["system_basic_life_h"], record["system_life_h"]
     if modified is None:
         return []
@@ -98,7 +98,7 @@ def _system_life(record: dict[str, Any]) -> list[Block]:
     return [Paragraph(f"Life of all rows together: {together}", is_apart=True)]
 
 
-def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
+def heading(solution: SetSolution, record: Record) -> list[Block]:
     """What a set is, and why its case has no solution, where it has none."""
     of = solution.set
     name = of.name or "Set"
@@ -114,7 +114,7 @@ def heading(solution: SetSolution, record: dict[str, Any]) -> list[Block]:
     return [Paragraph(what, name), *preload, *ending(record)]
 
 
-def play_of(record: dict[str, Any]) -> list[Block]:
+def play_of(record: Record) -> list[Block]:
     """How far the shaft goes along x until rows carry it, where some row has two sides."""
     play = record["axial_play"]
     if play is None:
@@ -132,7 +132,7 @@ def play_of(record: dict[str, Any]) -> list[Block]:
     return [Paragraph(f"Axial play: {said} (straight and centred, counted as its displacement)", is_apart=True)]
 
 
-def rows_tables(record: dict[str, Any]) -> list[Table]:
+def rows_tables(record: Record) -> list[Table]:
     """What each row of a record carries; and where rows press each other, what has become of the preload."""
     heading = ("row", "bearing", "at\nmm", "carries", "axial\nN", "radial y\nN", "radial z\nN", "largest ball\nN")
     cells = []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.remarks.of_solution import message
 from qsbearing.results.json_record import number, of_channels
 from qsbearing.results.readings_record import Readings
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, every_remark, of_points, remarks_record
 from qsbearing.results.spectrum_report import NAMES
 from qsbearing.results.tables import digits_of
@@ -22,7 +22,7 @@ from qsbearing.systems.sets.set_solution import SetSolution
 from qsbearing.systems.sets.system_life import system_life
 
 
-def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> dict[str, Any]:
+def set_spectrum_record(solution: SetSolution, readings: Sequence[Readings]) -> Record:
     """The points, and what they do together to each row.
 
     Args:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from qsbearing.model.solution.judgement import percent
 from qsbearing.model.units import mm
 from qsbearing.remarks.wording import listed
 from qsbearing.results.group_numbers import tables_of
+from qsbearing.results.record_type import Record
 from qsbearing.results.report import digits
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.sets.bearing_set import places_on_shaft
@@ -32,7 +32,7 @@ _SIGNS = {
 }
 
 
-def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
+def shaft_record(solution: SetSolution) -> Record | None:
     """Of a single case; None without a shaft."""
     shaft = solution.set.shaft
     if shaft is None:
@@ -57,7 +57,7 @@ def shaft_record(solution: SetSolution) -> dict[str, Any] | None:
     return {"points": points, "line": line, **standing, TORQUE_SUM: own.get(TORQUE_SUM)}
 
 
-def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
+def shaft_tables(shaft: Record | None) -> list[Table]:
     """Of a record: deflection and inner forces along the shaft; stiffness of its points, and whose it is."""
     if shaft is None:
         return []
@@ -80,7 +80,7 @@ def shaft_tables(shaft: dict[str, Any] | None) -> list[Table]:
     return tables
 
 
-def _drive_tables(shaft: dict[str, Any]) -> list[Table]:
+def _drive_tables(shaft: Record) -> list[Table]:
     """What gears and belts put on the shaft; none without them."""
     tables = []
     for kind, (own, named) in _DRIVES.items():
@@ -109,7 +109,7 @@ def _drive_tables(shaft: dict[str, Any]) -> list[Table]:
     return tables
 
 
-def _values(each: dict[str, Any]) -> list[float]:
+def _values(each: Record) -> list[float]:
     """Of a place on the shaft, as a line of the table has them."""
     bent, inner = list(each["displacement"].values()), list(each["inner_forces"].values())
     grown = [] if each["axial_growth_um"] is None else [each["axial_growth_um"]]

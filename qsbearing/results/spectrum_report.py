@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from qsbearing.documents.model import Block, Paragraph, Table
@@ -15,6 +13,7 @@ from qsbearing.readings.rating_life import HOUR, MILLION
 from qsbearing.remarks.of_solution import message
 from qsbearing.results.json_record import record
 from qsbearing.results.readings_record import Readings, number
+from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, of_points
 from qsbearing.results.report import requested_for
 from qsbearing.results.tables import digits_of
@@ -22,7 +21,7 @@ from qsbearing.results.tables import digits_of
 NAMES = ("axial\nN", "radial y\nN", "radial z\nN", "moment y\nN m", "moment z\nN m")
 
 
-def spectrum_record(solution: Solution, readings: Readings) -> dict[str, Any]:
+def spectrum_record(solution: Solution, readings: Readings) -> Record:
     """The points, each as a scene of its own, and what they do together.
 
     Returns:

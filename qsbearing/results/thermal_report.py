@@ -12,12 +12,13 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import rpm, zero_celsius
 from qsbearing.results.group_numbers import tables_of
+from qsbearing.results.record_type import Record
 from qsbearing.results.tables import digits_of
 from qsbearing.systems.heat.heat_groups import recorded_groups
 from qsbearing.systems.heat.state import Course, State, ThermalState, along_curve, hottest, instant
 
 
-def thermal_record(solution: Any, index: CasePlace = ()) -> dict[str, Any]:
+def thermal_record(solution: Any, index: CasePlace = ()) -> Record:
     """One case of a bearing or set; None stands for a number that there is not."""
     state: ThermalState = solution.thermal
     numbers = tables_of(recorded_groups(state), solution, index)["thermal"]
@@ -33,7 +34,7 @@ def thermal_record(solution: Any, index: CasePlace = ()) -> dict[str, Any]:
     }
 
 
-def course_record(course: Course) -> dict[str, Any]:
+def course_record(course: Course) -> Record:
     """Heating up in time."""
     return {
         "message": course.message(),
@@ -45,7 +46,7 @@ def course_record(course: Course) -> dict[str, Any]:
     }
 
 
-def speeds_record(state: ThermalState) -> dict[str, Any]:
+def speeds_record(state: ThermalState) -> Record:
     """Steady states over speed, and where they end."""
     curve = state.speeds
     return {
@@ -59,7 +60,7 @@ def speeds_record(state: ThermalState) -> dict[str, Any]:
 OF_WHOLE_BEARING = "With Palmgren's friction of the whole bearing"
 
 
-def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
+def whole_bearing_record(state: ThermalState) -> Record | None:
     """Steady states over speed with Palmgren's friction in place of that of the contacts; without states where it lacks
     numbers, which its message then names; None where the friction model leaves nothing out."""
     from qsbearing.files.file_errors import translate
@@ -75,12 +76,12 @@ def whole_bearing_record(state: ThermalState) -> dict[str, Any] | None:
     return {**record, "message": f"{basis}: {record['message'][0].lower()}{record['message'][1:]}", "assumed": assumed}
 
 
-def whole_bearing_table(record: dict[str, Any]) -> Table:
+def whole_bearing_table(record: Record) -> Table:
     """Of this record."""
     return replace(speeds_table(record), caption="Likewise, with Palmgren's friction of the whole bearing")
 
 
-def _at_speed(state: ThermalState, each: State) -> dict[str, Any]:
+def _at_speed(state: ThermalState, each: State) -> Record:
     return {
         "speed_rpm": each.factor * float(state.speed) / rpm,
         "temperatures_C": dict(zip(state.free, (each.temperatures - zero_celsius).tolist(), strict=True)),
@@ -93,7 +94,7 @@ SHOWN = 12
 """Rows of a table of a course, about."""
 
 
-def speeds_table(record: dict[str, Any]) -> Table:
+def speeds_table(record: Record) -> Table:
     """Of the record of steady states over speed."""
     states, fold = along_curve({**record, "states": _thinned(record["states"])})
     rows = [
@@ -103,7 +104,7 @@ def speeds_table(record: dict[str, Any]) -> Table:
     return _course_table("Steady states, followed from standstill with rising speed", "rpm", rows)
 
 
-def course_table(record: dict[str, Any]) -> Table:
+def course_table(record: Record) -> Table:
     """Of the record of heating up."""
     times = record["time_s"]
     rows = [(f"{times[number]:.4g}", instant(record, number), "") for number in _thinned(range(len(times)))]
@@ -115,7 +116,7 @@ def _thinned(every: Sequence[Any]) -> list[Any]:
     return [every[number] for number in numbers]
 
 
-def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], str]]) -> Table:
+def _course_table(title: str, along: str, rows: list[tuple[str, Record, str]]) -> Table:
     """Of several rows the hottest nodes and the largest load."""
     nodes = hottest(rows[0][1]["temperatures_C"]) if rows else {}
     heads = (*(f"{node}\n°C" for node in nodes), "friction\nW", "axial load\nN")
@@ -129,7 +130,7 @@ def _course_table(title: str, along: str, rows: list[tuple[str, dict[str, Any], 
     return Table((along, *heads, *([""] if is_noted else [])), cells, sides + "l" * is_noted, title)
 
 
-def thermal_tables(record: dict[str, Any]) -> list[Block]:
+def thermal_tables(record: Record) -> list[Block]:
     """What a record says of a steady state: nodes, paths, and the verdict."""
     nodes = [(name.in_words, digits_of(value)) for name, value in record["temperatures_C"].items()]
     by = "" if record["friction"] == "contacts" else f" ({record['friction']})"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,17 +15,18 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.traction_groups import OPPOSITE, TRACTION, TRACTION_GROUPS
 from qsbearing.results.contact_table import per_contact
 from qsbearing.results.readings_record import number, within
+from qsbearing.results.record_type import Record
 from qsbearing.results.tables import digits_of
 
 
-def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | None:
+def of_balance(solution: Solution, index: CasePlace = ()) -> Record | None:
     """One case's numbers: the bearing's, its balls', how they were found, and the band; None where not solved."""
     if not np.asarray(solution.converged)[index]:
         return None
     law = solution.scene.traction or Traction()
     exists = np.flatnonzero(np.isfinite(solution.azimuth[index]))
-    whole: dict[str, Any] = {}
-    balls: list[dict[str, Any]] = [{} for _ in exists]
+    whole: Record = {}
+    balls: list[Record] = [{} for _ in exists]
     for group in TRACTION_GROUPS:
         if group.is_requested is not None and not group.is_requested(solution.scene):
             continue
@@ -53,10 +52,10 @@ def of_balance(solution: Solution, index: CasePlace = ()) -> dict[str, Any] | No
     return {**whole, **how, "band": band_record(friction_band(solution), index), "balls": balls}
 
 
-def _points(law: Traction, margin: float | None) -> dict[str, Any]:
+def _points(law: Traction, margin: float | None) -> Record:
     """Of each contact; and the relative errors that they leave in random thrust cases, where they are known: for
     displacements those in 95 of 100 and the largest, then all."""
-    points: dict[str, Any] = {"along_radius": law.radial_points, "around": law.points_around}
+    points: Record = {"along_radius": law.radial_points, "around": law.points_around}
     if (law.radial_points, law.points_around) != (RADII, ANGLES) or law.law is TractionLaw.LINEAR:
         return points | {"relative_error": None, "largest_relative_error": None, "random_cases": None}
     of = errors_of_points(np.nan if margin is None else margin)
@@ -67,7 +66,7 @@ def _points(law: Traction, margin: float | None) -> dict[str, Any]:
     return points | told | {"random_cases": random_cases}
 
 
-def band_record(band: Band | None, index: CasePlace = ()) -> dict[str, Any] | None:
+def band_record(band: Band | None, index: CasePlace = ()) -> Record | None:
     """Least and largest displacement and locked stiffness over the range of the friction coefficient."""
     if band is None:
         return None
@@ -80,7 +79,7 @@ def _ends(of: Result, span: tuple[NDArray, NDArray], index: CasePlace) -> list[f
     return [number(values[index]) for end in span if (values := of.of(end)) is not None]
 
 
-def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]:
+def tables_of_balance(solution: Solution, record: Record) -> list[Block]:
     """Of a single case: numbers of the bearing, of its contacts the smallest and the largest, the band, and how all was
     found; nothing where friction has not moved the balls."""
     balance = record.get(TRACTION)
@@ -103,7 +102,7 @@ def tables_of_balance(solution: Solution, record: dict[str, Any]) -> list[Block]
     return [*filter(None, tables), Paragraph(_how(balance))]
 
 
-def _band_table(band: dict[str, Any] | None) -> Table | None:
+def _band_table(band: Record | None) -> Table | None:
     if band is None:
         return None
     rows = []
@@ -117,7 +116,7 @@ def _band_table(band: dict[str, Any] | None) -> Table | None:
     return Table(("", "least", "largest", ""), rows, "lrrl", f"Band for friction coefficients of {least:g} to {most:g}")
 
 
-def _how(balance: dict[str, Any]) -> str:
+def _how(balance: Record) -> str:
     points, law = balance["contact_points"], {"coulomb": "Coulomb's law", "linear": "The linear law"}[balance["law"]]
     said = f"{law}, friction summed over {points['along_radius']} x {points['around']} points of each contact"
     if points["random_cases"] is not None:

@@ -8,6 +8,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.solution import Solution
+from qsbearing.results.record_type import Record
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
 
 
-def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, Any]:
+def whole_record(solution: Solution | SetSolution, readings: Any) -> Record:
     """A solution and its readings as an object, without the input; what a kind needs is loaded only for it.
 
     Args:
@@ -29,7 +30,7 @@ def whole_record(solution: Solution | SetSolution, readings: Any) -> dict[str, A
     return record | (of_fits("fits_record", solution) or {})
 
 
-def _record_of(solution: Solution | SetSolution) -> Callable[..., dict[str, Any]]:
+def _record_of(solution: Solution | SetSolution) -> Callable[..., Record]:
     if not isinstance(solution, Solution):
         if "spectrum" in solution.set.readings:
             from qsbearing.results.set_spectrum_report import set_spectrum_record
@@ -47,7 +48,7 @@ def _record_of(solution: Solution | SetSolution) -> Callable[..., dict[str, Any]
     return record
 
 
-def with_input(of: Scene | BearingSet, record: dict[str, Any]) -> dict[str, Any]:
+def with_input(of: Scene | BearingSet, record: Record) -> Record:
     """A record with the input that it is reproduced from."""
     return {"version": record["version"], "input": input_tables(of), **record}
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.kinds import KINDS, Severity
 from qsbearing.remarks.missing_effects import MOST_CASES
 from qsbearing.remarks.of_solution import holding
-from qsbearing.remarks.remark import Remark
+from qsbearing.remarks.remark import Remark, RemarkRecord
 from qsbearing.results.remarks import COLOURS
 from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - kinds of remarks in studies that were kept
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -32,8 +32,34 @@ MOST_KEYS = 3
 
 KEPT = ("remarks", "remarks_looked_at", "remarks_of_points")
 """What a dataset keeps of them, as its attributes."""
-Look = dict[str, Any]
-"""What was seen: "looked_at", "solved" of these, and "remarks" by what they are about."""
+Numbers = dict[str, float]
+"""Of the varied keys."""
+
+
+class CountedRemark(TypedDict):
+    """A remark, and the points at which it holds."""
+
+    record: RemarkRecord
+    """With the numbers of the point where it matters most."""
+    count: int
+    weight: float
+    """By how much it holds there."""
+    at: Numbers
+    """Of that point."""
+    first: Numbers
+    last: Numbers
+    least: Numbers
+    most: Numbers
+
+
+class Look(TypedDict):
+    """What was seen."""
+
+    looked_at: int
+    solved: int
+    """Of these."""
+    remarks: dict[str, CountedRemark]
+    """By what they are about."""
 
 
 def looked_at(count: int) -> NDArray:
@@ -72,27 +98,30 @@ def look(
         if held.size:
             worst = int(np.argmax(weight))
             said = make if isinstance(make, Remark) else make(worst)
-            one = _counted(said, varied, held, worst) | {"weight": float(min(weight[worst], 1e300))}
+            one = _counted(said, varied, held, worst, float(min(weight[worst], 1e300)))
             # Which effects are missing may differ between points; what one effect needs is one remark for each.
             key = repr((said.code, replace(said.of, balls=None, cases=None), said.values.get("effect")))
             seen["remarks"][key] = _with(seen["remarks"].get(key), one)
     return seen
 
 
-def _counted(said: Remark, varied: Mapping[str, NDArray], held: NDArray, worst: int) -> dict[str, Any]:
-    at = {name: float(array[worst]) for name, array in varied.items()}
-    ends = {"first": held[0], "last": held[-1]}
+def _counted(said: Remark, varied: Mapping[str, NDArray], held: NDArray, worst: int, weight: float) -> CountedRemark:
+    def values(k: int) -> Numbers:
+        return {name: float(array[k]) for name, array in varied.items()}
+
     return {
         "record": said.record(IN_FILE),
         "count": int(held.size),
-        "at": at,
-        **{end: {name: float(array[k]) for name, array in varied.items()} for end, k in ends.items()},
+        "weight": weight,
+        "at": values(worst),
+        "first": values(int(held[0])),
+        "last": values(int(held[-1])),
         "least": {name: float(array[held].min()) for name, array in varied.items()},
         "most": {name: float(array[held].max()) for name, array in varied.items()},
     }
 
 
-def _with(before: dict[str, Any] | None, after: dict[str, Any]) -> dict[str, Any]:
+def _with(before: CountedRemark | None, after: CountedRemark) -> CountedRemark:
     """Two counts of one remark, those of earlier points first; the numbers of the one that matters more."""
     if before is None:
         return after
@@ -110,31 +139,30 @@ def together(looks: Iterable[Look]) -> Look:
     """What was seen of all parts of a study, in the order of its points."""
     whole: Look = {"looked_at": 0, "solved": 0, "remarks": {}}
     for each in looks:
-        for name in ("looked_at", "solved"):
-            whole[name] += each[name]
+        whole["looked_at"] += each["looked_at"]
+        whole["solved"] += each["solved"]
         for key, one in each["remarks"].items():
             whole["remarks"][key] = _with(whole["remarks"].get(key), one)
     return whole
 
 
-def records(seen: Look, points: int) -> list[dict[str, Any]]:
+def records(seen: Look, points: int) -> list[RemarkRecord]:
     """The remarks as JSON has them, each with `cases`: at how many of the solved points that were looked at it holds,
     where its numbers are found, and the first, last, least and most of the varied keys.
 
     Args:
         points: all that the study has.
     """
-    remarks = []
+    remarks: list[RemarkRecord] = []
     for one in seen["remarks"].values():
-        cases = {"count": one["count"], "of": seen["solved"]}
-        cases |= {name: one[name] for name in ("at", "first", "last", "least", "most")}
-        of = one["record"]["of"] | {"cases": cases}
+        ends = {"at": one["at"], "first": one["first"], "last": one["last"], "least": one["least"], "most": one["most"]}
+        of = one["record"]["of"] | {"cases": {"count": one["count"], "of": seen["solved"], **ends}}
         text = f"{_where(one, seen, points)}: {one['record']['text']}"
-        remarks.append(one["record"] | {"of": of, "text": text})
+        remarks.append({**one["record"], "of": of, "text": text})
     return sorted(remarks, key=lambda each: Severity[each["severity"].upper()])
 
 
-def _where(one: Mapping[str, Any], seen: Look, points: int) -> str:
+def _where(one: CountedRemark, seen: Look, points: int) -> str:
     """At how many points, and which; and at which of them its numbers are found."""
     solved = "solved " * (seen["solved"] < seen["looked_at"])
     of = f"the {seen['solved']:,} {solved}points looked at" if seen["looked_at"] < points else ""
@@ -155,7 +183,7 @@ def attributes(seen: Look, points: int) -> dict[str, Any]:
     return dict(zip(KEPT, (json.dumps(records(seen, points)), seen["looked_at"], points), strict=True))
 
 
-def blocks(remarks: Sequence[Mapping[str, Any]], looked: int, points: int) -> list[Callout | Paragraph]:
+def blocks(remarks: Sequence[RemarkRecord], looked: int, points: int) -> list[Callout | Paragraph]:
     """For people: a line for each, and how many points were looked at.
 
     Args:
