@@ -128,7 +128,6 @@ def test_json_and_table_of_a_file(tmp_path: Path) -> None:
     assert max(map(len, text.splitlines())) <= 120
     for words in (
         "DB (back to back)",
-        "Converged",
         "Rows: load on each",
         "The rings are held at a fixed distance",
         "verdict",

@@ -276,7 +276,7 @@ def test_it_prints_the_remarks_that_run_gives_of_what_is_found(tmp_path: Path, i
     again = run("run", tmp_path / "found.json").stdout
     (found, shown) = (" ".join(each.split()).partition("Incomplete model: ")[2] for each in (printed, again))
     assert "centrifugal force" in found
-    assert found == shown
+    assert found == shown.partition(" Converged in ")[0]
 
 
 @pytest.mark.parametrize(
