@@ -277,7 +277,7 @@ def test_it_prints_the_remarks_that_run_gives_of_what_is_found(tmp_path: Path, i
     (found, shown) = (" ".join(each.split()).partition("Incomplete model: ")[2] for each in (printed, again))
     shown = shown.partition(" Converged in ")[0]
     assert "centrifugal force" in found
-    assert found == shown
+    assert found == shown.partition(" Converged in ")[0]
 
 
 @pytest.mark.parametrize(
