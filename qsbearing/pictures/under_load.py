@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 WIDTH = 9.0
 """Of a page's text, at which letters have one size in all pictures of a document [inches]."""
-OF_BEARING, OF_SHAFT, OF_ROWS = 2.7, 2.4, 1.5
+OF_BEARING, OF_SHAFT, OF_ROWS = 2.7, 2.6, 1.5
 """Heights [inches]."""
 SHORT = 4.0
 """Length over height of what is drawn of a shaft, below which its rows stand beside it."""

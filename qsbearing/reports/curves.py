@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Callout, Paragraph, Section
-from qsbearing.model.operation import CHANNELS, Operation
-from qsbearing.model.scene.preload import FORCES, Preload
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import solve
 from qsbearing.model.units import MPa, deg, rpm, um
+from qsbearing.pictures.operating_maps import loaded
 from qsbearing.pictures.style import CHANNEL_LINES, GREY, STYLE, figure_of_size, legend, legend_within, plain
 from qsbearing.reports.over_speed import Swept
 from qsbearing.systems.sets.set_solution import SetSolution
@@ -70,29 +69,12 @@ def _speed(swept: Swept | None) -> list[Block]:
 def _load(solution: Solution) -> list[Block]:
     scene = solution.scene
     parts = np.linspace(*LOAD_RANGE, POINTS)
-    varied = _loaded(scene, parts)
+    varied = loaded(scene, parts)
     if varied is None:
         return [Callout("No curve over the load: the scene prescribes displacements only.")]
     swept = solve(varied)
     figure = _figure(swept, parts, 1.0, "load factor (1 = this case)")
     return shown(swept, figure, "all loads in proportion", CURVES)
-
-
-def _loaded(scene: Scene, parts: NDArray) -> Scene | None:
-    """The scene with its loads, a preload by force among them, times these parts; None if it has none."""
-    loads: dict[str, Any] = {}
-    for channel in CHANNELS:
-        value = getattr(scene.operation, channel.load)
-        if value is not None and float(value) != 0.0:
-            loads[channel.load] = float(value) * parts
-    operation: Operation = replace(scene.operation, **loads)
-    preload: Preload | None = scene.preload
-    if preload is not None:
-        forces = {kind: getattr(preload, kind) for kind in FORCES}
-        given = {kind: float(value) * parts for kind, value in forces.items() if value is not None}
-        loads |= given
-        preload = replace(preload, **given)
-    return replace(scene, operation=operation, preload=preload) if loads else None
 
 
 def shown(

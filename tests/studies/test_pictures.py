@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from qsbearing.pictures.study.spread import rank_correlation
 from qsbearing.pictures.style import CHANNEL_LINES, STYLE, figure_of_size, logarithmic_levels
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
+from tests.guide.pages import GUIDE, blocks
 
 pytest.importorskip("xarray")
 QuadContourSet = pytest.importorskip("matplotlib.contour").QuadContourSet
@@ -401,3 +403,15 @@ def test_every_result_that_a_study_names_is_drawn(vary: dict[str, str]) -> None:
     drawn = picture(results)
     FigureCanvasAgg(drawn).draw()
     assert len(drawn.axes) == len(select(results).panels)
+
+
+def test_a_spindle_s_sweep_shows_its_tool_first() -> None:
+    """Stiffness and deflection there before what the rows carry; of a set without points the rows."""
+    texts = [each.text for each in blocks(GUIDE / "spindle.md") if each.language == "toml"]
+    spindle = tomllib.loads(next(text for text in texts if text.startswith("# spindle.toml")))
+    kept = select(sweep(Study.of(spindle, {"speed_rpm": "4000:8000:3"}))).panels
+    assert [name.partition("_radial")[0] for name, *_ in kept[:2]] == ["tool_effective_stiffness", "tool_displacement"]
+    assert kept[2][0] == "row_1_axial_load"
+    without = {key: value for key, value in spindle["shaft"].items() if key != "points"}
+    kept = select(sweep(Study.of(spindle | {"shaft": without}, {"speed_rpm": "4000:8000:3"}))).panels
+    assert kept[0][0] == "row_1_axial_load"

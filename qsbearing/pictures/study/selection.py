@@ -162,7 +162,7 @@ def _default(results: Dataset, kind: PictureKind) -> list[str]:
         names = ["inner_angle", "outer_angle", "inner_load", "outer_load"]
     elif loads := [place for name in results if (place := place_named(str(name))) and place.group is AXIAL_LOAD]:
         largest = [Place(group, CONTACT_LOAD, each.row, "max").name for group in CONTACTS for each in loads]
-        names = [*(each.name for each in loads), *largest, "shaft_effective_stiffness_axial"]
+        names = [*_of_tool(results), *(each.name for each in loads), *largest, "shaft_effective_stiffness_axial"]
     else:
         names = ["inner_angle", "outer_angle", "inner_load", "outer_load", "ring_effective_stiffness_axial"]
         if _varies(results, "ring_load_radial_y"):
@@ -173,6 +173,15 @@ def _default(results: Dataset, kind: PictureKind) -> list[str]:
         varying += [str(name) for name in results.data_vars if name not in (*varying, *_NOT_RESULTS)]
         varying = [name for name in varying if _varies(results, name)][:6]
     return varying
+
+
+def _of_tool(results: Dataset) -> list[str]:
+    """Stiffness and deflection across the shaft at its first named point, such as the tool; none without one."""
+    scene = json.loads(results.attrs.get("study", "{}")).get("scene", {})
+    shaft = scene.get("shaft", {}) if isinstance(scene, dict) else {}
+    point = next(iter(shaft.get("points", {})), "").removesuffix("_mm")
+    kinds = ("effective_stiffness", "displacement") if point else ()
+    return [f"{point}_{kind}_{name}" for kind in kinds for name in ("radial_y", "radial_z")]
 
 
 def _in_full(name: str, full: Iterable[str]) -> str:
