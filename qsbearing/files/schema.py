@@ -43,6 +43,7 @@ from qsbearing.files.preload_class import CLASSES
 from qsbearing.files.set_keys import GRAVITY, MATRIX, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.described import choices_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.effects.traction import Traction
@@ -198,6 +199,20 @@ def _point() -> Schema:
     return closed(_numbers(SPECTRUM, "operation")) | by_path
 
 
+_DEEP_GROOVE: Schema = {
+    "required": ["bearing"],
+    "properties": {
+        "bearing": {
+            "anyOf": [
+                {"required": ["kind"], "properties": {"kind": {"const": str(BearingKind.DEEP_GROOVE)}}},
+                {"required": ["name"], "properties": {"name": {"pattern": r"(^|\D)1?6\d"}}},
+            ]
+        }
+    },
+}
+"""Whose rows may leave out `carries`: by kind, or by a number that begins as theirs."""
+
+
 def _rules() -> list[Schema]:
     """What relates two keys or tables."""
     in_file = {key.field: key.name for key in OPERATION}
@@ -219,6 +234,8 @@ def _rules() -> list[Schema]:
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
             "rows": {"items": {"required": ["position_mm"], "properties": {"bearing": own}}},
         },
+        "if": _DEEP_GROOVE,
+        "else": {"properties": {"rows": {"items": {"anyOf": [{"required": ["carries"]}, _DEEP_GROOVE]}}}},
     }
     alone = {
         "required": ["bearing", "operation"],
