@@ -44,6 +44,7 @@ from qsbearing.files.set_keys import GRAVITY, MATRIX, RECORDS, SET_NUMBERS
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.files.template import notes
 from qsbearing.model.accuracy import COARSEST, FINEST
+from qsbearing.model.bearing import BearingKind
 from qsbearing.model.described import choices_of, lists_of, materials_of, parts_of
 from qsbearing.model.effects import ElasticRings
 from qsbearing.model.effects.traction import Traction
@@ -204,6 +205,20 @@ def _point() -> Schema:
     return closed(_numbers(SPECTRUM, "operation")) | by_path
 
 
+_DEEP_GROOVE: Schema = {
+    "required": ["bearing"],
+    "properties": {
+        "bearing": {
+            "anyOf": [
+                {"required": ["kind"], "properties": {"kind": {"const": str(BearingKind.DEEP_GROOVE)}}},
+                {"required": ["name"], "properties": {"name": {"pattern": r"(^|\D)1?6\d"}}},
+            ]
+        }
+    },
+}
+"""Whose rows may leave out `carries`: by kind, or by a number that begins as theirs."""
+
+
 def _rules() -> list[Schema]:
     """What relates two keys or tables."""
     in_file = {key.field: key.name for key in OPERATION}
@@ -225,9 +240,17 @@ def _rules() -> list[Schema]:
             "thermal": {"required": [thermal_keys.CONDUCTANCES]},
             "rows": {"items": {"required": ["position_mm"]}},
         },
-        # Beside a bearing of all rows, a row's own may be single keys.
-        "if": {"not": {"required": ["bearing"]}},
-        "then": {"properties": {"rows": {"items": {"properties": {"bearing": own}}}}},
+        "allOf": [
+            # Beside a bearing of all rows, a row's own may be single keys.
+            {
+                "if": {"not": {"required": ["bearing"]}},
+                "then": {"properties": {"rows": {"items": {"properties": {"bearing": own}}}}},
+            },
+            {
+                "if": _DEEP_GROOVE,
+                "else": {"properties": {"rows": {"items": {"anyOf": [{"required": ["carries"]}, _DEEP_GROOVE]}}}},
+            },
+        ],
     }
     alone = {
         "required": ["bearing", "operation"],

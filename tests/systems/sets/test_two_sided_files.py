@@ -135,6 +135,9 @@ def test_the_schema_takes_all_four_words_and_none() -> None:
     for word in ("+x", "-x", "both", "none"):
         validator.validate(tables_of(BEARING + ROWS.replace("none", word) + OPERATION, Path("a.toml")))
     assert not validator.is_valid(tables_of(BEARING + ROWS.replace("none", "no") + OPERATION, Path("a.toml")))
+    lacking = PAIR_FILE.replace('carries = "-x"', "")
+    assert not validator.is_valid(tables_of(lacking, Path("a.toml")))
+    assert validator.is_valid(tables_of(lacking.replace("7210C", "SKF 6210"), Path("a.toml")))
 
 
 @pytest.mark.parametrize("ways", [("both", "none"), ("-x", "+x"), ("none", "both")])
