@@ -141,3 +141,10 @@ def test_it_cannot_be_inferred_from_a_data_sheet() -> None:
     with pytest.raises(qs.SceneFileError) as caught:
         scene_of({"bearing": sheet, "operation": {"axial_load_N": 100.0}}, "a file", may_infer=True)
     assert "bearing.kind" in [each.key for each in caught.value.errors]  # type: ignore[attr-defined]
+
+
+def test_the_page_of_the_app_refuses_it() -> None:
+    from qsbearing.app import answers
+
+    with pytest.raises(qs.SceneError, match="this page does not know"):
+        answers.checked(tables(axial_clearance_mm=0.12), "a file")

@@ -26,6 +26,7 @@ MEANS_SOMETHING_ELSE = {
     "approach": "a gap, where it is negative",
     "edge_distance": "beyond the edge, where it is negative",
     "azimuth": "a place",
+    "apex_margin": "beyond the apex, where it is negative",
 }
 """Results with a sign that is no direction."""
 READ = {
@@ -78,6 +79,16 @@ DEEP_GROOVE = {
     "effects": {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"},
 }  # fmt: skip
 """Pushed the other way."""
+FOUR_POINT = {
+    "bearing": {
+        "kind": "four_point", "ball_material": "steel", "ring_material": "steel",
+        "ball_count": 14, "ball_diameter_mm": 12.7, "pitch_diameter_mm": 70,
+        "groove_radius_coefficient": 0.52, "free_contact_angle_deg": 35, "axial_clearance_mm": 0.05,
+    },
+    "operation": TURNING["operation"] | {"axial_load_N": -900},
+    "effects": MOVED["effects"],
+}  # fmt: skip
+"""Pushed the other way, so that its opposite arcs carry."""
 SCENES = (
     TURNING,
     other(effects={"raceway_control": "inner"}),
@@ -93,6 +104,10 @@ SCENES = (
     ),
     DEEP_GROOVE,
     DEEP_GROOVE | {"effects": MOVED["effects"]},
+    FOUR_POINT,
+    FOUR_POINT | {"operation": FOUR_POINT["operation"] | {"speed_rpm": 0, "outer_speed_rpm": 9000}},
+    FOUR_POINT
+    | {"operation": MOVED["operation"] | {"speed_rpm": -9000, "radial_load_y_N": -400, "axial_load_N": -900}},
 )
 
 

@@ -118,7 +118,7 @@ RING_SHAPE = (
 
 
 APEX = (
-    Result("apex_margin", "mm", "from the end of the ellipse to the groove's apex", is_signed=True, is_usual=False,
+    Result("apex_margin", "mm", "from the end of the ellipse to the groove's apex", is_usual=False,
            heading="apex"),
 )  # fmt: skip
 """Of a contact of a four-point bearing, along its groove; negative where the ellipse would pass the apex."""
