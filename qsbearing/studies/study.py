@@ -122,6 +122,11 @@ class Study(Plotted):
         if document.pop("spectrum", None) is not None:
             cause = "Leave it out: `qsbearing run` solves it, one point after the other at the scene's own numbers"
             errors.append(FileErrorDetail("[[spectrum]]", "is not part of a study", cause=cause))
+        bearing = document.get("bearing")
+        if isinstance(bearing, dict) and "preload" in bearing and "preload" not in document:
+            # A class, at the top as well, where a force that varies takes its place.
+            bearing = dict(bearing)
+            document |= {"preload": bearing.pop("preload"), "bearing": bearing}
         varied = _table(document, "vary", errors) | (vary or {})
         options = _table(document, "study", errors)
         given = {"samples": samples, "sampling": sampling, "seed": seed, "quantities": quantities}

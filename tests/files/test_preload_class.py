@@ -51,6 +51,7 @@ def test_what_is_no_class_and_where_none_is_known() -> None:
     assert "is given together with [preload]" in said(both)
 
 
-def test_a_study_may_vary_the_force_of_a_class() -> None:
-    results = qs.sweep(qs.Study.of(document(preload="light"), {"preload.rigid_N": [10.0, 20.0]}))
+@pytest.mark.parametrize("tables", [{"preload": "light"}, {"bearing": {"name": "71914C", "preload": "light"}}])
+def test_a_study_may_vary_the_force_of_a_class(tables: dict[str, Any]) -> None:
+    results = qs.sweep(qs.Study.of(document(**tables), {"preload.rigid_N": [10.0, 20.0]}))
     assert results["ring_load_axial"].values == pytest.approx([10.0, 20.0])
