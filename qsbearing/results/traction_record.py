@@ -11,6 +11,7 @@ from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.effects.traction import ANGLES, FRICTION_COEFFICIENT, RADII, Traction, TractionLaw
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.solution.friction_band import Band, friction_band
+from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.point_errors import errors_of_points
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Place, Result, printed_unit
 from qsbearing.model.solution.solution import Solution
@@ -131,7 +132,7 @@ def _how(balance: Record) -> str:
 def _errors_said(of: dict[str, Any]) -> str:
     """What the points err by in random cases alike."""
     said = [
-        f"{name.replace('_', ' ')} {100.0 * each['in_95_of_100']:.2g} % ({100.0 * each['largest']:.2g} %)"
+        f"{name.replace('_', ' ')} {percent(each['in_95_of_100'])} ({percent(each['largest'])})"
         for name, each in of["relative_errors"].items()
     ]
     return (

@@ -23,7 +23,7 @@ def test_a_page_is_sound_and_says_all() -> None:
     assert NASTY in page.text
     assert "Plain, leaning, heavy, typed_code and a table." in page.text
     assert "qsbearing run b218\n\n# αi = 41.49°" in page.text
-    assert page.tables[0][2] == ["beta", "−2.5", "fail"]
+    assert page.tables[0][2] == ["beta", "-2.5", "fail"]
     assert page.tables[1][-1] == [NASTY, "2"]
     assert "fem-check run patch_test --level quick" in page.text
 

@@ -296,8 +296,8 @@ PLANTED = {
     ),
     "Poisson's ratio of silicon nitride": (
         "qsbearing/model/material.py",
-        "poisson_ratio=0.26",
-        "poisson_ratio=0.27",
+        "poisson_ratio=0.26,\n    density=3200.0",
+        "poisson_ratio=0.27,\n    density=3200.0",
         SOLUTION,
     ),
     "density of steel, digits swapped": (

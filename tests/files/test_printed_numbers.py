@@ -175,16 +175,15 @@ def origins(lines: Any) -> dict[str, str]:
 
 def test_the_report_says_catalogue() -> None:
     made = scene()
-    _, table, *_ = inputs.section(made, "").blocks
-    found = origins(table.rows)
+    found = origins(rows_of(inputs.section(made, "").blocks))
     for key in (
         "ring_expansion.bore_diameter_mm", "elastic_rings.outer.width_mm", "elastic_rings.inner.shoulder_diameter_mm",
         "life.dynamic_load_rating_N", "static_safety.static_load_rating_N", "overrun.outer_shoulder_diameter_mm",
     ):  # fmt: skip
         assert found[key] == "catalogue", key
     assert found["ring_expansion.shaft_interference_um"] == found["elastic_rings.inner.shaft.bore_diameter_mm"] == ""
-    _, _, table = set_inputs.section(a_set(), "").blocks
-    assert origins(table.rows)["life.dynamic_load_rating_N"] == "catalogue"
+    rows = rows_of(set_inputs.section(a_set(), "").blocks)
+    assert origins(rows)["life.dynamic_load_rating_N"] == "catalogue"
 
 
 FILE = """
@@ -210,8 +209,7 @@ def test_the_report_says_what_was_computed_and_from_what(grooves: str, angle: st
     file = tmp_path / "own.toml"
     file.write_text(text)
     made = qs.load_scene(file)
-    _, table, *_ = inputs.section(made, text).blocks
-    found = origins(table.rows)
+    found = origins(rows_of(inputs.section(made, text).blocks))
     inner = ONE if "inner" in grooves else BOTH
     assert found["inner_groove_radius_mm"] == f"computed from {inner}"
     assert found["outer_groove_radius_mm"] == ("scene" if "outer" in grooves else f"computed from {BOTH}")
@@ -221,8 +219,7 @@ def test_the_report_says_what_was_computed_and_from_what(grooves: str, angle: st
     rows = "".join(f'[[rows]]\nposition_mm = {at}\ncarries = "{way}"\n' for at, way in ((0, "+x"), (40, "-x")))
     text = text.replace("axial_load_N = 600", "[preload]\nrigid_N = 300") + rows
     file.write_text(text)
-    _, _, table, *_ = set_inputs.section(qs.load_set(file), text).blocks
-    found = origins(table.rows)
+    found = origins(rows_of(set_inputs.section(qs.load_set(file), text).blocks))
     assert found["inner_groove_radius_mm"] == f"computed from {inner}"
     assert (found["free_contact_angle_deg"], found["diametral_clearance_mm"]) == tuple(
         "file" if each == "scene" else each for each in wanted

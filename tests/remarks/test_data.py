@@ -477,5 +477,6 @@ def typed(line: str, paste: str) -> str:
 
 def html_text(paragraph: str) -> str:
     """What a browser shows of a paragraph that begins within its tag."""
-    text = unescape(paragraph.partition(">")[2].partition("</p>")[0]).replace("<wbr>", "")
+    text = re.sub("</?strong>", "", paragraph.partition(">")[2].partition("</p>")[0]).replace("<wbr>", "")
+    text = unescape(text)
     return text.replace("\xa0", " ").replace("\u2060", "")

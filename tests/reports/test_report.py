@@ -201,7 +201,7 @@ def unequal(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_lists_and_materials_of_effects_are_input_too(unequal: Path) -> None:
     rows = input_of(unequal, "unequal")
     value, unit, numbers = rows["ball_diameter_deviations_um"]
-    assert (value, unit) == ("−0.5 ... 5", "µm")
+    assert (value, unit) == ("-0.5 ... 5", "µm")
     assert [float(each.replace("−", "-")) for each in numbers.split(",")] == [5.0, *6 * [0.0], -0.5, *8 * [0.0]]
     assert rows["ring_expansion.shaft_interference_um"][:2] == ["10", "µm"]
     assert rows["ring_expansion.shaft_material.elastic_modulus_GPa"] == ["208", "GPa", "this program's steel"]

@@ -66,7 +66,9 @@ class Deflection:
         self.turned = np.stack([to_row(of, number, self.places.count) for number in range(len(of.rows))])
         self.rows = -np.einsum("rkji,rkj->kri", self.turned, row_loads)
         """Forces of rows; shape (case, row, 5)."""
-        moved = np.einsum("skij,kj->ski", structure.supports, q)
+        moved = np.einsum(
+            "skij,kj->ski", structure.supports, q[:, : structure.supports.shape[-1]]
+        )  # without any: of none
         self.supports = -np.einsum("sij,skj->ksi", self._springs, moved)
         """Forces of supports; shape (case, support, 5)."""
         self._reference_load = reference_load

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from qsbearing.documents.model import Paragraph, RowGroup, Table
+from qsbearing.documents.model import Paragraph, RowGroup
 from qsbearing.reports import set_inputs
 from qsbearing.results.set_report import set_result
 from qsbearing.systems.sets.preload_limits import preload_summary
+from tests.documents.tables import rows_of
 from tests.systems.sets.arrangements import rows, solved
 from tests.systems.sets.test_axial_growth import HOUSING, REAR, STRAIN, UNLOADED, WARM, pressed
 from tests.systems.sets.test_elastic_shaft import spindle
@@ -99,7 +100,7 @@ def test_outputs_name_the_row_that_spacers_leave_in_its_place() -> None:
         heading = set_result(solution, [{}, {}, {}, {}])[0]
         assert isinstance(heading, Paragraph)
         assert ("row 3 is the axial datum of spacers" in heading.text) is said
-        rows = [row for block in set_inputs.section(each, "").blocks if isinstance(block, Table) for row in block.rows]
+        rows = rows_of(set_inputs.section(each, "").blocks)
         lines = [row for row in rows if not isinstance(row, RowGroup) and row[0] == "axial_datum_row"]
         assert [line[1] for line in lines] == (["3"] if said else [])
 
