@@ -102,7 +102,8 @@ def _last(said: Sequence[Remark], evidence: str) -> Paragraph:
 def remarks(said: Sequence[Remark], of_all: OfAllPoints | None) -> Section:
     """All of them, what matters most first; of a load spectrum those of all points."""
     shown = blocks(said) if of_all is None else of_all.warned
-    return Section("Remarks", shown or [Callout("No warnings.")], REMARKS)
+    more = Paragraph(Md("[What each effect changes, and what to do](#effects)."), is_small=True)
+    return Section("Remarks", [*shown, more] if shown else [Callout("No warnings.")], REMARKS)
 
 
 def glance(solution: Solution | SetSolution) -> Section:

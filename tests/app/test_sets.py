@@ -133,8 +133,8 @@ def test_the_remarks_are_those_of_run(spindle: dict[str, Any], tmp_path: Path) -
 
 
 def plain(text: str) -> str:
-    """Without what joins a number and its unit on a page."""
-    return text.replace("\u2060", "").replace("\xa0", " ")
+    """Without what joins a number and its unit on a page; signs as programs write them."""
+    return text.replace("\u2060", "").replace("\xa0", " ").replace("\N{MINUS SIGN}", "-")
 
 
 def test_a_number_that_cannot_be_is_refused_at_its_field(first: dict[str, Any], spindle: dict[str, Any]) -> None:
