@@ -22,6 +22,7 @@ from qsbearing.readings.shoulder_overrun import groove_depth
 from qsbearing.reports import inputs, set_inputs
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import taken
+from tests.documents.tables import rows_of
 
 TABLES: dict[str, Any] = {
     "bearing": {"name": "7210C"},

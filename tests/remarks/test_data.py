@@ -466,7 +466,8 @@ def test_every_way_to_a_solution_shows_the_same_list(name: str, tmp_path: Path) 
         assert [html_text(each) for each in page.split('<p class="remark ')[1:]] == list(map(with_minus, of_page))
     else:
         whole = set_document.document(solution, "", "")
-    assert [each.text for each in whole.head if isinstance(each, Callout)][1:] == lines
+    listed = next(section for section, _ in whole.walk() if section.title == "Remarks")
+    assert [each.text for each in listed.blocks if isinstance(each, Callout)] == lines
 
 
 def typed(line: str, paste: str) -> str:

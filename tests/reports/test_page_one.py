@@ -43,8 +43,8 @@ PARTS: dict[str, Sequence[str]] = {
     "spectrum": ("Callout", "Table", "Paragraph", *USUAL, "Paragraph"),
     "pair": (*USUAL, SPEED, "Picture", "Paragraph"),
     "spindle": (
-        *LIMITS, GLANCE, "Picture", "What gives way at the tool", "Shares", "Paragraph", LEFT_OUT, "Table", "Paragraph",
-        NUMBERS, "Facts", SPEED, "Picture", "Paragraph",
+        *LIMITS, *3 * ("Paragraph",), GLANCE, "Picture", "What gives way at the tool", "Shares", "Paragraph", LEFT_OUT,
+        "Table", "Paragraph", NUMBERS, "Facts", SPEED, "Picture", "Paragraph",
     ),
     "tight": (*LIMITS, HEAT, "Picture", LEFT_OUT, "Table", "Paragraph", NUMBERS, "Facts", "Paragraph"),
 }  # fmt: skip
