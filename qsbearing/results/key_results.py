@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -29,7 +29,6 @@ from qsbearing.model.solution.result_keys import (
     printed_unit,
 )
 from qsbearing.model.solution.solution import Solution
-from qsbearing.results.report import freedom
 
 if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
@@ -111,7 +110,7 @@ def facts(results: Iterable[KeyResult]) -> Facts:
     return Facts([each._replace(condition="").line for each in results if each.parts or each.note])
 
 
-class ContactResults(NamedTuple):
+class KeyContacts(NamedTuple):
     """Those of the contacts of each raceway."""
 
     pressure: KeyResult
@@ -121,11 +120,11 @@ class ContactResults(NamedTuple):
     unloaded: KeyResult
 
 
-def _contact_results(solution: Solution) -> ContactResults:
+def _contact_results(solution: Solution) -> KeyContacts:
     is_ball = np.isfinite(solution.azimuth)
     empty = int((is_ball & (solution.inner.load == 0.0)).sum())
     count = (KeyNumber("", (empty,), f"of {is_ball.sum()}"),) if empty else ()
-    return ContactResults(
+    return KeyContacts(
         KeyResult("maximum contact pressure", largest_of(solution, MAX_PRESSURE)),
         KeyResult("contact angles", tuple(angles_of(solution, side, side.raceway) for side in CONTACTS)),
         KeyResult("maximum contact load", largest_of(solution, CONTACT_LOAD)),
@@ -153,7 +152,7 @@ def angles_of(solution: Solution, side: Group, of: str = "") -> KeyNumber:
     return KeyNumber(of, ends, printed_unit(ANGLE.unit), None)
 
 
-class RingResults(NamedTuple):
+class KeyRing(NamedTuple):
     """Those of a ring or shaft."""
 
     moved: KeyResult
@@ -172,7 +171,7 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     return [each for each in _ring_results(solution, what, lever) if each.parts]
 
 
-def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> RingResults:
+def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> KeyRing:
     free = set(map(int, solution.free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
     moved = of_channels(DISPLACEMENT, solution.displacement, levers, free)
@@ -180,7 +179,7 @@ def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> 
     given = set(range(len(CHANNELS))) - free
     reactions = of_channels(LOAD, solution.load, 1.0 / levers, given)
     from_middle = numbers_at(FROM_MIDDLE, solution) if isinstance(solution, Solution) else ()
-    return RingResults(
+    return KeyRing(
         KeyResult(f"displacement of the {what}", moved),
         KeyResult("axial displacement from the middle", from_middle),
         KeyResult("effective stiffness", stiff, freedom(free)),
@@ -253,3 +252,10 @@ def number_of_life(name: str, life: Any) -> KeyNumber:
 def _number(value: float, digits: int = 4) -> str:
     """So many digits, without an exponent where it is long."""
     return f"{value:.0f}" if 10**digits <= abs(value) < 1e9 else f"{value:.{digits}g}"
+
+
+def freedom(free: Collection[int]) -> str:
+    """Which channels are free to move, and which are not, by the numbers of the free ones."""
+    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
+    labels = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
+    return "; ".join(f"{words}: {names}" for words, names in labels.items() if names)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +32,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import how_it_ended, record
+from qsbearing.results.key_results import answer, freedom
 from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.remarks import blocks, every_remark
 
@@ -52,8 +53,6 @@ def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> li
     of_case = record(solution, {}, said=said)
     parts = _heading(solution, of_case)
     if of_case["status"] == "converged":
-        from qsbearing.results.key_results import answer
-
         parts.append(answer(solution, readings))
         parts += [*_tables(solution, of_case), *_balance(solution, of_case), *heat_tables(of_case)]
         if readings:
@@ -311,13 +310,6 @@ def temperature_tables(record: dict[str, Any]) -> list[Table]:
         for body, each in record["temperatures"].items()
     ]
     return [Table(("", "°C", "from"), rows, "lrl", "Temperatures")]
-
-
-def freedom(free: Collection[int]) -> str:
-    """Which channels are free to move, and which are not, by the numbers of the free ones."""
-    groups = {"free": [i for i in range(5) if i in free], "displacement given": [i for i in range(5) if i not in free]}
-    labels = {words: ", ".join(CHANNELS[i].label for i in group) for words, group in groups.items()}
-    return "; ".join(f"{words}: {names}" for words, names in labels.items() if names)
 
 
 def stiffness_table(solution: Solution | SetSolution, record: dict[str, Any]) -> Table:
