@@ -148,7 +148,7 @@ def angles_of(solution: Solution, side: Group, of: str = "") -> KeyNumber:
     return KeyNumber(of, ends, printed_unit(ANGLE.unit), None)
 
 
-class RingResults(NamedTuple):
+class KeyRing(NamedTuple):
     """Those of a ring or shaft."""
 
     moved: KeyResult
@@ -167,7 +167,7 @@ def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> lis
     return [each for each in _ring_results(solution, what, lever) if each.parts]
 
 
-def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> RingResults:
+def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> KeyRing:
     free = set(map(int, solution.free_channels))
     levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
     moved = of_channels(DISPLACEMENT, solution.displacement, levers, free)
@@ -175,7 +175,7 @@ def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> 
     given = set(range(len(CHANNELS))) - free
     reactions = of_channels(LOAD, solution.load, 1.0 / levers, given)
     from_middle = numbers_at(FROM_MIDDLE, solution) if isinstance(solution, Solution) else ()
-    return RingResults(
+    return KeyRing(
         KeyResult(f"displacement of the {what}", moved),
         KeyResult("axial displacement from the middle", from_middle),
         KeyResult("effective stiffness", stiff, freedom(free)),

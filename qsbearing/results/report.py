@@ -34,6 +34,7 @@ from qsbearing.model.solution.traction_groups import OPPOSITE
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import how_it_ended, record
+from qsbearing.results.key_results import answer
 from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, every_remark
@@ -56,8 +57,6 @@ def result(solution: Solution, readings: Readings, words: Words = IN_FILE) -> li
     of_case = record(solution, {}, said=said)
     parts = _heading(solution, of_case)
     if of_case["status"] == "converged":
-        from qsbearing.results.key_results import answer
-
         parts.append(answer(solution, readings))
         parts += [*_tables(solution, of_case), *_balance(solution, of_case), *heat_tables(of_case)]
         if readings:

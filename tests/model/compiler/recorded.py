@@ -57,7 +57,10 @@ def solve_many_kinds() -> None:
     of = qs.Operation(speed=9e3 * qs.rpm, axial_load=np.array([-1e3, 8e3]), radial_load_y=2e3, tilt_y=0.0, tilt_z=0.0)
     motion_stiffness(friction_motion(qs.Scene(scenes.B218, of), Traction(), radii=2, angles=4))
     across = replace(of, axial_load=5e3, radial_load_y=0.0)
-    motion_stiffness(friction_motion(qs.Scene(scenes.QJ, across), Traction(), radii=2, angles=4))
+    moved = qs.Scene(
+        scenes.QJ, across, ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment()), raceway_control="friction"
+    )
+    motion_stiffness(friction_motion(moved, Traction(), radii=2, angles=4))
 
 
 def recorded() -> dict[str, list[tuple[Any, ...]]]:
