@@ -10,7 +10,7 @@ import numpy as np
 
 from qsbearing import pictures
 from qsbearing.documents.html import part
-from qsbearing.documents.model import Block, Paragraph, Table
+from qsbearing.documents.model import Block, Columns, Paragraph, Table
 from qsbearing.files.result_names import find
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.columns import scene_numbers
@@ -63,7 +63,14 @@ def _blocks(shown: Any) -> Sequence[Block]:
 
 
 def _tables(blocks: Sequence[Block]) -> list[Block]:
-    return [each for each in blocks if isinstance(each, Table)]
+    """One below the other, those that a page has side by side too."""
+    tables: list[Block] = []
+    for each in blocks:
+        if isinstance(each, Columns):
+            tables += [table for column in each.columns for table in _tables(column)]
+        elif isinstance(each, Table):
+            tables.append(each)
+    return tables
 
 
 def _study(study: Study) -> list[Block]:
