@@ -82,12 +82,17 @@ class RecomputedArches(Recomputed):
         return other
 
     def contact(self, side: str) -> AtContacts:
-        """Of both arcs together; they have no one normal."""
+        """Of both arcs together; they have no one normal. Balls that nothing touches at rest have no place, and no
+        contact does anything there."""
         first, other = super().contact(side), self.others(side)
-        if other is None:
-            return first
-        second = self.at(side, other)
-        sums = (getattr(first, name) + getattr(second, name) for name in ("force", "moment", "heat", "torque"))
+        own = [(first, getattr(self.found, side)), *([] if other is None else [(self.at(side, other), other)])]
+        sums = []
+        for name in ("force", "moment", "heat", "torque"):
+            parts = [getattr(at, name) for at, _ in own]
+            idle = [
+                (of.load == 0.0)[(...,) + (None,) * (part.ndim - 2)] for part, (_, of) in zip(parts, own, strict=True)
+            ]
+            sums.append(sum(np.where(none, 0.0, part) for part, none in zip(parts, idle, strict=True)))
         return AtContacts(first.normal, *sums)
 
     @cached_property
@@ -136,9 +141,9 @@ def ends(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> list[str
     words = []
     for status, reason in zip(found.status, found.reason, strict=True):
         if status == "not_converged":
-            words.append(f"not converged: {why}")
+            words.append(f"not_converged: {why}")
         else:
-            words.append(f"{status.replace('_', ' ')}: {reason}".removesuffix(": "))
+            words.append(f"{status}: {reason}".removesuffix(": "))
     return words
 
 
