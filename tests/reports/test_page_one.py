@@ -44,7 +44,7 @@ PARTS: dict[str, Sequence[str]] = {
     "pair": (*USUAL, SPEED, "Picture", "Paragraph"),
     "spindle": (
         *LIMITS, *3 * ("Paragraph",), GLANCE, "Picture", "What gives way at the tool", "Shares", "Paragraph", LEFT_OUT,
-        "Table", "Paragraph", NUMBERS, "Facts", SPEED, "Picture", "Paragraph",
+        "Table", "Paragraph", NUMBERS, "Facts", "Paragraph",
     ),
     "tight": (*LIMITS, HEAT, "Picture", LEFT_OUT, "Table", "Paragraph", NUMBERS, "Facts", "Paragraph"),
 }  # fmt: skip
