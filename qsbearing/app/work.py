@@ -53,10 +53,12 @@ async def answered(
 async def prepare(question: Callable[..., Any], given: dict[str, Any]) -> None:
     """Start a process that loads what a question needs, for which others wait, and beside it a spare one."""
     places = _places()
-    for count in (1, 2):
-        places.total_tokens = count
-        await asyncio.gather(*(_worked(question, given) for _ in range(count)))
-    places.total_tokens = AT_ONCE
+    try:
+        for count in (1, 2):
+            places.total_tokens = count
+            await asyncio.gather(*(_worked(question, given) for _ in range(count)))
+    finally:
+        places.total_tokens = AT_ONCE
 
 
 async def _worked(question: Callable[..., Any], given: dict[str, Any]) -> Any:
