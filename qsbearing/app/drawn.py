@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from io import BytesIO
-from threading import Lock
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -35,8 +34,6 @@ TOP, LOW = 1.5, 0.02
 """Curves go from LOW of their end to TOP times the scene's speed."""
 AT_REST = 5e5
 """dm n [mm rpm] at the end of the curves of a bearing that stands still: an ordinary grease-lubricated spindle's."""
-DRAWING = Lock()
-"""matplotlib draws one picture at a time."""
 
 
 class Panel(NamedTuple):
@@ -139,7 +136,7 @@ def drawn(name: str, solution: Solution | SetSolution, row: int = 0) -> str:
     from matplotlib import rc_context
 
     data = BytesIO()
-    with DRAWING, rc_context({"svg.fonttype": "none", "svg.hashsalt": name}):
+    with rc_context({"svg.fonttype": "none", "svg.hashsalt": name}):
         figure = _figure(name, solution, row)
         figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None})
     return inlined(data.getvalue(), f"{name}-")

@@ -6,10 +6,11 @@ sliders, fields, tables and switches, the browser has, for keyboards and telepho
 
 from __future__ import annotations
 
+import asyncio
 import secrets
 import socket
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
 from inspect import signature
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from qsbearing.app import answers
-from qsbearing.app.work import StoppedError, answered
+from qsbearing.app.work import StoppedError, answered, prepare
 from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.file_errors import MOST_SHOWN, refused
 from qsbearing.files.json_text import parsed
@@ -69,7 +70,13 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     """
     first = answers.start(source)
     warm = {"document": first["document"], "label": first["label"]}
-    answers.solved(**warm)  # the drawing is loaded before somebody waits
+
+    @asynccontextmanager
+    async def prepared(app: Starlette) -> AsyncIterator[None]:
+        preparing = asyncio.ensure_future(prepare(answers.solved, warm))  # the drawing is loaded before somebody waits
+        yield
+        preparing.cancel()
+        await asyncio.wait([preparing])
 
     async def start(request: Request) -> Response:
         return JSONResponse(first)
@@ -77,7 +84,7 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     routes = [Route(f"/{name}", _requested(question), methods=["POST"]) for name, question in QUESTIONS.items()]
     pages = [Mount("/documents", StaticFiles(directory=TEMPLATES)), Mount("/", StaticFiles(directory=PAGE, html=True))]
     guard = Middleware(_Guard, hosts=hosts, token=token)
-    return Starlette(routes=[Route("/start", start), *routes, *pages], middleware=[guard])
+    return Starlette(routes=[Route("/start", start), *routes, *pages], middleware=[guard], lifespan=prepared)
 
 
 def serve(source: str, host: str, port: int, ready: Callable[[str], None]) -> None:

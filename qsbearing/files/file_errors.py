@@ -83,6 +83,9 @@ class SceneFileError(SceneError):
             lines.append(f"... and {len(self.errors) - MOST_SHOWN:,} more")
         ValueError.__init__(self, "\n".join(lines))
 
+    def __reduce__(self) -> tuple[type[SceneFileError], tuple[object, ...]]:
+        return type(self), (self.file, self.errors)
+
 
 def refused(file: object, problem: str, cause: str = "") -> SceneFileError:
     """A file that cannot be used as a whole."""

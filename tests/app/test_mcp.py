@@ -7,7 +7,6 @@ import asyncio
 import json
 import os
 import sys
-import threading
 import time
 import tomllib
 from pathlib import Path
@@ -25,9 +24,9 @@ from mcp.types import CallToolResult
 import qsbearing as qs
 from qsbearing.app import work
 from qsbearing.app.mcp import server as of_server
-from qsbearing.app.mcp import tools as of_tools
 from qsbearing.app.mcp.folder import Folder
 from qsbearing.app.mcp.server import server
+from qsbearing.app.mcp.tools import Tools
 from qsbearing.cli import cli
 from qsbearing.documents.model import Document
 from qsbearing.files import output_file
@@ -37,6 +36,16 @@ from tests.guide.pages import GUIDE, blocks, commands
 
 Calls = list[tuple[str, dict[str, Any]]]
 B218 = {"bearing": {"name": "b218"}, "operation": {"axial_load_N": 1000}}
+
+
+@pytest.fixture(autouse=True)
+def here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Answers without a process of their own, which each test would start; over standard input they have one."""
+
+    async def answered(question: Any, given: dict[str, Any]) -> Any:
+        return question(**given)
+
+    monkeypatch.setattr(of_server, "answered", answered)
 
 
 async def _asked(of: Any, calls: Calls) -> list[CallToolResult]:
@@ -338,36 +347,46 @@ def test_work_is_bounded_before_it_begins(tmp_path: Path, monkeypatch: pytest.Mo
     assert error["problem"].endswith("at most 1,000 are sent: ask for less, or for a file")
 
 
-def slow(tools: Any, topic: str = "") -> dict[str, Any]:
-    """Until it is ended."""
-    threading.current_thread().name = "slow"
-    while True:
-        time.sleep(0.005)
+class Endless(Tools):
+    """With a tool that is never done."""
+
+    def describe(self, topic: str = "") -> dict[str, Any]:
+        """Until it is ended."""
+        while True:
+            with (self.folder.path / "beats").open("a", encoding="utf-8") as file:
+                file.write(".")
+            time.sleep(0.01)
 
 
-def is_ended() -> bool:
-    until = time.monotonic() + 20.0
-    while time.monotonic() < until and any(each.name == "slow" for each in threading.enumerate()):
-        time.sleep(0.01)
-    return not any(each.name == "slow" for each in threading.enumerate())
+@pytest.mark.parametrize("ended_by", ["its time", "whoever asked"])
+def test_work_ends(ended_by: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(of_server, "answered", work.answered)
+    monkeypatch.setattr(of_server, "Tools", Endless)
+    monkeypatch.setattr(work, "LONGEST", 6.0 if ended_by == "its time" else 60.0)
+    beats = tmp_path / "beats"
 
-
-def test_work_ends_with_its_time_and_with_whoever_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    slow.__name__ = "describe"
-    monkeypatch.setattr(of_tools.Tools, "describe", slow)
-    monkeypatch.setattr(work, "LONGEST", 0.05)
-    [error] = refused(tmp_path, "describe")
-    assert "was stopped" in error["problem"]
-    assert is_ended()
-    monkeypatch.setattr(work, "LONGEST", 60.0)
-
-    async def given_up() -> None:
+    async def ask() -> CallToolResult | None:
         async with Client(server(tmp_path)) as client:
-            with pytest.raises(TimeoutError):
-                await asyncio.wait_for(client.call_tool("describe", {}), 0.1)
+            call = asyncio.ensure_future(client.call_tool("describe", {}))
+            if ended_by == "its time":
+                found = await call
+            else:
+                until = time.monotonic() + 30.0
+                while not beats.exists() and time.monotonic() < until:
+                    await asyncio.sleep(0.05)
+                call.cancel()
+                await asyncio.wait([call])
+                found = None
+            until = time.monotonic() + 20.0
+            while time.monotonic() < until:
+                size = beats.stat().st_size
+                await asyncio.sleep(0.5)
+                if beats.stat().st_size == size:
+                    return found
+            raise AssertionError("goes on")
 
-    asyncio.run(given_up())
-    assert is_ended()
+    found = asyncio.run(ask())
+    assert found is None or (found.is_error and "was stopped" in found.content[0].text)
 
 
 def test_all_topics_are_described(tmp_path: Path) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
+import os
 import signal
 import socket
 import subprocess
@@ -11,6 +13,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import Any
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
@@ -28,6 +31,7 @@ from starlette.routing import Route
 
 from qsbearing.app import server, work
 from qsbearing.cli import cli
+from qsbearing.files.file_errors import SceneFileError, refused
 from tests.app.served import asked
 
 
@@ -98,68 +102,93 @@ def test_what_no_scene_holds_is_a_bad_question(text: str) -> None:
         assert status == 400 and told["errors"][0]["text"]
 
 
-class Slow:
-    """A question that is answered never, and notes that it was stopped."""
-
-    def __init__(self) -> None:
-        self.started, self.stopped = threading.Event(), threading.Event()
-
-    def __call__(self, document: dict[str, Any], label: str) -> dict[str, Any]:
-        self.started.set()
-        try:
-            while True:
-                time.sleep(0.01)
-        finally:
-            self.stopped.set()
+def endless(document: dict[str, Any], label: str) -> dict[str, Any]:
+    """A question that is answered never; the file that the label names grows while it is worked on."""
+    while True:
+        with Path(label).open("a", encoding="utf-8") as file:
+            file.write(".")
+        time.sleep(0.01)
 
 
-def test_work_ends_when_nobody_waits_for_it() -> None:
-    slow = Slow()
-    with running(guarded(slow)) as address:
+def is_going_on(beats: Path, within: float = 0.0) -> bool:
+    """Whether the file grows, if need be after some time."""
+    until = time.monotonic() + within
+    while True:
+        before = beats.stat().st_size if beats.exists() else 0
+        time.sleep(0.5)
+        if (beats.stat().st_size if beats.exists() else 0) > before:
+            return True
+        if time.monotonic() > until:
+            return False
+
+
+def has_ended(beats: Path) -> bool:
+    until = time.monotonic() + 20.0
+    while is_going_on(beats) and time.monotonic() < until:
+        pass
+    return not is_going_on(beats)
+
+
+def test_work_ends_when_nobody_waits_for_it(tmp_path: Path) -> None:
+    beats = tmp_path / "beats"
+    with running(guarded(endless)) as address:
         host, port = address.removeprefix("http://").rstrip("/").split(":")
-        body = json.dumps(QUESTION)
+        body = json.dumps({"document": {}, "label": str(beats)})
         with socket.create_connection((host, int(port))) as client:
             head = f"POST /solve HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\n"
             client.sendall(f"{head}Content-Length: {len(body)}\r\n\r\n{body}".encode())
-            assert slow.started.wait(10.0)
-        assert slow.stopped.wait(10.0)
+            assert is_going_on(beats, 30.0)
+        assert has_ended(beats)
 
 
-def test_work_ends_after_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(work, "LONGEST", 0.1)
-    slow = Slow()
-    with running(guarded(slow)) as address:
-        status, told = asked(address, "solve", QUESTION)
-        assert status == 503 and "longer than 0.1 s" in told["errors"][0]["text"]
-        assert slow.stopped.wait(10.0)
+def test_work_ends_after_its_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(work, "LONGEST", 5.0)
+    beats = tmp_path / "beats"
+    with running(guarded(endless)) as address:
+        status, told = asked(address, "solve", {"document": {}, "label": str(beats)})
+        assert status == 503 and "longer than 5 s" in told["errors"][0]["text"]
+        assert beats.exists() and has_ended(beats)
 
 
-class Dropping(Slow):
-    """A question that is at a callback when it is to end, in which Python drops what is raised."""
-
-    class Busy:
-        """Is deleted within a second."""
-
-        def __del__(self) -> None:
-            until = time.monotonic() + 1.0
-            while time.monotonic() < until:
-                pass
-
-    def __call__(self, document: dict[str, Any], label: str) -> dict[str, Any]:
-        busy = self.Busy()
-        del busy
-        return super().__call__(document, label)
+def whose(document: dict[str, Any], label: str) -> dict[str, Any]:
+    time.sleep(document["s"])
+    return {"process": os.getpid()}
 
 
-def test_work_ends_where_python_drops_the_exception_that_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(work, "LONGEST", 0.1)
-    dropped: list[Any] = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda what: dropped.append(what.exc_type))
-    dropping = Dropping()
-    with running(guarded(dropping)) as address:
-        assert asked(address, "solve", QUESTION)[0] == 503
-        assert dropping.stopped.wait(10.0)
-    assert set(dropped) == {work._EndError}
+def test_what_is_soon_done_does_not_cost_the_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As an answer is that the next edit makes needless: another process would take longer to start."""
+    monkeypatch.setattr(work, "SPARED", 20.0)
+
+    async def ask() -> list[int]:
+        first = (await work.answered(whose, {"document": {"s": 0.0}, "label": ""}))["process"]
+        with pytest.raises(TimeoutError):
+            await asyncio.wait_for(work.answered(whose, {"document": {"s": 0.5}, "label": ""}), 0.1)
+        await asyncio.sleep(2.0)
+        return [first, (await work.answered(whose, {"document": {"s": 0.0}, "label": ""}))["process"]]
+
+    first, again = asyncio.run(ask())
+    assert first == again != os.getpid()
+
+
+def test_processes_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(work, "AT_ONCE", 2)
+
+    async def ask() -> set[int]:
+        asked = (work.answered(whose, {"document": {"s": 0.1}, "label": ""}) for _ in range(5))
+        return {each["process"] for each in await asyncio.gather(*asked)}
+
+    assert len(asyncio.run(ask())) == 2
+
+
+def refusing(document: dict[str, Any], label: str) -> dict[str, Any]:
+    raise refused("a file", "is wrong", "a cause")
+
+
+def test_errors_come_back_whole() -> None:
+    with pytest.raises(SceneFileError) as raised:
+        asyncio.run(work.answered(refusing, QUESTION))
+    expected = refused("a file", "is wrong", "a cause")
+    assert (raised.value.file, raised.value.errors, str(raised.value)) == ("a file", expected.errors, str(expected))
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "no.such.host.invalid", "203.0.113.1", "a" * 300])
@@ -185,9 +214,9 @@ def test_the_address_that_is_printed_is_answered_until_ctrl_c() -> None:
         line = next(line for line in started.stderr if "shows" in line)
         address = line.split()[1]
         base, _, token = address.partition("?token=")
-        with pytest.raises(HTTPError) as refused:
+        with pytest.raises(HTTPError) as forbidden:
             urlopen(base + "start", timeout=60.0)
-        refused.value.close()
+        forbidden.value.close()
         with urlopen(Request(base + "start", headers={"X-Token": token}), timeout=60.0) as answer:
             assert json.load(answer)["label"] == ""
         with urlopen(address, timeout=60.0) as page:

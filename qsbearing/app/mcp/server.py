@@ -5,6 +5,7 @@ Answers are bounded: in time, as those of the page are; in length; in points and
 
 from __future__ import annotations
 
+import asyncio
 import functools
 import json
 from collections.abc import Callable
@@ -57,7 +58,14 @@ def serve(folder: Path) -> None:
     Raises:
         OSError: there is no such folder.
     """
-    server(folder).run("stdio")
+    of, first = server(folder), Tools(Folder(folder)).describe
+
+    async def run() -> None:
+        loading = asyncio.ensure_future(answered(first, {}))  # a process has loaded the tools before somebody waits
+        await of.run_stdio_async()
+        loading.cancel()
+
+    asyncio.run(run())
 
 
 def _tool(question: Callable[..., dict[str, Any]]) -> Tool:
