@@ -164,8 +164,8 @@ def judge_twin(tally: Tally, number: int, group: Group, solution: qs.Solution) -
             int(k): f"converged, but {name} fails its check of {check}" for k in np.flatnonzero(bad & other.converged)
         }
     if name == "warmed" and differs.any():
-        again = [scaled(twin.of, size) for size in SIZES]
-        apart = [compare(each, of, qs.solve(each.group.scene(), threads=1)).difference for each in again]
+        again = [(each, scene) for each in (scaled(twin.of, size) for size in SIZES) if (scene := allowed(each.group))]
+        apart = [compare(each, of, qs.solve(scene, threads=1)).difference for each, scene in again]
         is_ambiguous = np.max(apart, axis=0) > MOST_DIFFERENCE
         wrong |= {int(k): "converged, but differs as warm all through" for k in np.flatnonzero(differs & ~is_ambiguous)}
         differs &= is_ambiguous
@@ -173,6 +173,14 @@ def judge_twin(tally: Tally, number: int, group: Group, solution: qs.Solution) -
     tally.noted["twin with another equilibrium"] += int(differs.sum())
     tally.noted["twin alone solved or alone not"] += int(compared.either.sum())
     return wrong
+
+
+def allowed(group: Group) -> qs.Scene | None:
+    """The scene of a larger or smaller twin; None where some length is beyond those that may be given."""
+    try:
+        return group.scene()
+    except qs.SceneError:
+        return None
 
 
 def judge(group: Group) -> Judged:
