@@ -34,7 +34,7 @@ from tests.qsbearing.scenes import BOTH
 from tests.verification.campaign import friction
 from tests.verification.campaign.batches import Batch, run
 from tests.verification.campaign.checks import Contacts, hertz_error
-from tests.verification.campaign.friction import AtContacts, Recomputed, judged, merge
+from tests.verification.campaign.friction import AtContacts, Recomputed, of_both, recomputed
 
 BATCH, RADIAL = 104, 4
 """Bearings of a batch, and how many of them are under radial load."""
@@ -149,20 +149,13 @@ def ends(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> list[str
 
 def batch(rng: np.random.Generator, thrust: int = BATCH - RADIAL, radial: int = RADIAL) -> Batch:
     """How the bearings of a batch ended, those under thrust first."""
-    of = Batch()
-    for count, is_radial in ((thrust, False), (radial, True)):
-        if count:
-            merge(of, solved(*draw(rng, is_radial, count)), thrust * is_radial)
-    return of
+    return of_both(draw, solved, rng, thrust, radial)
 
 
 def solved(scene: qs.Scene, traction: Traction) -> Batch:
     """How the bearings of a call ended."""
     found = friction_motion(scene, traction)
-    recomputed = RecomputedArches(scene, traction, found)
-    with np.errstate(all="ignore"):
-        errors = recomputed.errors() | {"closure": recomputed.closure(), "hertz": recomputed.hertz()}
-        return judged(found, ends(scene, traction, found), errors)
+    return recomputed(RecomputedArches(scene, traction, found), ends(scene, traction, found))
 
 
 def contacts(found: FrictionMotion) -> Counter[int]:

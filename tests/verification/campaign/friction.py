@@ -21,6 +21,7 @@ in force and moment, ball by ball and on the ring, and in energy; the outer ring
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
@@ -378,6 +379,13 @@ def drag_at(scene: qs.Scene, traction: Traction, start: qs.Solution) -> NDArray:
 
 def batch(rng: np.random.Generator, thrust: int = BATCH - RADIAL, radial: int = RADIAL) -> Batch:
     """How the bearings of a batch ended, those under thrust first."""
+    return of_both(draw, solved, rng, thrust, radial)
+
+
+def of_both(
+    draw: Callable[..., Any], solved: Callable[..., Batch], rng: np.random.Generator, thrust: int, radial: int
+) -> Batch:
+    """What is drawn under thrust and what under radial load, in one batch."""
     of = Batch()
     for count, is_radial in ((thrust, False), (radial, True)):
         if count:
@@ -388,10 +396,13 @@ def batch(rng: np.random.Generator, thrust: int = BATCH - RADIAL, radial: int = 
 def solved(scene: qs.Scene, traction: Traction) -> Batch:
     """How the bearings of a call ended."""
     found = friction_motion(scene, traction)
-    recomputed = Recomputed(scene, traction, found)
+    return recomputed(Recomputed(scene, traction, found), ends(scene, traction, found))
+
+
+def recomputed(of: Recomputed, words: list[str]) -> Batch:
+    """What became of cases that ended so, by what of them is recomputed."""
     with np.errstate(all="ignore"):
-        errors = recomputed.errors() | {"closure": recomputed.closure(), "hertz": recomputed.hertz()}
-        return judged(found, ends(scene, traction, found), errors)
+        return judged(of.found, words, of.errors() | {"closure": of.closure(), "hertz": of.hertz()})
 
 
 def merge(of: Batch, more: Batch, first: int) -> None:
