@@ -19,8 +19,6 @@ from qsbearing.remarks.remark import Holding, Remark, remark
 from qsbearing.remarks.wording import Words
 
 BALLS = Subject()
-BY_FRICTION = "effects.raceway_control=friction"
-"""What does what a remark on the motion of balls asks for."""
 SOLVED = "With {instead}, how balls turn and slip is a result"
 
 LEAST_TYPICAL = 0.06
@@ -47,20 +45,22 @@ def instead_of_slip(solution: Solution, *, without_bound: bool = False) -> dict[
 
 def by_friction(values: Mapping[str, Any], words: Words) -> list[str]:
     """The same as a line to paste, where it is accepted as the scene stands."""
-    return [BY_FRICTION] if "instead" in values else []
+    return ["effects.raceway_control=friction"] if "instead" in values else []
 
 
 CONTROL_INCONSISTENT = Kind(
     "control_inconsistent", WRONG, SEE_HYPOTHESES,
     "No consistent raceway control: for some ball, whichever raceway is assumed to control it, the loads point "
     "to the other one. The last choice tried is reported.",
-    setting=BY_FRICTION,
+    setting=by_friction,
 )  # fmt: skip
 
 
 @BALLS.tells
 def _inconsistent(of: CaseRange) -> Iterator[Holding]:
-    yield ~of.cases(of.solution.control_is_consistent, bool), remark(CONTROL_INCONSISTENT)
+    is_consistent = of.cases(of.solution.control_is_consistent, bool)
+    instead = {} if is_consistent.all() else instead_of_slip(of.solution)
+    yield ~is_consistent, remark(CONTROL_INCONSISTENT, **instead)
 
 
 BALLS_UNLOADED = Kind("balls_unloaded", NOTE, "limits", "{balls:carries/carry} no load.")
@@ -122,7 +122,7 @@ FRICTION_DOUBTFUL = Kind(
     NOTE,
     SEE_HYPOTHESES,
     f"{_REQUIRES}slip may begin{_TYPICAL}",
-    setting=BY_FRICTION,
+    setting=by_friction,
 )
 FRICTION_BEYOND = Kind(
     "friction_beyond",
@@ -157,15 +157,14 @@ def _friction(of: CaseRange) -> Iterator[Holding]:
             continue
         friction = of.rows(side.required_friction)
         largest = friction.max(axis=-1)
-        instead = instead_of_slip(solution) if (friction > MOST_TYPICAL).any() else {}
+        instead = instead_of_slip(solution) if (friction > LEAST_TYPICAL).any() else {}
         for kind, least, most in FRICTIONS:
 
             def requested(
                 i: int, kind: Kind = kind, name: str = name, friction: NDArray = friction, instead: Any = instead
             ) -> Remark:
-                typical = {"typical_least": LEAST_TYPICAL, "typical_most": MOST_TYPICAL}
-                more = typical | ({} if kind is FRICTION_DOUBTFUL else instead)
-                return remark(kind, name, friction[i] > LEAST_TYPICAL, required=friction[i].max(), **more)
+                typical = {"typical_least": LEAST_TYPICAL, "typical_most": MOST_TYPICAL} | instead
+                return remark(kind, name, friction[i] > LEAST_TYPICAL, required=friction[i].max(), **typical)
 
             yield (largest > least) & (largest <= most), requested
 
@@ -216,7 +215,7 @@ MOMENTUM_GAP = Kind(
     "momentum_gap", INCOMPLETE, "limits#balls-that-cannot-follow-the-azimuth",
     "The outer ring takes {outer_N:.4g} N for a radial load of {inner_N:.4g} N on the inner ring: balls cannot "
     "follow the azimuth. Radial stiffness is that against a load that turns with the cage.",
-    setting=BY_FRICTION,
+    setting=by_friction,
 )  # fmt: skip
 
 
@@ -227,7 +226,9 @@ def _momentum(of: CaseRange) -> Iterator[Holding]:
     if forces is None:
         return
     axial = np.abs(of.cases(of.solution.load[..., 0]))
+    is_open = (forces.momentum_gap > LARGE_GAP) & (forces.gap > NOTICEABLE * axial)
+    instead = instead_of_slip(of.solution) if is_open.any() else {}
     yield (
-        (forces.momentum_gap > LARGE_GAP) & (forces.gap > NOTICEABLE * axial),
-        lambda i: remark(MOMENTUM_GAP, outer_N=forces.on_outer[i], inner_N=forces.on_inner[i]),
+        is_open,
+        lambda i: remark(MOMENTUM_GAP, outer_N=forces.on_outer[i], inner_N=forces.on_inner[i], **instead),
     )

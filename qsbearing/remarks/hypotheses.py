@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from qsbearing.model.effects.gyroscopic_moment import ENTRY as GYROSCOPIC_MOMENT
 from qsbearing.model.effects.raceway_control import ENTRY as RACEWAY_CONTROL
 from qsbearing.model.effects.raceway_control import RacewayControl
+from qsbearing.model.scene.moved_by_friction import friction_instead
 from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
 from qsbearing.model.solution.ranges import ranges
@@ -76,8 +77,8 @@ def hypotheses(of: CaseRange) -> Iterator[Holding]:
 
 
 def _another(solution: Any) -> str:
-    """Of a bearing no hypothesis: friction in balance; of a set, whose balls this does not move, another hypothesis."""
-    if not hasattr(solution, "rows"):
+    """No hypothesis but friction, where a bearing's balls may be moved by it as it stands; else another hypothesis."""
+    if not hasattr(solution, "rows") and friction_instead(solution.scene):
         return str(RacewayControl.FRICTION)
     others = (RacewayControl.MINIMUM_DISSIPATION, RacewayControl.OUTER)
     return str(next(each for each in others if each != requested(solution).raceway_control))

@@ -151,7 +151,8 @@ def test_what_the_outer_ring_takes(
     said = [each.remark for each in qs.warnings(solution) if each.remark.code == "momentum_gap"]
     assert len(said) == (found.momentum_gap > LARGE_GAP)
     for each in said:
-        assert each.values == {"outer_N": found.outer_radial_load, "inner_N": pytest.approx(radial)}
+        instead = {"instead": 'raceway_control = "friction"'}
+        assert each.values == {"outer_N": found.outer_radial_load, "inner_N": pytest.approx(radial)} | instead
 
 
 def radially(solution: qs.Solution, contacts: RacewayContacts, share: float) -> np.ndarray:
