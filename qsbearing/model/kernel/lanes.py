@@ -30,7 +30,6 @@ from qsbearing.model.kernel.initial_guess import guess_thrust, is_thrust_like
 from qsbearing.model.kernel.lane_assembly import evaluate_lanes
 from qsbearing.model.kernel.lane_linear import leave_out_others, solve_lanes
 from qsbearing.model.kernel.lane_state import LANES, ball_in, case_in, groove_centre_in, kept, lane_memory
-from qsbearing.model.kernel.least_thrust import is_below_least_thrust
 from qsbearing.model.kernel.loop_closure import inner_length, inner_span, outer_length, set_inner_line, set_outer_line
 from qsbearing.model.kernel.newton import CLOSINGS, NEAR, NEARLY, OPEN_ITERATIONS, SOLVED, UNSOLVED, verdict
 from qsbearing.model.kernel.newton_step import (
@@ -48,7 +47,6 @@ from qsbearing.model.kernel.ring import inner_groove_step
 from qsbearing.model.kernel.solve_case import (
     SOUND,
     UNFINISHED,
-    deliver_refused,
     deliver_solved,
     prepare,
     set_controls,
@@ -340,10 +338,7 @@ def solve_alike(
                     results[k].status = UNFINISHED
                     prepare(case, work, balls, own[k], False, results[k], positions[k], controls[k])
                     entered += 1
-                    if is_below_least_thrust(case, work, balls[0]):
-                        deliver_refused(case, work, balls, results[k], positions[k], controls[k])
-                    else:
-                        enter(ring, lane_balls, lane, case, work, balls, k)
+                    enter(ring, lane_balls, lane, case, work, balls, k)
             running += 1 if ring.case[lane] != NONE else 0
         if running == 0:
             return entered

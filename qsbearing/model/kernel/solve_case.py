@@ -301,8 +301,8 @@ def deliver_solved(
 def deliver_refused(
     case: recarray, work: recarray, balls: ndarray, result: recarray, position: ndarray, control: ndarray
 ) -> None:
-    """Write that friction alone would carry more than the case's thrust; ring and balls are where they were put."""
-    result.iterations, result.residual, result.reached = 0, 1.0, 1.0
+    """Write that friction alone would carry more than the thrust; ring and balls are where the search left them."""
+    result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
     result.notes, result.status = FRICTION_WITHOUT_LOAD, NO_EQUILIBRIUM
     deliver(case, work, balls, result, position, control)
 
@@ -334,14 +334,13 @@ def solve_cases(
         case, result = cases[k], results[k]
         prepare(case, work, balls, own[k], is_warm, result, positions[k], controls[k])
         if is_moving(case):
-            if is_below_least_thrust(case, work, balls[0]):
-                deliver_refused(case, work, balls, result, positions[k], controls[k])
-                continue
             outcome = solve_at_speed(case, work, balls, tolerance, is_warm)
         else:
             outcome = solve_at_rest(case, work, balls, tolerance, is_warm)
         if outcome >= CONTRADICTED:
             deliver_solved(case, work, balls, outcome, result, positions[k], controls[k])
+        elif outcome == NOTHING and is_moving(case) and is_below_least_thrust(case, work, balls[0]):
+            deliver_refused(case, work, balls, result, positions[k], controls[k])
         else:
             unfinished += 1
             result.notes = inadmissibility(case, work, balls) & NO_ORBIT if outcome == REFUSED else 0

@@ -21,11 +21,16 @@ from qsbearing.model.kernel.fallback import solve_unfinished
 from qsbearing.model.kernel.least_thrust import MARGIN, least_thrust, thrust_bound
 from qsbearing.model.kernel.solve_case import BUDGET, UNFINISHED, solve_cases
 from qsbearing.model.kernel.workspace import working_memory
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.flatten import CaseMaker
 from tests.qsbearing.scenes import B218, BOTH, BOTH_HARRIS, DEEP_GROOVE, INNER, OUTER, SPINDLE, turning
+from tests.verification.campaign.checks import findings
+from tests.verification.campaign.envelope import chunk_groups
 from tests.verification.campaign.realistic import AXIAL_RATING, SPEED_PARAMETER, draw_bearing
 
 BEARINGS = {"B218": B218, "spindle": SPINDLE, "deep groove": DEEP_GROOVE}
+OF_FALLBACK = 500
+"""Iterations: the search from closed forms and from rest takes 10 to 200, the fallback another 2,000."""
 SHARES = {"controlling": BOTH, "harris": BOTH_HARRIS}
 
 
@@ -96,8 +101,7 @@ def test_just_above_it_there_is_an_equilibrium_of_friction_and_below_it_none(
     below = qs.solve(thrust(0.999 * limit, 10e3, bearing, effects))
     assert below.status is qs.Status.NO_EQUILIBRIUM
     assert below.reason == qs.Reason.FRICTION_WITHOUT_LOAD
-    assert below.iterations == 0
-    assert np.isnan(below.residual)
+    assert below.iterations < OF_FALLBACK
     assert np.isnan(below.displacement).all()
     assert "the ball slips" in qs.message(below)
 
@@ -135,13 +139,15 @@ def test_a_deep_groove_bearing_carries_as_little_either_way() -> None:
     limit = least(thrust(1.0, 10e3, DEEP_GROOVE))
     for sign in (-1.0, 1.0):
         assert qs.solve(thrust(sign * 1.01 * limit, 10e3, DEEP_GROOVE)).converged
-        assert qs.solve(thrust(sign * 0.99 * limit, 10e3, DEEP_GROOVE)).iterations == 0
+        assert qs.solve(thrust(sign * 0.99 * limit, 10e3, DEEP_GROOVE)).iterations < OF_FALLBACK
 
 
 def test_a_start_does_not_change_it() -> None:
     limit = least(thrust(1.0))
     start = qs.solve(thrust(2.0 * limit))
-    assert qs.solve(thrust(0.9 * limit), start=start).iterations == 0
+    below = qs.solve(thrust(0.9 * limit), start=start)
+    assert below.reason == qs.Reason.FRICTION_WITHOUT_LOAD
+    assert below.iterations < OF_FALLBACK
 
 
 # Over random scenes ---------------------------------------------------------------------------------------------------
@@ -217,6 +223,32 @@ def test_the_full_search_agrees_over_many_scenes(shares: str, kind: qs.BearingKi
     assert assert_exact(random_thrust(2, 3000, shares, kind, angle), 6) > 500
 
 
+def wild_scene(chunk: int, number: int, index: int, factor: float) -> qs.Scene:
+    """A bearing of the wild campaign under inner control, turning alone, its thrust `factor` times what the ends of its
+    contacts say is least."""
+    group = chunk_groups(1, chunk)[number].part([index])
+    given = group.scene()
+    free = [channel for channel in CHANNELS[1:] if getattr(given.operation, channel.displacement) is None]
+    held = [channel for channel in CHANNELS[1:] if channel not in free]
+    none = {channel.load: 0.0 for channel in free} | {channel.displacement: 0.0 for channel in held}
+    operation = replace(given.operation, outer_speed=0.0, axial_load=1.0, **none)
+    limit = least(replace(given, operation=operation))
+    return replace(given, operation=replace(operation, axial_load=factor * limit))
+
+
+@pytest.mark.skipif(not has_fast_code(), reason="thousands of iterations of plain Python")
+@pytest.mark.parametrize(
+    ("chunk", "number", "index", "factor"),
+    [(20, 5, 10, 0.7), (110, 17, 11, 0.9), (90, 16, 3, 0.5), (7, 16, 15, 0.999), (8, 1, 2, 0.9998)],
+    ids=["wide outer groove", "tight grooves", "half of the thrust", "soft balls", "tight and soft"],
+)
+def test_unusual_bearings_have_equilibria_below_it(chunk: int, number: int, index: int, factor: float) -> None:
+    """The search comes first: what it finds stands, whatever the ends of contacts say."""
+    solution = qs.solve(wild_scene(chunk, number, index, factor))
+    assert solution.converged.all()
+    assert not any(bad.any() for bad in findings(solution.scene, solution).failed().values())
+
+
 @pytest.mark.skipif(not has_fast_code(), reason="thousands of iterations of plain Python")
 @pytest.mark.parametrize("shares", SHARES)
 def test_close_to_it_nothing_is_refused_that_is_solved(shares: str) -> None:
@@ -231,6 +263,6 @@ def test_close_to_it_nothing_is_refused_that_is_solved(shares: str) -> None:
     load = near * cases["ball_count"] * cases["force"]
     status, _, of_search = searched(replace(scene, operation=replace(scene.operation, axial_load=load)))
     refused = status == NO_EQUILIBRIUM
-    assert refused.sum() > 30
+    assert refused.sum() > 20
     assert (of_search[refused] == NO_EQUILIBRIUM).all()
     assert (of_search[near > 1.00001 * limits] == CONVERGED).mean() > 0.98

@@ -30,6 +30,8 @@ the same at part of the speed (evidence)
 friction above the thrust (evidence)
     Under inner control with thrust alone: more thrust has equilibria, and as it falls to where the last one is, checked
     as any other, a contact loses its load, so that friction alone carries what is left. The scene has less.
+over the shoulder, under more thrust (evidence)
+    Likewise, and at the last one a contact is at the end of its groove, 90 degrees: under less it lies beyond.
 """
 
 from __future__ import annotations
@@ -58,6 +60,8 @@ ROUNDING = 1e-12
 
 FALLING, MOST_THRUST = 1e-5, 1e15
 """Of the thrust: how far apart that with an equilibrium and that without may lie; so many times its own is none."""
+AT_SHOULDER = 1e-3
+"""Cosine of a contact angle that is a right angle at the last thrust, which is FALLING from none."""
 WITHOUT_LOAD = 1e3
 """Friction over load that says that a contact bears nothing; it grows without bound where the load goes to zero."""
 
@@ -194,17 +198,16 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
             certificates[position] = Certificate(f"{words}, {where}")
             break
         else:
-            if friction_takes_thrust(group.part([int(k)]).scene()):
-                certificates[position] = Certificate("friction above the thrust")
+            certificates[position] = Certificate(end_under_thrust(group.part([int(k)]).scene()))
     return certificates
 
 
-def friction_takes_thrust(scene: qs.Scene) -> bool:
-    """Whether the least thrust that has an equilibrium is above the scene's (one case), and friction carries it."""
+def end_under_thrust(scene: qs.Scene) -> str:
+    """What ends the equilibria of one case under inner control as its thrust falls to the scene's; NONE for nothing."""
     loads = [getattr(scene.operation, channel.load) for channel in CHANNELS]
     others = [load for load in loads[1:] if load is not None]
     if scene.raceway_control is not qs.RacewayControl.INNER or loads[0] is None or np.any(others):
-        return False
+        return NONE
 
     def under(factor: float) -> qs.Solution:
         load = factor * np.asarray(loads[0], float)
@@ -214,7 +217,7 @@ def friction_takes_thrust(scene: qs.Scene) -> bool:
     while not (last := under(high)).converged.all():
         low, high = high, 2.0 * high
         if high > 2.0 * MOST_THRUST:
-            return False
+            return NONE
     while high > (1.0 + FALLING) * low:
         middle = 0.5 * (low + high)
         tried = under(middle)
@@ -223,9 +226,12 @@ def friction_takes_thrust(scene: qs.Scene) -> bool:
         else:
             low = middle
     if any(bad.any() for bad in findings(last.scene, last).failed().values()):
-        return False
-    asked = [np.nanmax(np.asarray(side.required_friction)) for side in (last.inner, last.outer)]
-    return bool(max(asked) > WITHOUT_LOAD)
+        return NONE
+    sides = last.inner, last.outer
+    if max(np.nanmax(np.asarray(side.required_friction)) for side in sides) > WITHOUT_LOAD:
+        return "friction above the thrust"
+    is_at_end = min(np.nanmin(np.cos(np.asarray(side.angle))) for side in sides) < AT_SHOULDER
+    return "over the shoulder, under more thrust" if is_at_end else NONE
 
 
 def directional(scene: qs.Scene) -> Certificate:

@@ -143,6 +143,28 @@ def test_each_kind_where_it_is_right(values: dict[str, Any], kind: str) -> None:
     assert (kind in PROOFS) == (kind in ("unsupported direction", "null motion", "open side, unique equilibrium"))
 
 
+@compiled_only
+@pytest.mark.parametrize(
+    ("chunk", "index", "kind"),
+    [
+        (60, 61, "over the shoulder, under more thrust"),
+        (8, 27, "friction above the thrust"),
+        (96, 825, "friction above the thrust"),
+    ],
+)
+def test_a_falling_thrust_tells_what_ends_the_equilibria(chunk: int, index: int, kind: str) -> None:
+    """Scenes of the campaign on file: of grooves far wider than the ball, and of soft balls."""
+    for group in chunk_groups(1, chunk):
+        count = group.operation["speed_rpm"].size
+        if index < count:
+            break
+        index -= count
+    alone = group.part([index])
+    assert kind_of(alone, qs.solve(alone.scene())) == kind
+    more = replace(alone, operation=alone.operation | {"axial_load_N": 1e5 * alone.operation["axial_load_N"]})
+    assert qs.solve(more.scene()).converged.all()
+
+
 RESTRICTED = {
     "open side": OPEN_SIDE | {"speed_rpm": 2000.0},
     "over the shoulder": OVER_SHOULDER | {"speed_rpm": 2000.0},
