@@ -1,13 +1,12 @@
-"""`qsbearing guide`: its topics, one of them on the terminal, or all as a page to read in a browser."""
+"""`qsbearing guide`: its topics, one of them on the terminal, or all as a site to read in a browser."""
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
 import click
 
-from qsbearing.cli.files import check_installed, fill, folder
+from qsbearing.cli.files import check_installed, folder
 from qsbearing.cli.output import print_table, print_text, print_wrote, refuse
 
 if TYPE_CHECKING:
@@ -15,15 +14,19 @@ if TYPE_CHECKING:
 
     from qsbearing.documents.guide import Page
 
+FIRST = "index.html"
+"""Of the pages of the site."""
+
 
 @click.command(short_help="Read the guide: topics, a page, or all as HTML.")
 @click.argument("topic", required=False)
-@click.option(
-    "--html", "target", metavar="DIR", help="Write the guide to DIR: guide.html, a page for each topic, search."
-)
+@click.option("--html", "target", metavar="DIR", help="Write it to DIR, with a reference and a search: index.html.")
 @click.option("--open", "is_opened", is_flag=True, help="Open it in the browser, at TOPIC if one is named.")
 def guide(topic: str | None, target: str | None, is_opened: bool) -> None:
-    """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or write all as HTML pages.
+    """List the topics of the guide, print TOPIC or one section of it (TOPIC#SECTION), or show all as a site.
+
+    The site has the guide, a reference of Python, files, commands and results, and a search that needs no network. A
+    wheel carries it; in a copy of the repository it is made, which needs the extra "docs".
 
     Exit codes: 0 done, 2 bad input.
     """
@@ -59,29 +62,45 @@ def _list(pages: dict[str, Page]) -> None:
 
 
 def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
-    what = "--html needs" if target is not None else "--open needs"
-    check_installed(what, ("jinja2", "markdown_it", "mdit_py_plugins"), "report")
-    from qsbearing.documents.guide import HOME, documents, file_of
-    from qsbearing.documents.pages import pages
-    from qsbearing.model.version import __version__
-    from qsbearing.reports.guide_lists import LISTS
+    """Put the site where it is asked for, or where it is kept; open it."""
+    from shutil import copytree
 
-    into = folder(target) if target is not None else _own_folder()
-    made = pages(documents(__version__, lists=LISTS), HOME)
-    fill({into / name: partial(_file, name) for name in made}, lambda: made)
-    print_wrote([into / HOME])
+    carried = _carried()
+    into = folder(target) if target is not None else carried or _own_folder()
+    if into != carried:
+        if carried is not None:
+            copytree(carried, into, dirs_exist_ok=True)
+        else:
+            what = "--html needs" if target is not None else "--open needs"
+            check_installed(what, ("mkdocs", "material", "mkdocstrings"), "docs")
+            _build(into)
+    print_wrote([into / FIRST])
     if is_opened:
-        page, _, section = (topic or "").partition("#")
-        place = f"#{page}-{section}" if section else ""
-        click.launch((into / (file_of(page) if page else HOME)).resolve().as_uri() + place)
+        page, _, section = (topic or "index").partition("#")
+        click.launch((into / f"{page}.html").resolve().as_uri() + (f"#{section}" if section else ""))
 
 
-def _file(name: str, made: dict[str, str]) -> bytes:
-    return made[name].encode()
+def _build(into: Path) -> None:
+    """In a process of its own: its engine is none of what the command needs."""
+    from subprocess import run
+    from sys import executable
+
+    click.echo("qsbearing: making the site, some ten seconds", err=True)
+    ended = run([executable, "-m", "qsbearing.site", str(into)], capture_output=True, text=True, check=False)
+    if ended.returncode:
+        refuse(f"the site cannot be made: {ended.stdout}{ended.stderr}")
+
+
+def _carried() -> Path | None:
+    """The site that a wheel carries; None in a copy of the repository."""
+    from pathlib import Path
+
+    built = Path(__file__).parents[1] / "site" / "built"
+    return built if (built / FIRST).is_file() else None
 
 
 def _own_folder() -> Path:
-    """Where a page is kept that nobody gave a place."""
+    """Where a site is kept that nobody gave a place."""
     from platformdirs import user_cache_dir
 
-    return folder(user_cache_dir("qsbearing"))
+    return folder(f"{user_cache_dir('qsbearing')}/site")

@@ -1,4 +1,4 @@
-"""The guide: its pages, each a document."""
+"""The guide: its pages, as Markdown."""
 
 from __future__ import annotations
 
@@ -8,12 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from qsbearing.documents.formula import in_text
-from qsbearing.documents.markdown import Links, sections
-from qsbearing.documents.model import Document, Section, anchor_of
+from qsbearing.documents.model import anchor_of
 
 FOLDER = Path(__file__).parents[1] / "guide"
-HOME = "guide.html"
-"""The file of the first page, where each has one."""
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
 
@@ -98,40 +95,3 @@ def meant_by(word: str, pages: Mapping[str, Page]) -> str:
         else:
             places += [f"{page.topic}#{anchor_of(each)}" for each in headings if has_word(each)][:1]
     return f"See {', '.join(places)}" if places else ""
-
-
-def documents(version: str, folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Document]:
-    """Each page as a document of its own, by the name of its file; the first is `HOME`."""
-    pages = topics(folder, lists)
-    by_file: dict[str, Document] = {}
-    for page in pages.values():
-        (whole,) = sections(page.text, folder, _links(page, pages), page.topic)
-        kind = f"qsbearing {version}" if page.topic == FIRST else "qsbearing guide"
-        by_file[file_of(page.topic)] = Document(
-            page.title.replace("`", ""),
-            kind,
-            [each for each in whole.blocks if isinstance(each, Section)],
-            head=[each for each in whole.blocks if not isinstance(each, Section)],
-        )
-    return by_file
-
-
-def file_of(topic: str) -> str:
-    """The name of a page's file."""
-    return HOME if topic == FIRST else f"{topic}.html"
-
-
-def _links(page: Page, pages: dict[str, Page]) -> Links:
-    """Where the links of a page lead in the guide: to other sites and pages; files of the repository are none."""
-
-    def lead(link: str) -> str | None:
-        if re.match(r"https?://|mailto:", link):
-            return link
-        path, _, place = link.partition("#")
-        topic = Path(path).stem if path else page.topic
-        if (path and Path(path).name != path) or topic not in pages:
-            return None
-        within = f"#{topic}-{place}" if place else ""
-        return within if within and topic == page.topic else file_of(topic) + within
-
-    return lead

@@ -39,16 +39,12 @@ EQUAL = re.compile(r"(?<=\b\w) = (?=[+\-−]?\d)|(?<=\bF[arxyz]) = (?=[+\-−]?\
 """Between a symbol and its value."""
 
 
-def html(document: Document, around: dict[str, Any] | None = None) -> str:
-    """The page as text.
-
-    Args:
-        around: of one of several pages: home, search, is_home, and the names and titles of those before and after.
-    """
+def html(document: Document) -> str:
+    """The page as text."""
     from markupsafe import Markup
 
     style, script = (Markup((TEMPLATES / name).read_text(encoding="utf-8")) for name in ("page.css", "tables.js"))
-    return _rendered("page.html", document, style=style, script=script, around=around)
+    return _rendered("page.html", document, style=style, script=script)
 
 
 def part(blocks: Sequence[Block]) -> str:

@@ -7,21 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from qsbearing.documents.guide import HOME, documents
 from qsbearing.documents.html import html
 from qsbearing.documents.model import Document, Section, Table
-from qsbearing.documents.pages import pages
-from qsbearing.reports.guide_lists import LISTS
 from tests.documents.browser import OVERFLOWS, WIDE, Browser, installed, layout_faults
 from tests.documents.example import document
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
 
-MATHML = {
-    "mrow", "mi", "mn", "mo", "mtext", "mspace", "mstyle", "mfrac", "msqrt", "msub", "msup", "msubsup", "munder",
-    "munderover",
-}  # fmt: skip
-"""Elements that MathML Core knows: a browser shows others as a row of letters."""
 NAMES = (
     "[...document.querySelectorAll('table[data-tools] tbody tr')].filter(r => r.checkVisibility())"
     ".map(r => r.cells[0].textContent)"
@@ -95,44 +87,6 @@ def test_a_table_that_stacks_on_a_phone_is_not_cut_on_a_tablet(browser: Browser,
     browser.open(page, width=768)
     box = "document.querySelector('table').parentElement"
     assert browser.value(f"{box}.scrollWidth") <= browser.value(f"{box}.clientWidth")
-
-
-@pytest.fixture(scope="module")
-def guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Its folder."""
-    folder = tmp_path_factory.mktemp("guide")
-    for name, text in pages(documents("0", lists=LISTS), HOME).items():
-        (folder / name).write_text(text, encoding="utf-8")
-    return folder
-
-
-def test_nothing_of_the_guide_is_wider_than_what_holds_it(browser: Browser, guide: Path) -> None:
-    assert {page.name: faults for page in guide.glob("*.html") if (faults := layout_faults(browser, page))} == {}
-
-
-def test_formulas_of_the_guide_are_drawn(browser: Browser, guide: Path) -> None:
-    """A numerator is above its denominator, an index lower than its base: the browser knows MathML."""
-    browser.open(guide / "model.html")
-    assert browser.value("document.querySelectorAll('math').length") > 100
-    used = browser.value("[...document.querySelectorAll('math *')].map(e => e.tagName)")
-    assert set(used) <= MATHML
-    assert used.count("mfrac") > 20 and used.count("msub") > 100 and used.count("msqrt") > 0
-    assert browser.value(
-        "[...document.querySelectorAll('mfrac')].every(e => e.children[0].getBoundingClientRect().bottom"
-        " <= e.children[1].getBoundingClientRect().top + 1)"
-    )
-    assert browser.value(
-        "[...document.querySelectorAll('msub')].every(e => e.children[1].getBoundingClientRect().bottom"
-        " > e.children[0].getBoundingClientRect().bottom - 1)"
-    )
-
-
-def test_the_contents_mark_the_section_being_read(browser: Browser, guide: Path) -> None:
-    browser.open(guide / "model.html")
-    browser.value("document.getElementById('model-rings-and-balls-that-grow').scrollIntoView()")
-    browser.value("new Promise(done => setTimeout(done, 100))")
-    marked = "[...document.querySelectorAll('nav a[aria-current]')].map(a => a.hash)"
-    assert browser.value(marked) == ["#model-rings-and-balls-that-grow"]
 
 
 def test_an_element_that_is_too_wide_is_found(browser: Browser, page: Path) -> None:

@@ -8,13 +8,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from qsbearing import __version__
 from qsbearing.cli import cli
-from qsbearing.documents.guide import FOLDER, HOME, documents, file_of, topics
-from qsbearing.documents.markdown import sections
-from qsbearing.documents.model import Bullets, Code, Document, Md, Paragraph, Picture, Section, Table
-from qsbearing.documents.pdf import pdf
-from tests.documents.page import Page
+from qsbearing.documents.guide import FOLDER, topics
 
 
 def call(*arguments: str) -> Result:
@@ -57,85 +52,11 @@ def test_a_section_is_printed_alone_and_a_wrong_one_refused() -> None:
     assert "no section hypothesis in the topic limits" in wrong.stderr
 
 
-def test_each_topic_is_a_sound_page(tmp_path: Path) -> None:
-    """And all lead home, to their neighbours and through the search."""
-    into = tmp_path / "new" / "folder"
-    assert call("--html", str(into)).exit_code == 0
-    names = [file_of(topic) for topic in topics()]
-    assert names[0] == HOME
-    assert {path.name for path in into.iterdir()} == {*names, "search.js"}
-    for number, name in enumerate(names):
-        text = (into / name).read_text(encoding="utf-8")
-        assert Page.of(text, [*names, "search.js"]).faults == []
-        assert (f'href="{HOME}">Guide' in text) == (name != HOME)
-        assert [other for other in names if f'href="{other}" rel="' in text] == [
-            *names[max(number - 1, 0) : number],
-            *names[number + 1 : number + 2],
-        ]
-
-
-def test_each_page_can_be_a_pdf() -> None:
-    """With the letters and formulas of all: one document, whose links do not matter here."""
-    found = documents(__version__).values()
-    whole = Document("Guide", "", [Section(each.title, [*each.head, *each.sections]) for each in found])
-    assert pdf(whole, strict=True).startswith(b"%PDF")
-
-
 def test_a_folder_that_cannot_be_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     result = call("--html", str(tmp_path / "file"))
     assert result.exit_code == 2
     assert "cannot be a folder" in result.stderr
-
-
-PAGE = """<!-- a comment -->
-# A page
-
-Words with `code`, [another page](b.md), [its part](b.md#part), [a file](../x.py) and [a site](https://example.org).
-
-- one
-- two
-
-1. first
-
-| name | value | words |
-|---|---|---|
-| a | 1.5 | x |
-
-```sh
-run this
-```
-
-    x = 1
-
-![what it shows](p.svg)
-
-## Part
-
-> A remark.
-"""
-
-
-def test_a_page_becomes_pieces(tmp_path: Path) -> None:
-    (tmp_path / "p.svg").write_text("<svg/>")
-    leads = {"b.md": "#b", "b.md#part": "#b-part", "https://example.org": "https://example.org"}
-    (page,) = sections(PAGE, tmp_path, leads.get, "a")
-    assert (page.name, page.title) == ("a", "A page")
-    words, bullets, numbered, table, typed, indented, picture, part = page.blocks
-    assert isinstance(words, Paragraph)
-    assert words.text == (
-        "Words with `code`, [another page](#b), [its part](#b-part), a file and [a site](https://example.org)."
-    )
-    assert isinstance(words.text, Md)
-    assert bullets == Bullets(["one", "two"])
-    assert numbered == Bullets(["first"], numbered=True)
-    assert isinstance(table, Table)
-    assert (table.align, table.rows) == ("lrl", [["a", "1.5", "x"]])
-    assert (typed, indented) == (Code("run this", "sh"), Code("x = 1"))
-    assert isinstance(picture, Picture)
-    assert (picture.alt, picture.form) == ("what it shows", "svg")
-    assert isinstance(part, Section)
-    assert part.name == "a-part"
 
 
 @pytest.mark.parametrize(
@@ -162,4 +83,3 @@ def test_pages_come_in_the_order_of_the_first(tmp_path: Path) -> None:
     for name, text in {"index": "[z](z.md) [b](b.md)", "a": "", "b": "", "z": ""}.items():
         (tmp_path / f"{name}.md").write_text(f"# {name}\n\n{text}\n")
     assert list(topics(tmp_path)) == ["index", "z", "b", "a"]
-    assert list(documents("0", tmp_path)) == [file_of(topic) for topic in ("index", "z", "b", "a")]

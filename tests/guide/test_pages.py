@@ -161,11 +161,3 @@ def test_every_picture_of_the_gallery_is_made_by_a_command_of_its_section() -> N
 def test_the_index_names_every_page() -> None:
     named = re.findall(r"\]\((\w+)\.md\)", (GUIDE / "index.md").read_text(encoding="utf-8"))
     assert sorted(set(named)) == sorted(page.stem for page in GUIDE.glob("*.md") if page.stem != "index")
-
-
-def test_links_lead_to_sections() -> None:
-    """Their maker refuses a link to a page or section that there is not."""
-    from qsbearing.documents.guide import HOME, documents
-    from qsbearing.documents.pages import pages
-
-    pages(documents("0"), HOME)

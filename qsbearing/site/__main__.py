@@ -1,0 +1,141 @@
+"""`python -m qsbearing.site DIR`: the guide and a reference made from the code, as pages; needs the extra "docs".
+
+Pages are written to a folder of their own as plain Markdown, from which MkDocs makes the site. None of them is kept:
+the guide is the guide's own text, names come from `qsbearing/__init__.pyi`, keys from the schema of files and the
+descriptions of inputs, commands from click, results from their descriptions.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import click
+
+from qsbearing.documents.guide import FOLDER, topics
+from qsbearing.model.version import __version__
+from qsbearing.reports.guide_lists import LISTS
+from qsbearing.site.reference import command_pages, key_page, python_pages, result_page
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+BUILT = HERE / "built"
+"""Where a wheel carries it."""
+TABS = ("Learn", "Do", "Trust", "Develop")
+"""Headings of the guide's first page that are the site's own parts, in this order; its lists name the pages."""
+UNUSED = ("**/*.map", "assets/javascripts/lunr/*.js", "assets/javascripts/lunr/min/*.js", "sitemap.xml*")
+"""Of the theme: languages of the search other than English, and maps of its scripts."""
+IN_FILES = ("search/search_index.json",)
+"""What pages opened as files do not read."""
+
+
+def write_pages(folder: Path) -> list[dict[str, Any]]:
+    """Write every page of the site to a folder; the order of them, as MkDocs takes it."""
+    shutil.copytree(HERE / "assets", folder / "assets")
+    _copy_pictures(folder)
+    guide = topics(lists=LISTS)
+    for page in guide.values():
+        (folder / f"{page.topic}.md").write_text(_of_site(page.text), encoding="utf-8")
+    reference = [
+        {"Python": list(_written(folder, python_pages()))},
+        {"Files": list(_written(folder, key_page()))},
+        {"Commands": list(_written(folder, command_pages()))},
+        {"Results": list(_written(folder, result_page()))},
+        {"Names that stay": "interface.md"},
+    ]
+    about = [{"About": _about(folder)}] if (ROOT / "CHANGELOG.md").is_file() else []
+    return [{"Home": "index.md"}, *_parts(guide), {"Reference": reference}, *about]
+
+
+def _about(folder: Path) -> list[dict[str, str]]:
+    """What a copy of the repository has besides, an installed package not."""
+    changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
+    (folder / "changes.md").write_text(_of_site(changes), encoding="utf-8")
+    (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
+    return [{"Changes": "changes.md"}, {"How to cite": "cite.md"}]
+
+
+def _written(folder: Path, pages: dict[str, tuple[str, str]]) -> Iterator[dict[str, str]]:
+    """Of pages by their files: (title, text)."""
+    for name, (title, text) in pages.items():
+        path = folder / "reference" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        yield {title: f"reference/{name}"}
+
+
+def _parts(guide: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tabs of the guide, with the pages that the lists below these headings name."""
+    parts: dict[str, list[dict[str, str]]] = {}
+    part = ""
+    for line in guide["index"].text.splitlines():
+        if line.startswith("## "):
+            part = line[3:].strip()
+        elif part in TABS and line.startswith("- ["):
+            topic = line.partition("](")[2].partition(".md")[0]
+            if topic != "interface":  # which stands in the reference
+                parts.setdefault(part, []).append({guide[topic].title.replace("`", ""): f"{topic}.md"})
+    named = {path.removesuffix(".md") for pages in parts.values() for page in pages for path in page.values()}
+    missing = set(guide) - named - {"index", "interface"}
+    if missing or tuple(parts) != TABS:
+        raise ValueError(f"pages that no list of the first page names: {sorted(missing)}; parts: {list(parts)}")
+    return [{part: pages} for part, pages in parts.items()]
+
+
+def _copy_pictures(folder: Path) -> None:
+    """Pictures, data and the gallery; the pages themselves are written."""
+    for path in FOLDER.rglob("*"):
+        if path.is_file() and path.suffix in {".svg", ".png", ".ipynb"}:
+            target = folder / path.relative_to(FOLDER)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, target)
+
+
+def _of_site(text: str) -> str:
+    """The guide's Markdown without links into the repository, which the site does not hold: their words stay."""
+
+    def lead(found: re.Match[str]) -> str:
+        path, _, _ = found[2].partition("#")
+        is_held = not path or path.startswith(("http", "mailto")) or (FOLDER / path).exists()
+        return found[0] if is_held else found[1]
+
+    return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", lead, text)
+
+
+def configured(pages: Path, site: Path, nav: list[dict[str, Any]]) -> str:
+    """The configuration of one run, in JSON, which is YAML."""
+    given = {"INHERIT": str(HERE / "mkdocs.yml"), "docs_dir": str(pages), "site_dir": str(site), "nav": nav}
+    return json.dumps(given | {"site_name": f"qsbearing {__version__}"})
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.argument("target", type=click.Path(path_type=Path, file_okay=False), default=BUILT)
+@click.option("--pages", "kept", type=click.Path(path_type=Path), help="Keep the Markdown pages in this folder.")
+def main(target: Path, kept: Path | None) -> None:
+    """Make the site in the folder TARGET, by default where a wheel takes it from.
+
+    Exit code 1 where a link leads nowhere, or a docstring names what there is not.
+    """
+    with tempfile.TemporaryDirectory() as temporary:
+        pages = kept or Path(temporary) / "pages"
+        shutil.rmtree(pages, ignore_errors=True)
+        config = Path(temporary) / "mkdocs.yml"
+        config.write_text(configured(pages.resolve(), target.resolve(), write_pages(pages)), encoding="utf-8")
+        command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "-f", str(config)]
+        ended = subprocess.run(command, env=os.environ | {"NO_MKDOCS_2_WARNING": "1"}, check=False)
+    for pattern in (*UNUSED, *(IN_FILES if target == BUILT else ())):
+        for path in target.glob(pattern):
+            path.unlink()
+    sys.exit(ended.returncode)
+
+
+if __name__ == "__main__":
+    main()

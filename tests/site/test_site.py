@@ -1,0 +1,195 @@
+"""The site: made without a warning, whole, sound in a browser without network, and found by the command."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+from qsbearing.documents.guide import FOLDER
+from tests.documents.browser import WIDE, Browser, barriers, installed
+
+pytest.importorskip("mkdocs")
+in_browser = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
+
+MATHML = {
+    "mrow", "mi", "mn", "mo", "mtext", "mspace", "mstyle", "mfrac", "msqrt", "msub", "msup", "msubsup", "munder",
+    "munderover",
+}  # fmt: skip
+"""Elements that MathML Core knows: a browser shows others as a row of letters."""
+TEN = (
+    "index", "ten_minutes", "model", "limits", "readings", "reference/python/solution", "reference/python/sets",
+    "reference/files/effects", "reference/commands/qsbearing_run", "reference/results/bearing",
+)  # fmt: skip
+"""Pages of each kind."""
+OF_THEME = (
+    'aria-dialog-name: <div class="md-search"',
+    'landmark-unique: <nav class="md-nav md-nav--primary',
+    'landmark-unique: <nav class="md-code__nav"',
+)
+"""What axe finds in the theme's own frame of every page: a search without a name, and navigations of the same name."""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The folder of the site and that of its pages in Markdown."""
+    folder = tmp_path_factory.mktemp("site")
+    command = [sys.executable, "-m", "qsbearing.site", str(folder / "made"), "--pages", str(folder / "pages")]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stdout + ended.stderr) == (0, "")
+    return folder / "made", folder / "pages"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with Browser() as found:
+        found.ask("Network.enable")
+        found.ask("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
+        yield found
+
+
+def test_every_public_name_stands_on_one_page() -> None:
+    from qsbearing.site.reference import GROUPS
+
+    named = [name for _, _, names in GROUPS.values() for name in names]
+    modules = {"readings", "__version__"}
+    assert sorted(named) == sorted(set(qs.__all__) - modules)
+
+
+def test_every_page_of_the_guide_is_there(site: tuple[Path, Path]) -> None:
+    made, _ = site
+    assert {path.stem for path in FOLDER.glob("*.md")} <= {path.stem for path in made.glob("*.html")}
+
+
+def test_the_names_that_stay_are_those_that_are_shown(site: tuple[Path, Path]) -> None:
+    from tests.guide.interface import kept
+
+    made, _ = site
+    text = "".join(path.read_text(encoding="utf-8") for path in (made / "reference" / "python").glob("*.html"))
+    places = set(re.findall(r'id="qsbearing\.([\w.]+)"', text))
+    for name in ("Solution", "SetSolution", "RacewayContacts"):
+        shown = {place.partition(".")[2] for place in places if place.startswith(f"{name}.")}
+        assert shown == set(kept()["python"][f"qs.{name}"])
+
+
+def test_every_key_has_a_meaning(site: tuple[Path, Path]) -> None:
+    _, pages = site
+    rows = [
+        line.split(" | ")
+        for path in (pages / "reference" / "files").glob("*.md")
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if line.startswith("| `")
+    ]
+    assert len(rows) > 370
+    assert [key for key, meaning, *_ in rows if not meaning.strip()] == []
+
+
+def test_every_command_and_option_is_there(site: tuple[Path, Path]) -> None:
+    _, pages = site
+    for name, command in cli.commands.items():
+        text = (pages / "reference" / "commands" / f"qsbearing_{name}.md").read_text(encoding="utf-8")
+        shown = [each for each in command.params if not getattr(each, "hidden", False)]
+        options = [option for each in shown for option in each.opts if option.startswith("--")]
+        assert [option for option in options if option not in text] == []
+
+
+def test_nothing_is_asked_of_the_network(site: tuple[Path, Path]) -> None:
+    made, _ = site
+    for path in made.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        assert re.findall(r"<(?:script|img|iframe)[^>]*src=\"?(?:https?:)?//[^>]*>", text) == []
+        assert re.findall(r"<link[^>]*rel=\"?(?:stylesheet|preconnect)[^>]*href=\"?(?:https?:)?//[^>]*>", text) == []
+
+
+def test_no_formula_is_left_as_it_is_written(site: tuple[Path, Path]) -> None:
+    made, _ = site
+    shown = 0
+    for path in made.glob("*.html"):
+        if path.name in ("changes.html", "cite.html"):
+            continue
+        text = re.sub(r"<(code|pre|script|title)\b.*?</\1>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        assert "$" not in re.sub(r"<[^>]*>", "", text), path.name
+        shown += text.count("<math")
+    assert shown > 250
+
+
+@in_browser
+def test_the_search_needs_no_network(site: tuple[Path, Path], browser: Browser) -> None:
+    made, _ = site
+    browser.open(made / "index.html")
+    browser.value("document.querySelector('[name=query]').focus()")
+    browser.type("preload")
+    found = "document.querySelectorAll('.md-search-result__item').length"
+    for _ in range(100):
+        if count := browser.value(found):
+            break
+        time.sleep(0.1)
+    assert count >= 5
+    links = browser.value("[...document.querySelectorAll('.md-search-result__link')].map(a => a.pathname)")
+    assert any(link.endswith("sets.html") for link in links)
+    assert browser.complaints == []
+
+
+@in_browser
+@pytest.mark.parametrize("page", TEN)
+def test_the_content_is_wide_enough_and_bars_nobody(site: tuple[Path, Path], browser: Browser, page: str) -> None:
+    made, _ = site
+    for width in (1280, 390):
+        browser.open(made / f"{page}.html", width=width)
+        assert browser.value(WIDE) <= width
+    own = [each for each in barriers(browser) if not any(known in each for known in OF_THEME)]
+    assert own == []
+    assert browser.complaints == []
+
+
+@in_browser
+def test_formulas_are_drawn(site: tuple[Path, Path], browser: Browser) -> None:
+    """A numerator is above its denominator, an index lower than its base: the browser knows MathML."""
+    made, _ = site
+    browser.open(made / "model.html")
+    assert browser.value("document.querySelectorAll('math').length") > 100
+    used = browser.value("[...document.querySelectorAll('math *')].map(e => e.tagName)")
+    assert set(used) <= MATHML
+    assert used.count("mfrac") > 20 and used.count("msub") > 100 and used.count("msqrt") > 0
+    assert browser.value(
+        "[...document.querySelectorAll('mfrac')].every(e => e.children[0].getBoundingClientRect().bottom"
+        " <= e.children[1].getBoundingClientRect().top + 1)"
+    )
+    assert browser.value(
+        "[...document.querySelectorAll('msub')].every(e => e.children[1].getBoundingClientRect().bottom"
+        " > e.children[0].getBoundingClientRect().bottom - 1)"
+    )
+
+
+def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a wheel carries it: copied, and opened where it is."""
+    carried = tmp_path / "carried"
+    carried.mkdir()
+    (carried / "index.html").write_text("first", encoding="utf-8")
+    monkeypatch.setattr(sys.modules["qsbearing.cli.guide"], "_carried", lambda: carried)
+    opened: list[str] = []
+    monkeypatch.setattr("click.launch", opened.append)
+    assert CliRunner().invoke(cli, ["guide", "--html", str(tmp_path / "new")]).exit_code == 0
+    assert (tmp_path / "new" / "index.html").read_text(encoding="utf-8") == "first"
+    assert CliRunner().invoke(cli, ["guide", "limits#hypotheses", "--open"]).exit_code == 0
+    assert opened == [(carried / "limits.html").as_uri() + "#hypotheses"]
+
+
+def test_without_its_engine_the_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    import importlib.util
+
+    seek = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name, *more: None if name == "mkdocs" else seek(name, *more)
+    )
+    said = CliRunner().invoke(cli, ["guide", "--open"])
+    assert said.exit_code == 2
+    assert "mkdocs" in said.stderr and "docs" in said.stderr
