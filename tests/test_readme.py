@@ -25,7 +25,7 @@ def blocks(language: str) -> list[str]:
 
 
 def test_the_readme_stays_short() -> None:
-    assert len(README.splitlines()) <= 150
+    assert len(README.splitlines()) <= 120
     assert [line for line in README.splitlines() if len(line) > 88] == []
 
 
@@ -40,7 +40,6 @@ def test_the_python_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[s
     exec(compile(code, "README.md", "exec"), {})
     printed = capsys.readouterr().out
     assert "converged 49.94" in printed
-    assert "(3, 8, 16)" in printed
 
 
 def test_the_scene_file_solves(tmp_path: Path) -> None:

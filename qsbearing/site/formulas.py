@@ -12,7 +12,7 @@ from qsbearing.documents.formula import forms, split
 
 CODE = r"^(?P<fence>`{3,}|~{3,})[^\n]*\n.*?^(?P=fence)[ \t]*$|(?P<ticks>`+)[^`].*?(?P=ticks)"
 FORMULA = re.compile(
-    rf"{CODE}|\$\$(?P<block>.+?)\$\$|(?<![\\$\w])\$(?P<line>[^$\n]+?)\$(?!\w)", re.DOTALL | re.MULTILINE
+    rf"{CODE}|\$\$(?P<block>.+?)\$\$|(?<![\\$])\$(?P<line>[^$\n]+?)\$", re.DOTALL | re.MULTILINE
 )
 
 
