@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import qsbearing
 from fem_check import meshing
+from fem_check.checks import half_spaces_beside
 from fem_check.independent.contact_problem import QUANTITIES
 from fem_check.independent.groove import RACES, BallInGroove
 from fem_check.independent.references import HERTZ_SOURCE, hertz
@@ -17,7 +18,7 @@ from fem_check.meshing import MeshError
 from fem_check.product.scenes import groove_contact, load_scene, operating_loads
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, covered
 from fem_check.rows.record import MeshRecord
-from fem_check.solids import true_statics
+from fem_check.solids import true_maps, true_statics
 from fem_check.solids.true_contact import READ, with_room
 from fem_check.solids.true_study import TrueContactStudy, contacts, meshed, ring_doubt, solve
 from qsbearing.documents.numbers import plain
@@ -43,7 +44,7 @@ BULGE_REASON = (
 
 def gap_rows(solved: TrueContactStudy) -> list[AgreementRow]:
     """The gap's shape, on the true bodies, against boundary elements; the ball's other side against a series."""
-    reference = boundary_element.over_hertz(solved.groove, solved.load)
+    reference = boundary_element.over_hertz(solved.groove, solved.load, inclined=True)
     rows = []
     for name, tolerance in GAP_TOLERANCES.items():
         effect, uncertainty = solved.ratio("exact_gap", "parabola", name)
@@ -262,8 +263,11 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         judged = [*gap_rows(each), *body_rows(each, level)]
         rows += [*(judged if scene == EXAMPLE else decided(judged)), *true_rows(each)]
     last = list(every.values())[-1][-1]
-    pictures = {race: series(solved) for race, solved in every.items()}
-    return Findings([*rows, *refused], mesh_entry(last, FINEST[level]), last.solver, {"true_geometry": pictures}, NOTES)
+    if level is MeshLevel.RELEASE:
+        rows += half_spaces_beside.rows(solutions, progress)
+    pictures: dict[str, object] = {"true_geometry": {race: series(solved) for race, solved in every.items()}}
+    pictures["pressures"] = [true_maps.pressure_map(each.finest, each.load) for each in solutions if each.finest]
+    return Findings([*rows, *refused], mesh_entry(last, FINEST[level]), last.solver, pictures, NOTES)
 
 
 def series(solved: list[TrueContactStudy]) -> dict[str, object]:
@@ -277,7 +281,7 @@ def series(solved: list[TrueContactStudy]) -> dict[str, object]:
             values[name] = [100.0 * (value - 1.0) for value, _ in both]
             spread[name] = [100.0 * uncertainty for _, uncertainty in both]
         drawn[f"{key}_percent"], drawn[f"{key}_uncertainty"] = values, spread
-    references = [boundary_element.over_hertz(each.groove, each.load).ratio for each in solved]
+    references = [boundary_element.over_hertz(each.groove, each.load, inclined=True).ratio for each in solved]
     drawn["boundary_elements_percent"] = {name: [100.0 * (each[name] - 1.0) for each in references] for name in READ}
     drawn["added_um_per_kN"] = [[1e9 * part for part in each.added[-1]] for each in solved]
     return drawn

@@ -42,7 +42,7 @@ from fem_check.independent.ring_sections import (
 )
 from fem_check.mechanics import contact
 from fem_check.mechanics.contact import ContactError
-from fem_check.mechanics.measuring import central_pressure
+from fem_check.mechanics.measuring import largest_beside_centre
 from fem_check.rows.agreement import Progress
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
@@ -407,14 +407,14 @@ class CondensedContact:
         return pressure, float(moved[0])
 
     def _read(self, pressure: Array) -> tuple[float, float, float]:
-        """Semi-axes about the pressure's own centre, and the largest pressure there."""
+        """Semi-axes about the pressure's own centre, and the largest pressure near it."""
         basis = self.contact.frame.basis
         (x, y), area = basis.samples
         at = basis.values(x, y) @ pressure
         share = at * area / (at @ area)
         x = x - share @ x
         a, b = float(np.sqrt(5.0 * (share @ x**2))), float(np.sqrt(5.0 * (share @ y**2)))
-        return a, b, central_pressure(x / a, y / b, area, at)
+        return a, b, largest_beside_centre(x / a, y / b, area, at)
 
     def added_compliances(self, load: float) -> tuple[float, float]:
         """What ball and ring each add to the approach of a half-space under Hertz's gap, over the load [m/N].

@@ -183,7 +183,7 @@ def test_planted_largest_pressure_from_the_formula(condensed, monkeypatch):
         scale = area.sum() / ((x.max() - x.min()) * (y.max() - y.min()))
         return 1.5 * float(pressure @ area) / scale / (0.5 * np.pi)
 
-    monkeypatch.setattr(true_contact, "central_pressure", formula)
+    monkeypatch.setattr(true_contact, "largest_beside_centre", formula)
     assert gap_misses(condensed) == ["max_pressure"]
 
 
