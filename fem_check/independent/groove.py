@@ -81,7 +81,7 @@ class BallInGroove:
         return self.race_height(x, y) - self.ball_height(x, y)
 
     def inclined_gap(self, x: Array, y: Array) -> Array:
-        """The same of the torus as it stands, its axis inclined by the contact angle; x grows with the contact angle."""
+        """The same of the torus as it stands, its axis inclined by the contact angle; x grows with this angle."""
         sine, cosine = sin(self.contact_angle), cos(self.contact_angle)
         centres = 0.5 * self.pitch_diameter - self._sign * (self.groove_radius - self.ball_radius) * cosine
         z = self.race_height(x, y)
