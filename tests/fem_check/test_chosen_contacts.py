@@ -22,8 +22,8 @@ from fem_check.mechanics import half_space_contact
 from fem_check.meshing import MeshError
 from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
 from fem_check.rows.agreement import AgreementRow
-from fem_check.solids import true_contact
-from fem_check.solids.true_contact import NoRoomError, loaded_angle
+from fem_check.solids.mesh_room import NoRoomError, with_room
+from fem_check.solids.true_contact import loaded_angle
 
 LOADS = [300.0, 600.0, 1200.0]
 
@@ -246,11 +246,11 @@ def test_a_contact_wider_than_its_patch_gets_a_larger_one():
             raise NoRoomError(f"full at {load:g} N")
         return "found"
 
-    assert true_contact.with_room(solved, 1e4) == "found"
+    assert with_room(solved, 1e4) == "found"
     assert tried == [1e4, 1.4e4]
 
     def never(load):
         raise NoRoomError("full") if load < 1.1e4 else MeshError("does not fit the groove")
 
     with pytest.raises(NoRoomError, match="full"):
-        true_contact.with_room(never, 1e4)
+        with_room(never, 1e4)
