@@ -62,11 +62,15 @@ class TrueContactStudy:
         outside, chance has them within 0.04 % of it, all loads together say 0.5.
         """
         if name != "approach":
-            pairs = zip(getattr(self, above), getattr(self, below), strict=True)
-            return self.estimate([one[name] / other[name] * _beside(name, one, other) for one, other in pairs])
+            return self.estimate(self.ratios(above, below, name))
         own = self.between_approaches(above, below)[-1]
         doubt = convergence.scatter([each.between_approaches(above, below) for each in self.alike or (self,)])
         return 1.0 + own, abs(own) * doubt
+
+    def ratios(self, above: str, below: str, name: str) -> list[float]:
+        """Of two results on each mesh, coarse to fine; not of approaches."""
+        pairs = zip(getattr(self, above), getattr(self, below), strict=True)
+        return [one[name] / other[name] * _beside(name, one, other) for one, other in pairs]
 
     def bulge(self) -> tuple[float, float]:
         """The ball's equator over an elastic sphere's, each mesh's pressure on both; with its uncertainty.

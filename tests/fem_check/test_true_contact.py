@@ -7,7 +7,7 @@ import pytest
 
 import qsbearing
 from fem_check import meshing
-from fem_check.checks import true_geometry
+from fem_check.checks import surface_normals, true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.groove import BallInGroove
@@ -139,11 +139,43 @@ def test_normals_that_follow_the_surface_matter(condensed):
 
 def test_load_beyond_the_mesh_is_said(condensed):
     # The load that was asked for, not one of those over which the result is averaged.
-    with pytest.raises(ContactError, match="the contact at 6000 N fills the patch of the mesh that is made for 2000 N"):
+    said = "the contact at 6000 N fills the patch of the mesh that is made for 2000 N .*along rolling, with 3 elements"
+    with pytest.raises(ContactError, match=said):
         condensed.over_hertz(3.0 * LOAD, follows_surface=True)
 
 
 # --- planted errors ---------------------------------------------------------------------------------------------------
+
+
+def normals_missed(condensed, follows=True):
+    exact, surface = (condensed.over_hertz(LOAD, follows_surface=each) for each in (False, follows))
+    solved = TrueContactStudy(condensed.contact.groove, LOAD, [], [exact, exact], [surface, surface], [], [], 0, "")
+    return [row.quantity for row in surface_normals.rows(solved) if row.verdict == "fail"]
+
+
+def test_pressure_along_the_normals_is_the_half_spaces_but_for_the_bodies_strain(condensed):
+    assert normals_missed(condensed) == []
+    # Twice the strain over the difference of curvature: Q 2 (1 - nu^2)/(E D^2) (1 - R/r), all by hand.
+    strain = LOAD * 2.0 * (1.0 - 0.3**2) / 208e9 / 0.022225**2
+    assert surface_normals.limit(condensed.contact.groove, LOAD) == pytest.approx(
+        100.0 * 2.0 * strain / (1.0 - 11.1125 / 11.6281), rel=1e-9
+    )
+
+
+def test_planted_pressure_along_the_axis_is_seen(condensed):
+    assert "max_pressure over Hertz" in normals_missed(condensed, follows=False)
+
+
+def test_planted_upright_torus_is_seen_in_the_slant(condensed):
+    """The inclined torus slants the pressure: boundary elements have its largest value over that in the middle."""
+    exact, parabola = (condensed.over_hertz(LOAD, follows_surface=False, parabola=each) for each in (False, True))
+    upright, inclined = (
+        boundary_element.over_hertz(condensed.contact.groove, LOAD, inclined=each).ratio["max_pressure"]
+        for each in (False, True)
+    )
+    # The vertex of 1 + s x - x^2/2 is s^2/2 high; three elements per semi-axis have the slant within a fifth.
+    slant = np.sqrt(2.0 * (inclined / upright - 1.0))
+    assert abs(exact["slant"] - parabola["slant"]) == pytest.approx(slant, rel=0.25)
 
 
 def test_planted_parabola(condensed):
