@@ -43,7 +43,8 @@ from fem_check.product.solution_equilibrium import reference_near
 from fem_check.rows import convergence
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.rows.record import NO_MESH, MeshRecord
-from fem_check.solids.true_contact import READ, CondensedContact, TrueContact, room, with_room
+from fem_check.solids.mesh_room import room, with_room
+from fem_check.solids.true_contact import READ, CondensedContact, TrueContact
 from fem_check.solids.true_study import ring_doubt
 
 ELEMENTS = {MeshLevel.QUICK: (3, 4, 5), MeshLevel.RELEASE: (4, 6, 8)}

@@ -11,6 +11,7 @@ from pathlib import Path
 import click
 
 from fem_check.cli.output import FEM, OUT_OF_TOLERANCE, progress_bar, refuse, require
+from fem_check.cli.ring_options import ring_options, set_ring_options
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.documents.model import Paragraph
 from qsbearing.model.validation import printable
@@ -39,11 +40,13 @@ from qsbearing.model.validation import printable
 )
 @click.option(
     "--geometry",
-    type=click.Choice(["parabolic", "true"]),
+    type=click.Choice(["parabolic", "true", "both"]),
     default="parabolic",
     show_default=True,
-    help="parabolic: half-spaces and Hertz's gap; true: ball and ring with their real shapes, about a minute each.",
+    help="parabolic: half-spaces and Hertz's gap; true: ball and ring with their real shapes, about a minute each; "
+    "both: side by side.",
 )
+@ring_options
 @click.option(
     "--out",
     default=None,
@@ -61,6 +64,7 @@ def contact(
     geometry: str,
     out: Path | None,
     as_json: bool,
+    **rings: float | None,
 ) -> None:
     """Solve contacts of a scene at chosen loads and compare them with Hertz, in one table.
 
@@ -83,14 +87,20 @@ def contact(
         faults.append(f"--accuracy {accuracy:g}: must be a relative error above 0 and below 1 (1e-3 is 0.1 %)")
     if accuracy is not None and elements is not None:
         faults.append("--accuracy and --elements: give only one of them, because --accuracy chooses the elements")
-    if accuracy is not None and geometry == "true":
-        faults.append("--accuracy and --geometry true: --accuracy works for half-spaces only; give --elements instead")
+    if accuracy is not None and geometry != "parabolic":
+        faults.append(
+            f"--accuracy and --geometry {geometry}: --accuracy works for half-spaces only; give --elements instead"
+        )
+    given = [f"--{name.replace('_', '-')}-mm" for name, value in rings.items() if value is not None]
+    if given and geometry == "parabolic":
+        faults.append(f"{', '.join(given)}: half-spaces have no rings; give --geometry true or both too")
     least = half_spaces.LEAST_ELEMENTS if geometry == "parabolic" else true_bodies.LEAST_ELEMENTS
     if elements is not None and elements < least:
         faults.append(f"--elements {elements}: must be at least {least} per semi-axis")
     if faults:
         refuse("\nfem-check: ".join(faults))
     elements = elements or half_spaces.USUAL_ELEMENTS
+    set_ring_options(rings)
     try:
         contacts = chosen.chosen(scene, race, loads, angle)
         choices = [None] if accuracy is None else mesh_choice.proposals(accuracy, cost_record.read())
@@ -104,6 +114,8 @@ def contact(
             with progress_bar(as_json) as reporter:
                 if geometry == "true":
                     outcome = run.of_true_bodies(contacts, elements, reporter("contact"))
+                elif geometry == "both":
+                    outcome = run.of_both(contacts, sequence, elements, reporter("contact"))
                 else:
                     outcome = run.of_half_spaces(contacts, sequence, accuracy, reporter("contact"))
             if accuracy is None:

@@ -5,26 +5,16 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Any
 
 import click
 
 from fem_check.cli.agreement_table import agreement_table
 from fem_check.cli.contact_table import contact_tables
 from fem_check.cli.output import FEM, LEVELS, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
-from fem_check.independent.ring_sections import DIMENSIONS
+from fem_check.cli.ring_options import ring_options, set_ring_options
 from qsbearing.cli.ended import INTERRUPTED
 from qsbearing.cli.output import print_table, print_text
 from qsbearing.model.validation import printable
-
-
-def ring_options(command: Any) -> Any:
-    """An option for each dimension of a ring's section."""
-    for name, told in reversed(DIMENSIONS.items()):
-        what = f"Diameter of the {told}" if told.startswith(("inner", "outer")) else told.capitalize()
-        text = f"{what} [mm]; by default from the scene or the catalogue, else assumed."
-        command = click.option(f"--{name.replace('_', '-')}-mm", name, type=float, default=None, help=text)(command)
-    return command
 
 
 @click.command("run", short_help="Run checks on B218, or on the bearing of --scene.")
@@ -52,14 +42,12 @@ def run_checks(
     """
     require(*FEM)
     from fem_check.checks import OF_BEARING
-    from fem_check.product.scenes import RING_OPTIONS
     from fem_check.rows.agreement import EXAMPLE, MeshLevel
     from fem_check.running import runner
 
     if scene is None and any(value is not None for value in rings.values()):
         refuse("options for dimensions of the rings need --scene: they belong to that bearing")
-    given = RING_OPTIONS.set({name: None if value is None else 1e-3 * value for name, value in rings.items()})
-    click.get_current_context().call_on_close(lambda: RING_OPTIONS.reset(given))
+    set_ring_options(rings)
 
     finished: list[str] = []
     failed = False

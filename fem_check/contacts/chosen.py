@@ -42,6 +42,10 @@ class Chosen:
     """Which balls of the scene it is, in words; empty where the load was given."""
     bearing: qsbearing.Scene
     """The bearing, with its rings' sections."""
+    free_angle: float
+    """Of the unloaded bearing [rad]."""
+    loaded_angle: float
+    """Of the contact line under the load [rad]."""
 
     @property
     def problem(self) -> ContactProblem:
@@ -50,10 +54,12 @@ class Chosen:
 
     @property
     def label(self) -> str:
-        """Raceway, load, angle, balls."""
-        told = "" if self.angle == GIVEN else f" ({self.angle})"
+        """Raceway, load, angle beside those that it might be, balls."""
+        angles = self.groove.contact_angle, self.free_angle, self.loaded_angle
+        angle, free, loaded = (f"{degrees(each):.2f}°" for each in angles)
+        told = {FREE: f"free; loaded {loaded}", LOADED: f"loaded; free {free}", GIVEN: f"free {free}, loaded {loaded}"}
         balls = f", {self.balls}" if self.balls else ""
-        return f"{self.groove.race_name}, Q = {self.load:g} N at {degrees(self.groove.contact_angle):.2f}°{told}{balls}"
+        return f"{self.groove.race_name}, Q = {self.load:g} N at {angle} ({told[self.angle]}){balls}"
 
 
 def raceways(race: str) -> tuple[str, ...]:
@@ -91,11 +97,13 @@ def chosen(source: str, race: str, loads: Sequence[float], angle: str | float | 
 def _with_loads(source: str, races: Sequence[str], loads: Sequence[float], angle: str | float) -> list[Chosen]:
     bearing = load_scene(source)
     drawing = drawing_of(bearing, source)
-    return [
-        Chosen(_groove(drawing, race, angle, _under_thrust(drawing, load)), load, _kind(angle), "", bearing)
-        for race in races
-        for load in loads
-    ]
+    contacts = []
+    for race in races:
+        for load in loads:
+            free, loaded = drawing.groove(race), _under_thrust(drawing, load)
+            groove = _groove(drawing, race, angle, loaded)
+            contacts.append(Chosen(groove, load, _kind(angle), "", bearing, free.contact_angle, loaded))
+    return contacts
 
 
 def _under_thrust(drawing: BearingDrawing, load: float) -> float:
@@ -115,12 +123,15 @@ def _of_scene(source: str, races: Sequence[str], angle: str | float) -> list[Cho
             for ball, (load, own) in enumerate(zip(contacts.load, contacts.angle, strict=True)):
                 if load > 0.0:
                     # Rounded: what is alike but for rounding is solved once.
-                    groove = _groove(drawings[ball], race, angle, round(float(own), 7))
-                    key = race, float(f"{load:.6g}"), groove, where
+                    loaded = round(float(own), 7)
+                    free = drawings[ball].groove(race).contact_angle
+                    groove = _groove(drawings[ball], race, angle, loaded)
+                    key = race, float(f"{load:.6g}"), groove, where, free, loaded
                     alike.setdefault(key, []).append(ball + 1)
+    by_load = sorted(alike.items(), key=lambda each: (each[0][0], each[0][1]))
     return [
-        Chosen(groove, load, _kind(angle), where + _numbers(balls), bearings[where])
-        for (_, load, groove, where), balls in sorted(alike.items(), key=lambda each: (each[0][0], each[0][1]))
+        Chosen(groove, load, _kind(angle), where + _numbers(balls), bearings[where], free, loaded)
+        for (_, load, groove, where, free, loaded), balls in by_load
     ]
 
 

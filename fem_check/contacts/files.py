@@ -22,6 +22,8 @@ from qsbearing.documents.html import html
 from qsbearing.documents.model import Block, Document, Facts, Picture, Section, Trace
 
 NAME = "contact"
+TRUE_COLUMNS = ("true_bodies", "true_bodies_minus_hertz_percent", "true_bodies_uncertainty_percent")
+"""Of contacts solved as half-spaces and as true bodies; the columns before are the half-spaces'."""
 
 
 def write(
@@ -62,16 +64,25 @@ def csv_of(entry: ContactsRecord) -> bytes:
         (
             "raceway", "balls", "load_N", "contact_angle_deg", "angle", "quantity", "unit", "hertz", "finite_elements",
             "deviation_percent", "uncertainty_percent", "tolerance_percent", "verdict",
+            *(TRUE_COLUMNS if shown.is_both(entry) else ()), "free_angle_deg", "loaded_angle_deg",
         )
     )  # fmt: skip
     by_case = shown.agreement_rows(entry)
+    as_true = shown.true_rows(entry)
     for contact in entry["contacts"]:
         of = contact["race"], contact["balls"], contact["load_N"], contact["contact_angle_deg"], contact["angle"]
         for row in by_case[contact["case"]]:
             _, unit, size = shown.SHOWN[row["quantity"]]
             judged = row["deviation_percent"], row["uncertainty_percent"], row["tolerance_percent"]
             values = size * row["reference"], size * computed_value(row), *judged
-            writer.writerow((*of, row["quantity"], unit, *values, row["verdict"]))
+            beside: list[Any] = []
+            if shown.is_both(entry):
+                true = as_true[contact["case"]].get(row["quantity"])
+                beside = ["", "", ""]
+                if true:
+                    beside = [size * computed_value(true), true["deviation_percent"], true["uncertainty_percent"]]
+            angles = contact["free_angle_deg"], contact["loaded_angle_deg"]
+            writer.writerow((*of, row["quantity"], unit, *values, row["verdict"], *beside, *angles))
     return text.getvalue().encode()
 
 
@@ -82,6 +93,7 @@ def page(entry: ContactsRecord, maps: Sequence[dict[str, Any]], vtu: Sequence[st
     pairs = [(name or "Curvatures", told) for name, told in shown.facts(entry)]
     sections = [
         Section("Agreement", agreement),
+        Section("Every mesh", [shown.mesh_table(entry)]),
         Section("Contact pressure", [_map(each) for each in maps]),
         Section("What the verdict rests on", shown.rests_on(entry)),
         Section(

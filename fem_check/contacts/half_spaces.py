@@ -22,6 +22,7 @@ from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.half_space_contact import MeshStudy
 from fem_check.rows.agreement import AgreementRow, Findings, MeshLevel, Progress, collapsed, covered
 from fem_check.rows.record import MeshRecord
+from fem_check.solids.true_contact import READ
 
 USUAL_ELEMENTS = 8
 LEAST_ELEMENTS = 5
@@ -158,6 +159,15 @@ def agreement(shape: Shape, contact: Chosen, elements: int, accuracy: float | No
             )
         )
     return rows
+
+
+def on_each_mesh(shape: Shape, contact: Chosen) -> list[dict[str, float]]:
+    """The quantities of one contact on each mesh, coarse to fine, by their names; SI units."""
+    solved, own = hertz(shape.study.problem), hertz(contact.problem)
+    return [
+        {name: getattr(own, name) * getattr(each.mean, name) / getattr(solved, name) for name in READ}
+        for each in shape.study.sequence
+    ]
 
 
 def mesh_entry(shapes: Iterable[Shape], elements: int) -> MeshRecord:

@@ -49,6 +49,8 @@ class ContactRecord(TypedDict):
     race: str
     load_N: float
     contact_angle_deg: float
+    free_angle_deg: float
+    loaded_angle_deg: float
     angle: str
     angle_is: str
     balls: str
@@ -61,6 +63,12 @@ class ContactRecord(TypedDict):
     """Of half-spaces: the load that was solved for its shape."""
     mesh: NotRequired[dict[str, Any]]
     """Of true bodies: its own."""
+    true_case: NotRequired[str]
+    """Of its rows as true bodies, where it was solved as half-spaces too."""
+    on_each_mesh: NotRequired[list[dict[str, float]]]
+    """Elements per semi-axis, and the quantities with them, coarse to fine; SI units."""
+    true_on_each_mesh: NotRequired[list[dict[str, float]]]
+    """The same of the true bodies, where it was solved as half-spaces too."""
 
 
 class Known(TypedDict):
@@ -68,6 +76,8 @@ class Known(TypedDict):
 
     bearing: BearingRecord
     elements: list[int]
+    true_elements: NotRequired[list[int]]
+    """Of the true bodies' meshes, beside half-spaces."""
     contacts: list[ContactRecord]
     undecided: NotRequired[list[str]]
     """Of true bodies: rows that the meshes are too coarse to judge."""
@@ -87,6 +97,7 @@ def of_half_spaces(contacts: Sequence[Chosen], shapes: Sequence[Shape], sequence
         shape = next(shape for shape in shapes if each in shape.alike)
         entry = _contact(each)
         entry["case"] = half_spaces.case_of(each)
+        entry["on_each_mesh"] = _with_elements(sequence, half_spaces.on_each_mesh(shape, each))
         if len(shape.alike) > 1:
             entry["similar_to_load_N"] = shape.study.problem.load
         entries.append(entry)
@@ -98,9 +109,22 @@ def of_true_bodies(contacts: Sequence[TrueBodies], sequence: Sequence[int]) -> K
     entries = [_contact(each.chosen) for each in contacts]
     for entry, each in zip(entries, contacts, strict=True):
         entry |= {"case": each.case, "mesh": true_bodies.mesh_of(each)}
+        entry["on_each_mesh"] = _with_elements(sequence, true_bodies.on_each_mesh(each))
     undecided = [case for each in contacts for case in each.undecided]
     bearing = _bearing(contacts[0].chosen)
     return {"bearing": bearing, "elements": list(sequence), "contacts": entries, "undecided": undecided}
+
+
+def of_both(half: Known, true: Known) -> Known:
+    """The same contacts as half-spaces and as true bodies."""
+    for own, other in zip(half["contacts"], true["contacts"], strict=True):
+        own["true_case"], own["mesh"] = other["case"], other["mesh"]
+        own["true_on_each_mesh"] = other["on_each_mesh"]
+    return {**half, "true_elements": true["elements"], "undecided": true["undecided"]}
+
+
+def _with_elements(sequence: Sequence[int], values: Sequence[dict[str, float]]) -> list[dict[str, float]]:
+    return [{"elements": count, **each} for count, each in zip(sequence, values, strict=True)]
 
 
 def _bearing(contact: Chosen) -> BearingRecord:
@@ -132,6 +156,8 @@ def _contact(contact: Chosen) -> ContactRecord:
         "race": contact.groove.race_name,
         "load_N": contact.load,
         "contact_angle_deg": degrees(contact.groove.contact_angle),
+        "free_angle_deg": degrees(contact.free_angle),
+        "loaded_angle_deg": degrees(contact.loaded_angle),
         "angle": contact.angle,
         "angle_is": ANGLES[contact.angle],
         "balls": contact.balls,

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from fem_check.checks import true_geometry
 from fem_check.contacts import files, half_spaces, record, true_bodies
 from fem_check.contacts.chosen import Chosen
 from fem_check.elements.fields import NodalFields
 from fem_check.rows.agreement import Findings, Progress
+from fem_check.rows.record import MeshRecord
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,22 @@ def of_half_spaces(
         record.of_half_spaces(contacts, shapes, sequence),
         lambda: record.pressures_of_half_spaces(shapes),
         lambda: files.fields_of_half_spaces(contacts, shapes),
+    )
+
+
+def of_both(contacts: Sequence[Chosen], sequence: tuple[int, ...], elements: int, progress: Progress) -> SolvedContacts:
+    """Half-spaces and true bodies; arguments and errors as theirs."""
+    half, true = of_half_spaces(contacts, sequence, None, progress), of_true_bodies(contacts, elements, progress)
+    mesh = {**half.findings.mesh, "geometry": "both", "true_dofs": true.findings.mesh["dofs"]}
+    findings = Findings(
+        [*half.findings.rows, *true.findings.rows], cast(MeshRecord, mesh), half.findings.solver,
+        notes=true.findings.notes,
+    )  # fmt: skip
+    return SolvedContacts(
+        findings,
+        record.of_both(half.known, true.known),
+        lambda: [*half.maps(), *true.maps()],
+        lambda: [*half.fields(), *true.fields()],
     )
 
 

@@ -25,7 +25,10 @@ HEADINGS = ("", "Hertz", "finite\nelements", "deviation\n%", "±\n%", "verdict")
 MODELS = {
     "parabolic": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: deviations are errors.",
     "true": "Ball and ring with their real shapes, where Hertz is an approximation: deviations are findings.",
+    "both": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: their deviations are errors. Ball and ring "
+    "with their real shapes, where Hertz is an approximation: true bodies - Hertz is a finding.",
 }
+BOTH_HEADINGS = ("", "Hertz", "half-spaces\n- Hertz, %", "true\nbodies", "true bodies\n- Hertz, %", "half-\nspaces")
 
 
 def agreement_rows(entry: ContactsRecord) -> dict[str, list[RowRecord]]:
@@ -37,10 +40,25 @@ def agreement_rows(entry: ContactsRecord) -> dict[str, list[RowRecord]]:
     return by_case
 
 
+def is_both(entry: ContactsRecord) -> bool:
+    """Whether the contacts were solved as half-spaces and as true bodies."""
+    return any("true_case" in contact for contact in entry["contacts"])
+
+
+def true_rows(entry: ContactsRecord) -> dict[str, dict[str, RowRecord]]:
+    """Of contacts solved both ways, those as true bodies: by the case of their half-spaces, then by quantity."""
+    cases = {contact["true_case"]: contact["case"] for contact in entry["contacts"] if "true_case" in contact}
+    found: dict[str, dict[str, RowRecord]] = {case: {} for case in cases.values()}
+    for row in entry["rows"]:
+        if row["case"] in cases:
+            found[cases[row["case"]]][row["quantity"]] = row
+    return found
+
+
 def heading(entry: ContactsRecord) -> Callout:
     """The verdict on all contacts, and what it took."""
     lead = f"{entry['check']} ({entry['level']}): {entry['verdict']}"
-    took = f"{entry['seconds']:.1f} s, {entry['peak_memory_MB']} MB"
+    took = f"{entry['seconds']:.1f} s, {entry['cpu_seconds']:.1f} s of processor, {entry['peak_memory_MB']} MB"
     return Callout(f"{lead}   {took}", entry["verdict"], lead, STYLES[entry["verdict"]])
 
 
@@ -67,6 +85,10 @@ def facts(entry: ContactsRecord) -> list[tuple[str, str]]:
             f"{mesh['dofs']} unknowns; {mesh['file']}, {mesh['origin']}; solver {entry['solver']}",
         ),
     ]
+    if "true_elements" in entry:
+        coarser = ", ".join(map(str, entry["true_elements"][:-1]))
+        told = f"{entry['true_elements'][-1]} elements per semi-axis ({coarser}), {mesh.get('true_dofs')} unknowns"
+        pairs.append(("True bodies", f"{told}; made by gmsh"))
     told = _similar(entry["contacts"])
     return [*pairs, ("Solved", told)] if told else pairs
 
@@ -113,6 +135,8 @@ def agreement_table(entry: ContactsRecord) -> Table:
     """Every contact against Hertz."""
     lines: list[Any] = []
     by_case = agreement_rows(entry)
+    if is_both(entry):
+        return _both_table(entry, by_case)
     for contact in entry["contacts"]:
         lines.append(RowGroup(contact["label"]))
         for row in by_case[contact["case"]]:
@@ -121,6 +145,41 @@ def agreement_table(entry: ContactsRecord) -> Table:
             numbers = (row_text.number(row["reference"] * size), row_text.number(computed_value(row) * size))
             lines.append((f"{name}, {unit}", *numbers, told.deviation, told.uncertainty, Badge(row["verdict"])))
     return Table(HEADINGS, lines, "lrrrrl", f"{entry['bearing']['name']}: Hertz and finite elements")
+
+
+def _both_table(entry: ContactsRecord, by_case: dict[str, list[RowRecord]]) -> Table:
+    lines: list[Any] = []
+    as_true = true_rows(entry)
+    for contact in entry["contacts"]:
+        lines.append(RowGroup(contact["label"]))
+        for row in by_case[contact["case"]]:
+            name, unit, size = SHOWN[row["quantity"]]
+            cells = [f"{name}, {unit}", row_text.number(row["reference"] * size), row_text.deviation(row), "", ""]
+            true = as_true[contact["case"]].get(row["quantity"])
+            if true:
+                cells[3:] = row_text.number(computed_value(true) * size), row_text.deviation(true)
+            lines.append((*cells, Badge(row["verdict"])))
+    title = f"{entry['bearing']['name']}: Hertz, finite elements of half-spaces and of the true bodies"
+    return Table(BOTH_HEADINGS, lines, "lrrrrl", title)
+
+
+def mesh_table(entry: ContactsRecord) -> Table:
+    """The quantities on every mesh; of similar half-spaces those that were solved."""
+    lines: list[Any] = []
+    names = [name for name in SHOWN if name in entry["contacts"][0].get("on_each_mesh", [{}])[0]]
+    for contact in entry["contacts"]:
+        solved = contact.get("similar_to_load_N", contact["load_N"]) == contact["load_N"]
+        parts = [("", contact.get("on_each_mesh", []) if solved else [])]
+        if "true_on_each_mesh" in contact:
+            parts = [("half-spaces, ", parts[0][1]), ("true bodies, ", contact["true_on_each_mesh"])]
+        rows = [
+            (f"{what}{each['elements']} elements", *(f"{each[name] * SHOWN[name][2]:.6g}" for name in names))
+            for what, meshes in parts
+            for each in meshes
+        ]
+        lines += [RowGroup(contact["label"]), *rows] if rows else []
+    headings = ("", *(f"{SHOWN[name][0]}\n{SHOWN[name][1]}" for name in names))
+    return Table(headings, lines, "l" + "r" * len(names), "On every mesh, elements per semi-axis")
 
 
 def tolerances(entry: ContactsRecord) -> Paragraph | None:
@@ -157,6 +216,7 @@ def undecided(entry: ContactsRecord) -> Paragraph | None:
 def rests_on(entry: ContactsRecord) -> list[Block]:
     """Tables of all other rows: self-checks, and what true bodies are compared with beside Hertz."""
     own = {contact["case"] for contact in entry["contacts"]}
+    own |= {contact["true_case"] for contact in entry["contacts"] if "true_case" in contact}
     by_case: dict[str, list[RowRecord]] = {}
     for row in entry["rows"]:
         if row["case"] not in own:
@@ -183,4 +243,4 @@ def for_terminal(entry: ContactsRecord) -> list[Block]:
         lead = f"{name}:" if name else " " * len(lead)
         paragraphs.append(Paragraph(f"{lead} {told}", lead))
     below = [each for each in (tolerances(entry), undecided(entry)) if each]
-    return [heading(entry), *paragraphs, agreement_table(entry), *rests_on(entry), *below]
+    return [heading(entry), *paragraphs, agreement_table(entry), mesh_table(entry), *rests_on(entry), *below]

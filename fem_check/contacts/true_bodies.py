@@ -9,8 +9,10 @@ from typing import Any
 from fem_check.checks import true_geometry
 from fem_check.checks.true_geometry import TrueContactStudy
 from fem_check.contacts.chosen import Chosen
+from fem_check.independent.references import ellipse
 from fem_check.rows import row_text
 from fem_check.rows.agreement import AgreementRow, Findings, Progress
+from fem_check.solids.true_contact import READ
 
 LEAST_ELEMENTS = 6
 """Of the finest mesh; those of true bodies lie farther apart than those of half-spaces."""
@@ -52,6 +54,21 @@ def solve(contacts: Sequence[Chosen], elements: int, progress: Progress) -> tupl
     mesh = true_geometry.mesh_entry(last, elements)
     mesh |= {"geometry": "true", "origin": "made by gmsh"}
     return bodies, Findings(rows, mesh, last.solver, notes=true_geometry.NOTES)
+
+
+def on_each_mesh(contact: TrueBodies) -> list[dict[str, float]]:
+    """The quantities of one contact on each mesh, coarse to fine, as its rows have them of the finest; SI units."""
+    solved, exact = contact.solved, ellipse(contact.chosen.problem)
+    over_hertz = {
+        name: [each[name] for each in solved.surface]
+        if name == "approach"
+        else solved.ratios("surface", "parabola", name)
+        for name in READ
+    }
+    return [
+        {name: getattr(exact, name) * values[mesh] for name, values in over_hertz.items()}
+        for mesh in range(len(solved.surface))
+    ]
 
 
 def mesh_of(contact: TrueBodies) -> dict[str, Any]:

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos
+from math import cos, sin
 
 import numpy as np
 
 from fem_check.independent.contact_problem import Array, ContactProblem, ElasticConstants
 
 RACES = ("inner", "outer")
+NEWTON_STEPS = 4
+"""For the height of the inclined torus, from that of the upright one, which is a hundredth of the gap away."""
 
 
 @dataclass(frozen=True)
 class BallInGroove:
     """One contact of a bearing: where ball and raceway touch at the free contact angle; SI units, radians.
 
-    x runs across the groove, y along the rolling direction, z along the contact normal into the raceway. The torus is
-    taken with its axis parallel to the tangent plane, at the distance that gives the rolling direction's radius: the
-    tilt of the contact angle would add odd terms only, which leave the quarter symmetry, and cancel on average.
+    x runs across the groove, y along the rolling direction, z along the contact normal into the raceway. In `gap` the
+    torus has its axis parallel to the tangent plane, at the distance that gives the rolling direction's radius, so that
+    both planes are planes of symmetry. The bearing's own axis is inclined to it by the contact angle, which adds terms
+    odd in x: `inclined_gap` has them.
     """
 
     name: str
@@ -76,6 +79,21 @@ class BallInGroove:
     def gap(self, x: Array, y: Array) -> Array:
         """The exact gap along the contact normal [m]."""
         return self.race_height(x, y) - self.ball_height(x, y)
+
+    def inclined_gap(self, x: Array, y: Array) -> Array:
+        """The same of the torus as it stands, its axis inclined by the contact angle; x grows with this angle."""
+        sine, cosine = sin(self.contact_angle), cos(self.contact_angle)
+        centres = 0.5 * self.pitch_diameter - self._sign * (self.groove_radius - self.ball_radius) * cosine
+        z = self.race_height(x, y)
+        for _ in range(NEWTON_STEPS):
+            rise = z + self.groove_radius  # along the normal, from the circle of the groove's profile
+            # Away from the bearing's axis, and along it towards growing contact angles.
+            reach = centres + self._sign * (rise * cosine - x * sine)
+            from_axis = np.hypot(reach, y)
+            out, along = from_axis - centres, rise * sine + x * cosine
+            miss = out**2 + along**2 - self.groove_radius**2
+            z = z - 0.5 * miss / (self._sign * out * cosine * reach / from_axis + along * sine)
+        return z - self.ball_height(x, y)
 
     def shared_slope(self, x: Array, y: Array) -> Array:
         """Slope across the groove of the surface that the deformed bodies share: each gives way by its compliance."""

@@ -17,8 +17,9 @@ SYMMETRIC_SHOULDER = radians(50.0)
 """On both sides of a deep groove: a depth of 0.19 ball diameters, as catalogues' shoulder diameters have it."""
 BESIDE = radians(4.0)
 """Groove left beside a contact's elements where the shoulder is assumed."""
-HIGHEST = radians(85.0)
-"""No assumed shoulder ends farther round the groove."""
+HIGHEST = radians(80.0)
+"""No assumed shoulder ends farther round the groove: at 85° the land beside it and the block of elements below the
+contact enclose a wedge that gmsh cannot mesh; the contact's patch then ends at the groove's edge."""
 
 BACK_SPREAD, WIDTH_SPREAD = (0.787, 1.26), (1.5, 2.52)
 """Distance of bore or outside diameter from the pitch circle, and width, of the catalogue's 145 spindle bearings, in
@@ -149,6 +150,17 @@ class RingSections:
         needed = (angle if side == "shoulder" else -angle) + reach + BESIDE
         return max(usual, min(needed, HIGHEST))
 
+    def assumed_shoulders(
+        self, drawing: BearingDrawing, race: str, profile: RingProfile
+    ) -> dict[str, tuple[float, float]]:
+        """Of a ring's shoulders, by the names of `DIMENSIONS`, those that nobody gave: diameter [m], angle [rad]."""
+        centre, radius, sign = _groove(drawing, race)
+        return {
+            f"{race}_{side}_diameter": (2.0 * (centre + sign * radius * cos(angle)), angle)
+            for side, angle in (("shoulder", profile.high_shoulder), ("open", profile.low_shoulder))
+            if self._given_shoulder(race, side) is None
+        }
+
     def told(self, drawing: BearingDrawing, profiles: Mapping[str, RingProfile]) -> str:
         """Every dimension with where it comes from: one sentence for a table's note."""
         by_source: dict[str, list[str]] = {}
@@ -164,11 +176,8 @@ class RingSections:
             if name not in self.known
         ]
         for race, profile in profiles.items():
-            centre, radius, sign = _groove(drawing, race)
-            for side, angle in (("shoulder", profile.high_shoulder), ("open", profile.low_shoulder)):
-                if self._given_shoulder(race, side) is None:
-                    diameter = 2e3 * (centre + sign * radius * cos(angle))
-                    assumed.append(f"{DIMENSIONS[f'{race}_{side}_diameter']} {diameter:.4g} ({degrees(angle):.0f}°)")
+            for name, (diameter, angle) in self.assumed_shoulders(drawing, race, profile).items():
+                assumed.append(f"{DIMENSIONS[name]} {1e3 * diameter:.4g} ({degrees(angle):.0f}°)")
         parts = [f"{', '.join(values)} mm {source}" for source, values in by_source.items()]
         if assumed:
             parts.append(

@@ -18,6 +18,10 @@ e = nu/(1 - nu), the tangential influence along x is A + e B (Cerruti; Johnson 1
 
 Left out: what is odd in the curvature, which ball and groove of one material have opposite; the slope along rolling,
 whose square is a hundredth of that across.
+
+The torus is inclined to the contact by the contact angle. Its gap is then not even in x, and the ball moves along the
+groove until no force acts on it there, which turns the gap about the contact's middle. The largest pressure lies beside
+the middle: it is read from a parabola through the three largest along the groove.
 """
 
 from __future__ import annotations
@@ -46,6 +50,8 @@ POSITIONS = 4
 ACCURACY = 1e-10
 """Change of the pressure in one iteration at which it is converged."""
 MAX_ITERATIONS = 1000
+BALANCED, MAX_TURNS = 1e-7, 12
+"""Force along the groove that is left, over what the same pressure on one side alone would have; secant steps."""
 
 
 @dataclass(frozen=True)
@@ -58,27 +64,31 @@ class BoundaryElementRatios:
 
 
 @lru_cache(maxsize=256)
-def over_hertz(groove: BallInGroove, load: float, follows_surface: bool = False) -> BoundaryElementRatios:
+def over_hertz(
+    groove: BallInGroove, load: float, follows_surface: bool = False, inclined: bool = False
+) -> BoundaryElementRatios:
     """A ball in its groove with the exact gap; about a second.
 
     Args:
         groove: ball and raceway.
         load: normal load [N].
         follows_surface: pressure along the normals of the surface that the bodies share, not along the contact's axis.
+        inclined: the torus as it stands; otherwise with its axis parallel to the tangent plane.
 
     Raises:
         ContactError: the contact fills the grid, or the iteration did not converge.
     """
     problem = groove.problem(load)
     slope = groove.shared_slope if follows_surface else None
-    coarse, fine = (_over_parabola(problem, groove.gap, slope, points) for points in GRIDS)
+    gap = groove.inclined_gap if inclined else groove.gap
+    coarse, fine = (_over_parabola(problem, gap, slope, points, inclined) for points in GRIDS)
     return BoundaryElementRatios(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
 
 
 def _over_parabola(
-    problem: ContactProblem, gap: GapFunction, slope: GapFunction | None, points: int
+    problem: ContactProblem, gap: GapFunction, slope: GapFunction | None, points: int, turns: bool
 ) -> dict[str, float]:
-    true = quantities(problem, gap, points, slope)
+    true = quantities(problem, gap, points, slope, turns)
     parabola = _parabola(problem.curvature_x / problem.curvature_y, points)
     return {name: true[name] / parabola[name] for name in QUANTITIES}
 
@@ -92,9 +102,17 @@ def _parabola(curvature_ratio: float, points: int) -> dict[str, float]:
 
 
 def quantities(
-    problem: ContactProblem, gap: GapFunction, points: int, slope: GapFunction | None = None
+    problem: ContactProblem, gap: GapFunction, points: int, slope: GapFunction | None = None, turns: bool = False
 ) -> dict[str, float]:
-    """Approach, semi-axes (from the pressure's moments) and largest pressure on one grid, each over Hertz's."""
+    """Approach, semi-axes (from the pressure's moments) and largest pressure on one grid, each over Hertz's.
+
+    Args:
+        problem: the contact.
+        gap: over the tangent plane.
+        points: rectangles along each side of the grid.
+        slope: of the surface that the pressure follows; None: flat.
+        turns: the gap is not even in x, and turns until no force acts along the groove.
+    """
     exact = hertz(problem)
     a, b = exact.semi_major_axis, exact.semi_minor_axis
     compliance = problem.ball.compliance + problem.race.compliance
@@ -115,17 +133,62 @@ def quantities(
             inclined = (np.asarray(slope(*at)), poisson / compliance)
         sides = (a / b / resolution, 1.0 / resolution)
         hertzian = np.sqrt(np.maximum(1.0 - index[:, None] ** 2 - index**2, 0.0))
-        pressure, approach = solve(heights, problem.load * compliance / b**2, sides, inclined, hertzian)
+        force = problem.load * compliance / b**2
+        if turns:
+            along = np.broadcast_to(index[:, None], heights.shape) if inclined is None else inclined[0]
+            pressure, approach = balanced(heights, force, sides, along, inclined, hertzian)
+        else:
+            pressure, approach = solve(heights, force, sides, inclined, hertzian)
         share = pressure / pressure.sum()
+        # The slope balances the forces, not the moments: the middle of the pressure need not lie at 0.
+        across = index - share.sum(axis=1) @ index
         at_positions.append(
             (
                 approach * b / exact.approach,
-                np.sqrt(5.0 * (share.sum(axis=1) @ index**2)),
+                np.sqrt(5.0 * (share.sum(axis=1) @ across**2)),
                 np.sqrt(5.0 * (share.sum(axis=0) @ index**2)),
-                pressure.max() / compliance / exact.max_pressure,
+                _largest(pressure[:, points // 2]) / compliance / exact.max_pressure,
             )
         )
     return dict(zip(QUANTITIES, (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
+
+
+def _largest(pressure: Array) -> float:
+    """Of a smooth row of values, the vertex of the parabola through the three largest."""
+    middle = int(np.argmax(pressure))
+    left, top, right = pressure[middle - 1 : middle + 2]
+    return float(top - 0.125 * (left - right) ** 2 / (left - 2.0 * top + right))
+
+
+def balanced(
+    gap: Array,
+    load: float,
+    spacing: tuple[float, float],
+    along: Array,
+    inclined: tuple[Array, float] | None = None,
+    start: Array | float = 1.0,
+) -> tuple[Array, float]:
+    """The same as `solve`, of a body that moves along the groove until no force acts on it there.
+
+    Args:
+        along: force along the groove per pressure at each rectangle, and so by how much that motion closes the gap.
+
+    Raises:
+        ContactError: the motion is not found.
+    """
+    pressure, approach = solve(gap, load, spacing, inclined, start)
+    turns, forces = [0.0], [float((along * pressure).sum() / (np.abs(along) * pressure).sum())]
+    while abs(forces[-1]) > BALANCED:
+        if len(turns) == MAX_TURNS:
+            raise ContactError(f"the boundary elements are not balanced along the groove in {MAX_TURNS} steps")
+        # The force answers the turn about as the approach over the slope at the contact's end does.
+        step = approach / np.abs(along[pressure > 0.0]).max() if len(turns) == 1 else 0.0
+        if len(turns) > 1:
+            step = -(turns[-1] - turns[-2]) / (forces[-1] - forces[-2])
+        turns.append(turns[-1] + step * forces[-1])
+        pressure, approach = solve(gap + turns[-1] * along, load, spacing, inclined, pressure)
+        forces.append(float((along * pressure).sum() / (np.abs(along) * pressure).sum()))
+    return pressure, approach
 
 
 def solve(

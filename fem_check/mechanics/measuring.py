@@ -106,6 +106,29 @@ def central_pressure(x: Array, y: Array, area: Array, pressure: Array) -> float:
     return float(lstsq((weight * table).T, weight * pressure[near])[0][0])
 
 
+def central_shape(x: Array, y: Array, area: Array, pressure: Array) -> tuple[float, float, float]:
+    """Of a pressure that is even in y alone, as where the groove is inclined to the contact, near its centre.
+
+    As `central_pressure`, with a part that is odd in x.
+
+    Args:
+        x: over the semi-major axis, from the pressure's centre, shape (sample,).
+        y: over the semi-minor axis.
+        area: that each sample stands for, any unit.
+        pressure: at each sample.
+
+    Returns:
+        the pressure p at the centre, and s and c of p sqrt(1 - x^2) (1 + s x + c x^2) along the middle.
+    """
+    rho2 = x**2 + y**2
+    near = rho2 < PRESSURE_REACH**2
+    x, y2, rho2 = x[near], y[near] ** 2, rho2[near]
+    weight = np.sqrt(area[near] * (PRESSURE_REACH**2 - rho2))
+    table = np.sqrt(1.0 - rho2) * np.stack([np.ones_like(x), x, x * x, y2])
+    middle, slant, bend, _ = lstsq((weight * table).T, weight * pressure[near])[0]
+    return float(middle), float(slant / middle), float(bend / middle)
+
+
 def largest_shear(solution: ContactSolution, body: CondensedBody, a: Array, b: Array) -> tuple[Array, Array]:
     """Largest shear stress on the axis [Pa] and its depth [m], each of shape (position,)."""
     unit_lengths = solution.unit_lengths

@@ -1,4 +1,5 @@
-"""The validation report: page 1 decides, cards answer, an annex has the reasons; everything in it is on record."""
+"""The validation report: page 1 decides, page 2 has Hertz beside true bodies, cards answer, an annex has the reasons;
+everything in it is on record."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from dataclasses import replace
 from fem_check.report import page_one, questions
 from fem_check.report.evidence import Evidence
 from fem_check.report.sections import (
+    agreement,
     annex,
     book,
     cards,
@@ -46,7 +48,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             traceability.reproducing(evidence),
             annex.notes(evidence),
         ],
-        head=page_one.blocks(evidence, answers, before),
+        head=[*page_one.blocks(evidence, answers, before), agreement.section(evidence)],
         depth=1,
     )
 

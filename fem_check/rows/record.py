@@ -15,7 +15,9 @@ class MeshRecord(TypedDict):
     dofs: int | None
     file: str | None
     geometry: NotRequired[str]
-    """Of chosen contacts: parabolic or true."""
+    """Of chosen contacts: parabolic, true or both."""
+    true_dofs: NotRequired[int]
+    """Of chosen contacts solved both ways: unknowns of the true bodies."""
     origin: NotRequired[str]
     """Of chosen contacts: where the mesh comes from."""
 

@@ -15,11 +15,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import acos, cos, pi, sin
-from typing import TypeVar
 
 import numpy as np
 import scipy.sparse as sp
@@ -41,8 +39,7 @@ from fem_check.independent.ring_sections import (
     RingProfile,
 )
 from fem_check.mechanics import contact
-from fem_check.mechanics.contact import ContactError
-from fem_check.mechanics.measuring import central_pressure
+from fem_check.mechanics.measuring import central_shape
 from fem_check.rows.agreement import Progress
 from fem_check.solids import bodies, contact_block
 from fem_check.solids.bodies import RingSection
@@ -50,17 +47,16 @@ from fem_check.solids.body_mesh import BodyMesh
 from fem_check.solids.condensation import NEAR, condense_supported, moved
 from fem_check.solids.contact_block import Patch
 from fem_check.solids.contact_frame import ContactFrame, Sphere, Torus
+from fem_check.solids.mesh_room import NoRoomError
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 
-T = TypeVar("T")
 POSITIONS = 16
 """Loads over which each result is averaged: they move the contact's edge evenly through one cell of the mesh. On the
 inner groove at 5 kN the gap's part of a moves from 8 to 16 by 0.017 % with 4 elements, a sixth of the uncertainty that
 this mesh gives it, and from 16 to 32 by 0.006 %; on 8 elements all parts move by less than 0.005 and 0.001 %."""
-MESH_LOADS = (1.0, 1.4, 2.0)
-"""What a mesh is made for, over the load, until the contact finds room on its patch: a groove hardly larger than the
-ball makes a contact wider than Hertz's."""
 READ = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
+SHAPE = ("slant", "bend")
+"""Of the pressure along the groove's section, see `measuring.central_shape`."""
 
 
 def loaded_angle(inner: BallInGroove, outer: BallInGroove, load: float) -> float:
@@ -73,36 +69,6 @@ def loaded_angle(inner: BallInGroove, outer: BallInGroove, load: float) -> float
     stretched = distance + sum(ellipse(groove.problem(load)).approach for groove in (inner, outer))
     # Rounded, so that every machine takes the same mesh.
     return round(acos(distance * cos(inner.contact_angle) / stretched), 6)
-
-
-def room(groove: BallInGroove, load: float) -> tuple[float, float]:
-    """The contact's angle, and how far round the groove its elements reach to either side [rad]."""
-    return groove.contact_angle, contact_block.PATCH * ellipse(
-        groove.problem(load)
-    ).semi_major_axis / groove.groove_radius
-
-
-class NoRoomError(ContactError):
-    """The contact fills the patch that the mesh allows."""
-
-
-def with_room(solved: Callable[[float], T], load: float) -> T:
-    """What is solved on a mesh that is made for a load, or for more where the contact needs more room.
-
-    Raises:
-        NoRoomError: none of `MESH_LOADS` gives it enough.
-    """
-    full: NoRoomError | None = None
-    for more in MESH_LOADS:
-        try:
-            return solved(more * load)
-        except NoRoomError as problem:
-            full = problem
-        except meshing.MeshError:
-            if full is None:
-                raise
-    assert full is not None
-    raise full
 
 
 @dataclass(frozen=True)
@@ -346,7 +312,7 @@ class CondensedContact:
     solver: str
 
     def over_hertz(self, load: float, *, follows_surface: bool, parabola: bool = False) -> dict[str, float]:
-        """Quantities over Hertz's at the loaded contact angle, mean over `POSITIONS` loads about `load`.
+        """Quantities over Hertz's at the loaded contact angle and `SHAPE`, mean over `POSITIONS` loads about `load`.
 
         No larger than to where the groove's edge would cut the ellipse.
 
@@ -365,16 +331,18 @@ class CondensedContact:
             part = load * (1.0 + ((position + 0.5) / POSITIONS - 0.5) * spread) ** 3
             try:
                 pressure, approach = self._pressure(part, follows_surface, parabola, start)
-            except NoRoomError:
+            except NoRoomError as problem:
                 raise NoRoomError(
-                    f"the contact at {load:g} N fills the patch of the mesh that is made for {self.contact.load:g} N: "
-                    "it is much wider than Hertz's ellipse; reduce the load, or take more elements"
+                    f"the contact at {load:g} N fills the patch of the mesh that is made for {self.contact.load:g} N "
+                    f"{problem}, with {self.contact.elements} elements per semi-axis; reduce the load, or take more "
+                    "elements"
                 ) from None
             start = pressure > 0.0
             exact = ellipse(self.contact.groove.problem(part))
             values = (approach, *self._read(pressure))
-            at_positions.append([value / getattr(exact, name) for name, value in zip(READ, values, strict=True)])
-        return dict(zip(READ, (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
+            scales = [*(getattr(exact, name) for name in READ), *(1.0 for _ in SHAPE)]
+            at_positions.append(np.divide(values, scales))
+        return dict(zip((*READ, *SHAPE), (float(mean) for mean in np.mean(at_positions, axis=0)), strict=True))
 
     def pressure(self, load: float) -> Array:
         """Coefficients of the true contact's pressure under a load [Pa]."""
@@ -400,21 +368,25 @@ class CondensedContact:
         x, y = basis.points
         # Where the groove ends the contact may.
         high, low = (reach == contact_block.PATCH for reach in frame.patch.reach)
-        ends = (high & (x <= basis.lines_x[0] * (1.0 - 1e-9))) | (low & (x >= basis.lines_x[-1] * (1.0 - 1e-9)))
-        edge = ends | (y >= basis.lines_y[-1] * (1.0 - 1e-9))
-        if (pressure[edge] > 0.0).any():
-            raise NoRoomError(f"the contact at {load:g} N fills the patch of the mesh made for {self.contact.load:g} N")
+        pressed, near = pressure > 0.0, 1.0 - 1e-9
+        filled = {
+            "towards the shoulder": high & (x <= near * basis.lines_x[0]),
+            "towards the open side": low & (x >= near * basis.lines_x[-1]),
+            "along rolling": y >= near * basis.lines_y[-1],
+        }
+        if ends := [end for end, nodes in filled.items() if (nodes & pressed).any()]:
+            raise NoRoomError(" and ".join(ends))
         return pressure, float(moved[0])
 
-    def _read(self, pressure: Array) -> tuple[float, float, float]:
-        """Semi-axes about the pressure's own centre, and the largest pressure there."""
+    def _read(self, pressure: Array) -> tuple[float, ...]:
+        """Semi-axes about the pressure's own centre, the pressure there, and what `SHAPE` names."""
         basis = self.contact.frame.basis
         (x, y), area = basis.samples
         at = basis.values(x, y) @ pressure
         share = at * area / (at @ area)
         x = x - share @ x
         a, b = float(np.sqrt(5.0 * (share @ x**2))), float(np.sqrt(5.0 * (share @ y**2)))
-        return a, b, central_pressure(x / a, y / b, area, at)
+        return a, b, *central_shape(x / a, y / b, area, at)
 
     def added_compliances(self, load: float) -> tuple[float, float]:
         """What ball and ring each add to the approach of a half-space under Hertz's gap, over the load [m/N].

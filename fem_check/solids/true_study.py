@@ -10,10 +10,12 @@ import qsbearing
 from fem_check.independent import finite_bodies
 from fem_check.independent.groove import RACES, BallInGroove
 from fem_check.independent.references import hertz
+from fem_check.independent.ring_sections import DIMENSIONS
 from fem_check.product.scenes import ball_count, drawing_at_rest, groove_contact, load_scene, ring_sections
 from fem_check.rows import convergence
 from fem_check.rows.agreement import Progress
-from fem_check.solids.true_contact import CondensedContact, TrueContact, loaded_angle, room
+from fem_check.solids.mesh_room import room
+from fem_check.solids.true_contact import CondensedContact, TrueContact, loaded_angle
 
 
 @dataclass(frozen=True)
@@ -60,11 +62,15 @@ class TrueContactStudy:
         outside, chance has them within 0.04 % of it, all loads together say 0.5.
         """
         if name != "approach":
-            pairs = zip(getattr(self, above), getattr(self, below), strict=True)
-            return self.estimate([one[name] / other[name] for one, other in pairs])
+            return self.estimate(self.ratios(above, below, name))
         own = self.between_approaches(above, below)[-1]
         doubt = convergence.scatter([each.between_approaches(above, below) for each in self.alike or (self,)])
         return 1.0 + own, abs(own) * doubt
+
+    def ratios(self, above: str, below: str, name: str) -> list[float]:
+        """Of two results on each mesh, coarse to fine; not of approaches."""
+        pairs = zip(getattr(self, above), getattr(self, below), strict=True)
+        return [one[name] / other[name] * _beside(name, one, other) for one, other in pairs]
 
     def bulge(self) -> tuple[float, float]:
         """The ball's equator over an elastic sphere's, each mesh's pressure on both; with its uncertainty.
@@ -79,6 +85,17 @@ class TrueContactStudy:
         """Difference of the approaches of two results over Hertz's, on each mesh."""
         pairs = zip(getattr(self, above), getattr(self, below), strict=True)
         return [one["approach"] - other["approach"] for one, other in pairs]
+
+
+def _beside(name: str, one: dict[str, float], other: dict[str, float]) -> float:
+    """The largest pressure over that at the pressure's centre, by what slants one result and not the other.
+
+    On one mesh the slant's errors are alike: at 5 kN it is 0.012, 0.015 and 0.016 on B218's three, 0.0140 in all when
+    the parabola's is taken off. The largest of sqrt(1 - x^2) (1 + s x + c x^2) is 1 + s^2/(2 - 4 c).
+    """
+    if name != "max_pressure":
+        return 1.0
+    return 1.0 + (one.get("slant", 0.0) - other.get("slant", 0.0)) ** 2 / (2.0 - 4.0 * one.get("bend", 0.0))
 
 
 def contacts(scene: str, race: str, load: float, elements: tuple[int, ...]) -> list[TrueContact]:
@@ -105,6 +122,18 @@ def meshed(
     )
     balls = ball_count(bearing)
     return [TrueContact(groove, balls, load, count, profile) for count in elements]
+
+
+def assumed_shoulders(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float) -> str:
+    """Which of the groove's edges beside a contact are assumed, and what gives them; a sentence's end, or empty."""
+    sections, drawing = ring_sections(bearing, source), drawing_at_rest(bearing, source)
+    profile = sections.profile(drawing, groove.race_name, room(groove, load))
+    told = [
+        f"{DIMENSIONS[name]} {1e3 * diameter:.4g} mm, {degrees(angle):.0f}° round the groove (give "
+        f"--{name.replace('_', '-')}-mm)"
+        for name, (diameter, angle) in sections.assumed_shoulders(drawing, groove.race_name, profile).items()
+    ]
+    return f". The groove's edges are assumed: {'; '.join(told)}" if told else ""
 
 
 def ring_doubt(bearing: qsbearing.Scene, source: str, groove: BallInGroove, load: float) -> float:

@@ -12,18 +12,20 @@ import pytest
 from click.testing import CliRunner
 
 import qsbearing
+from fem_check import meshing
 from fem_check.checks import true_geometry
 from fem_check.cli import cli
-from fem_check.contacts import chosen, half_spaces, record, shown
+from fem_check.contacts import chosen, files, half_spaces, record, run, shown
 from fem_check.contacts.chosen import chosen as choose
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.independent.references import hertz
 from fem_check.mechanics import half_space_contact
 from fem_check.meshing import MeshError
-from fem_check.product.scenes import SceneProblemError, drawing_of, load_scene
-from fem_check.rows.agreement import AgreementRow
-from fem_check.solids import true_contact
-from fem_check.solids.true_contact import NoRoomError, loaded_angle
+from fem_check.product.scenes import RING_OPTIONS, SceneProblemError, drawing_of, load_scene
+from fem_check.rows.agreement import AgreementRow, Findings
+from fem_check.solids.mesh_room import NoRoomError, with_room
+from fem_check.solids.true_contact import READ, loaded_angle
+from qsbearing.documents.model import RowGroup
 
 LOADS = [300.0, 600.0, 1200.0]
 
@@ -82,6 +84,95 @@ def test_the_record_keeps_its_keys_and_gains_the_bearing(series):
     assert "largest deviation over uncertainty" in quantities
 
 
+def test_the_coarser_meshes_are_on_record_and_printed(series):
+    record, _, _ = series
+    by_case = shown.agreement_rows(record)
+    for contact in record["contacts"]:
+        meshes = contact["on_each_mesh"]
+        assert [each["elements"] for each in meshes] == record["elements"] == [3, 4, 5]
+        for row in by_case[contact["case"]]:
+            if row["quantity"] in READ:
+                assert meshes[-1][row["quantity"]] == pytest.approx(row["found"], rel=1e-12)
+                assert 0.0 < abs(meshes[0][row["quantity"]] / row["reference"] - 1.0) < 0.05
+    lines = [line for line in shown.mesh_table(record).rows if not isinstance(line, RowGroup)]
+    assert len(lines) == 3, "similar contacts are printed once"
+
+
+def test_free_and_loaded_angles_stand_beside_each_other(series):
+    record, _, _ = series
+    for contact in record["contacts"]:
+        assert contact["contact_angle_deg"] == contact["free_angle_deg"] < contact["loaded_angle_deg"]
+        assert f"{contact['loaded_angle_deg']:.2f}" in contact["label"]
+
+
+def test_true_bodies_stand_beside_half_spaces(series, tmp_path):
+    record, _, _ = series
+    entry = json.loads(json.dumps(record))
+    for contact in entry["contacts"]:
+        contact["true_case"] = f"{contact['case']}, true"
+        own = next(row for row in entry["rows"] if row["case"] == contact["case"] and row["quantity"] == "approach")
+        entry["rows"].append(
+            own | {"case": contact["true_case"], "deviation_percent": -1.5, "uncertainty_percent": 0.2}
+        )
+        contact["true_on_each_mesh"] = contact["on_each_mesh"]
+    table = shown.agreement_table(entry)
+    assert table.headings == shown.BOTH_HEADINGS
+    told = [line for line in table.rows if not isinstance(line, RowGroup)]
+    assert [line[4] for line in told if line[0].startswith("approach")] == ["-1.50 ± 0.20"] * len(LOADS)
+    assert all(line[3] == line[4] == "" for line in told if line[0].startswith("depth"))
+    header, first, *_ = csv.reader(files.csv_of(entry).decode().splitlines())
+    beside = dict(zip(header, first, strict=True))
+    assert float(beside["true_bodies_minus_hertz_percent"]) == -1.5
+    assert "true_bodies" not in files.csv_of(record).decode()
+
+
+def test_both_ways_are_one_record(monkeypatch):
+    (contact,) = choose("b218", "inner", [2000.0], "loaded")
+    half = run.SolvedContacts(
+        Findings([], {"elements_per_semi_axis": 8, "dofs": 1, "file": "half"}, "rslab"),
+        {"bearing": {}, "elements": [4, 6, 8], "contacts": [{"case": "half", "on_each_mesh": []}]},
+        lambda: [{"map": "half"}], lambda: [("half", None)],
+    )  # fmt: skip
+    true = run.SolvedContacts(
+        Findings([], {"elements_per_semi_axis": 8, "dofs": 2, "file": "true"}, "rslab", notes=["a note"]),
+        {
+            "bearing": {}, "elements": [4, 6, 8], "undecided": ["a row"],
+            "contacts": [{"case": "true", "mesh": {"dofs": 2}, "on_each_mesh": [{"elements": 4}]}],
+        },
+        lambda: [{"map": "true"}], lambda: [("true", None)],
+    )  # fmt: skip
+    monkeypatch.setattr(run, "of_half_spaces", lambda *given: half)
+    monkeypatch.setattr(run, "of_true_bodies", lambda *given: true)
+    outcome = run.of_both([contact], (4, 6, 8), 8, lambda stage, part: None)
+    (entry,) = outcome.known["contacts"]
+    assert entry["case"] == "half" and entry["true_case"] == "true" and entry["true_on_each_mesh"] == [{"elements": 4}]
+    assert outcome.known["undecided"] == ["a row"] and outcome.findings.mesh["true_dofs"] == 2
+    assert [each["map"] for each in outcome.maps()] == ["half", "true"]
+    assert [name for name, _ in outcome.fields()] == ["half", "true"]
+
+
+def test_rings_belong_to_true_bodies():
+    arguments = ("--scene", "b218", "--load-N", "2000", "--inner-shoulder-diameter-mm", "116")
+    result = call(*arguments)
+    assert result.exit_code == 2
+    assert "--inner-shoulder-diameter-mm: half-spaces have no rings; give --geometry true or both" in result.stderr
+    wrong = call(*arguments[:-1], "90", "--geometry", "true")
+    assert wrong.exit_code == 2 and "inner shoulder 90 mm (option)" in wrong.stderr
+    assert not any(RING_OPTIONS.get().values())
+
+
+@pytest.mark.skipif(meshing.gmsh_problem() is not None, reason=str(meshing.gmsh_problem()))
+def test_a_given_shoulder_that_cuts_the_contact_is_told_and_what_is_assumed(monkeypatch, tmp_path):
+    monkeypatch.setattr(meshing, "cache_folder", lambda: tmp_path)
+    arguments = ("--scene", "b218", "--race", "inner", "--load-N", "2000", "--geometry", "true", "--elements", "6")
+    result = call(*arguments, "--inner-shoulder-diameter-mm", "109")
+    assert result.exit_code == 2
+    told = " ".join(result.stderr.split())
+    assert "beyond the groove's edge" in told
+    assert "The groove's edges are assumed: inner open side" in told and "give --inner-open-diameter-mm" in told
+    assert "inner shoulder 1" not in told
+
+
 def test_files_have_what_is_printed(series):
     record, _, out = series
     assert {path.name for path in out.iterdir()} == {
@@ -121,7 +212,10 @@ def test_an_accuracy_reached_is_covered_by_its_uncertainty(monkeypatch):
     assert not any(mark in result.stdout for mark in ("Badge(", "semi_major", "max_shear"))
     row = next(line for line in lines if line.startswith("semi-axis a, mm"))
     assert row.split()[-1] == "pass"
-    assert "inner, Q = 1000 N at 40.00° (free)" in " ".join(result.stdout.split())
+    drawing = drawing_of(load_scene("b218"), "b218")
+    loaded = degrees(loaded_angle(drawing.groove("inner"), drawing.groove("outer"), 1000.0))
+    assert f"inner, Q = 1000 N at 40.00° (free; loaded {loaded:.2f}°)" in " ".join(result.stdout.split())
+    assert re.search(r"contact \(quick\): pass .* s, .* s of processor, .* MB", result.stdout)
     assert "1 % of approach δ" in result.stdout
     # Without the scatter of stretched meshes the approach is 1.05 times its uncertainty off.
     over = next(line for line in lines if line.startswith("largest deviation over"))
@@ -246,11 +340,11 @@ def test_a_contact_wider_than_its_patch_gets_a_larger_one():
             raise NoRoomError(f"full at {load:g} N")
         return "found"
 
-    assert true_contact.with_room(solved, 1e4) == "found"
+    assert with_room(solved, 1e4) == "found"
     assert tried == [1e4, 1.4e4]
 
     def never(load):
         raise NoRoomError("full") if load < 1.1e4 else MeshError("does not fit the groove")
 
-    with pytest.raises(NoRoomError, match="full"):
-        true_contact.with_room(never, 1e4)
+    with pytest.raises(NoRoomError, match=r"full; a mesh for 1\.4 times the load is refused: does not fit the groove"):
+        with_room(never, 1e4)

@@ -26,6 +26,13 @@ def test_hertz_pressure_is_read_exactly():
     assert measuring.central_pressure(x, y, np.ones_like(x), pressure) == pytest.approx(3.0, rel=1e-13)
 
 
+def test_a_slanted_pressure_is_read_exactly():
+    x, y = grid(41)
+    pressure = 3.0 * np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0)) * (1.0 + 0.02 * x + 0.1 * x**2 - 0.05 * y**2)
+    shape = measuring.central_shape(x, y, np.ones_like(x), pressure)
+    assert shape == pytest.approx((3.0, 0.02, 0.1), rel=1e-10)
+
+
 def test_semi_axes_of_hertz_pressure():
     # Of a bilinear pressure on 200 elements per semi-axis, whose last ring of elements holds 1e-5 of the moments.
     lines = np.arange(0.0, 1.25, 0.005)

@@ -22,7 +22,7 @@ from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
 from fem_check.report.rows import as_read, quantity, table, worst
-from fem_check.report.sections import previous, tolerances
+from fem_check.report.sections import agreement, previous, tolerances
 from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from qsbearing.documents.html import html
@@ -123,7 +123,9 @@ def test_the_pdf_holds_its_fonts_and_says_the_verdict(shipped: Document) -> None
     assert "Validationreport" in first or "VALIDATIONREPORT" in first
     assert "Releasedby" in first, "page 1 ends with who releases it"
     assert re.search(r"Arethe.*p\.\d+", first), "a question names its page"
-    assert "Contents" in reader.pages[1].extract_text()
+    second = reader.pages[1].extract_text()
+    assert agreement.QUESTION in second and "5,000 N at 42.97°" in second, "page 2 is the agreement, all of it"
+    assert "Contents" in reader.pages[2].extract_text()
 
 
 def test_rows_for_other_programs_are_those_of_the_records(tmp_path: Path) -> None:

@@ -1,13 +1,14 @@
 """One contact as true bodies, on its coarsest mesh, and planted errors that must not pass."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import qsbearing
 from fem_check import meshing
-from fem_check.checks import true_geometry
+from fem_check.checks import half_spaces_beside, surface_normals, true_geometry
 from fem_check.independent import references
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.groove import BallInGroove
@@ -15,7 +16,7 @@ from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
 from fem_check.rows.agreement import MeshLevel
-from fem_check.solids import bodies, contact_block, true_contact, true_statics
+from fem_check.solids import bodies, contact_block, true_contact, true_maps, true_statics
 from fem_check.solids.tetrahedral_body import TetrahedralBody
 from fem_check.solids.true_contact import TrueContact, loaded_angle
 from fem_check.solids.true_study import TrueContactStudy, contacts
@@ -37,7 +38,7 @@ def condensed(contact):
 
 def gap_misses(condensed, times=1.0) -> list[str]:
     """Quantities whose ratio to the parabola's is farther from the boundary elements' than so many tolerances."""
-    reference = boundary_element.over_hertz(condensed.contact.groove, LOAD).ratio
+    reference = boundary_element.over_hertz(condensed.contact.groove, LOAD, inclined=True).ratio
     exact = condensed.over_hertz(LOAD, follows_surface=False)
     parabola = condensed.over_hertz(LOAD, follows_surface=False, parabola=True)
     return [
@@ -139,11 +140,84 @@ def test_normals_that_follow_the_surface_matter(condensed):
 
 def test_load_beyond_the_mesh_is_said(condensed):
     # The load that was asked for, not one of those over which the result is averaged.
-    with pytest.raises(ContactError, match="the contact at 6000 N fills the patch of the mesh that is made for 2000 N"):
+    said = "the contact at 6000 N fills the patch of the mesh that is made for 2000 N .*along rolling, with 3 elements"
+    with pytest.raises(ContactError, match=said):
         condensed.over_hertz(3.0 * LOAD, follows_surface=True)
 
 
+def test_a_map_has_the_contact_s_pressure_over_hertz_s(condensed):
+    told = true_maps.pressure_map(condensed, LOAD)
+    x, y, p = (np.array(told[name]) for name in "xyp")
+    assert (told["race"], told["load_N"], told["elements"]) == ("inner", LOAD, 3)
+    exact = references.ellipse(condensed.contact.groove.problem(LOAD))
+    # Of Hertz's pressure <p> = 2 p0/3 over pi a b; the map is half of it, over a, b and p0. x grows with the angle.
+    basis = condensed.contact.frame.basis
+    force = 2.0 * basis.forces / (exact.semi_major_axis * exact.semi_minor_axis) @ p
+    assert force == pytest.approx(2.0 * np.pi / 3.0, rel=1e-3)
+    assert x[0] == pytest.approx(max(condensed.contact.frame.patch.lengths) / exact.semi_major_axis, rel=0.02)
+    assert (y >= 0.0).all() and p[np.hypot(x, y) > 1.25].max() == 0.0
+    # The inner contact's normal is -(sin, cos); with a larger angle it moves along -(cos, -sin).
+    moved = condensed.contact.frame.in_space(np.array([[-1.0], [0.0], [0.0]]))[:2, 0]
+    angle = condensed.contact.groove.contact_angle
+    assert moved == pytest.approx([-np.cos(angle), np.sin(angle)])
+
+
+def test_half_spaces_beside_are_each_contact_s_own(monkeypatch):
+    asked = []
+
+    def study(problem, counts, progress, proportions):
+        asked.append((problem.load, proportions.load, counts))
+        exact = references.hertz(problem)
+        return SimpleNamespace(
+            value=lambda name: 1.001 * getattr(exact, name), uncertainty=lambda name: 0.0005 * getattr(exact, name)
+        )
+
+    monkeypatch.setattr(half_spaces_beside.half_space_contact, "mesh_study", study)
+    groove = groove_contact("b218", "inner")
+    solved = [
+        TrueContactStudy(replace(groove, contact_angle=angle), load, [], [], [], [], [], 0, "")
+        for angle, load in ((0.71, 500.0), (0.75, 5000.0))
+    ]
+    rows = half_spaces_beside.rows(solved, lambda stage, part: None)
+    assert asked == [(500.0, 500.0, (6, 8, 12)), (5000.0, 500.0, (6, 8, 12))]
+    assert [row.case for row in rows[::4]] == [f"{each.case}: half-spaces" for each in solved]
+    for row in rows:
+        assert row.deviation_percent == pytest.approx(0.1) and row.uncertainty_percent == pytest.approx(0.05)
+        assert row.verdict == ("fail" if row.tolerance_percent < 0.15 else "pass")
+
+
 # --- planted errors ---------------------------------------------------------------------------------------------------
+
+
+def normals_missed(condensed, follows=True):
+    exact, surface = (condensed.over_hertz(LOAD, follows_surface=each) for each in (False, follows))
+    solved = TrueContactStudy(condensed.contact.groove, LOAD, [], [exact, exact], [surface, surface], [], [], 0, "")
+    return [row.quantity for row in surface_normals.rows(solved) if row.verdict == "fail"]
+
+
+def test_pressure_along_the_normals_is_the_half_spaces_but_for_the_bodies_strain(condensed):
+    assert normals_missed(condensed) == []
+    # Twice the strain over the difference of curvature: Q 2 (1 - nu^2)/(E D^2) (1 - R/r), all by hand.
+    strain = LOAD * 2.0 * (1.0 - 0.3**2) / 208e9 / 0.022225**2
+    assert surface_normals.limit(condensed.contact.groove, LOAD) == pytest.approx(
+        100.0 * 2.0 * strain / (1.0 - 11.1125 / 11.6281), rel=1e-9
+    )
+
+
+def test_planted_pressure_along_the_axis_is_seen(condensed):
+    assert "max_pressure over Hertz" in normals_missed(condensed, follows=False)
+
+
+def test_planted_upright_torus_is_seen_in_the_slant(condensed):
+    """The inclined torus slants the pressure: boundary elements have its largest value over that in the middle."""
+    exact, parabola = (condensed.over_hertz(LOAD, follows_surface=False, parabola=each) for each in (False, True))
+    upright, inclined = (
+        boundary_element.over_hertz(condensed.contact.groove, LOAD, inclined=each).ratio["max_pressure"]
+        for each in (False, True)
+    )
+    # The vertex of 1 + s x - x^2/2 is s^2/2 high; three elements per semi-axis have the slant within a fifth.
+    slant = np.sqrt(2.0 * (inclined / upright - 1.0))
+    assert abs(exact["slant"] - parabola["slant"]) == pytest.approx(slant, rel=0.25)
 
 
 def test_planted_parabola(condensed):
@@ -181,9 +255,9 @@ def test_planted_largest_pressure_from_the_formula(condensed, monkeypatch):
     def formula(x, y, area, pressure):
         # x/a and y/b come in: the area is over a b too.
         scale = area.sum() / ((x.max() - x.min()) * (y.max() - y.min()))
-        return 1.5 * float(pressure @ area) / scale / (0.5 * np.pi)
+        return 1.5 * float(pressure @ area) / scale / (0.5 * np.pi), 0.0, 0.0
 
-    monkeypatch.setattr(true_contact, "central_pressure", formula)
+    monkeypatch.setattr(true_contact, "central_shape", formula)
     assert gap_misses(condensed) == ["max_pressure"]
 
 

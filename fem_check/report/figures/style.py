@@ -23,20 +23,30 @@ PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#f2f5f7", "#a9c4d3", 
 """The colours of the other pictures: none, blue, orange."""
 
 
-def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a: float, b: float) -> Any:
-    """Contours of a contact pressure over an ellipse of semi-axes a and b, smoothed between the mesh's points.
+def smoothed(
+    x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a: float, b: float, points: tuple[int, int] = (121, 81)
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Square of a contact pressure over its largest on a grid over an ellipse of semi-axes a and b, and x/a, y/b there.
 
     A polynomial smooths the square, which for Hertz's pressure is a parabola that crosses zero at the edge; the
-    pressure itself has an infinite slope there. The points are those of a circle: an ellipse's own triangles would be
-    slivers.
+    pressure itself has an infinite slope there.
     """
     pressed = values > 0.0
     u, v, square = x[pressed] / a, y[pressed] / b, (values[pressed] / values.max()) ** 2
     degree = 4 if len(square) > 200 else 2  # more needs a finer mesh
     smooth, *_ = np.linalg.lstsq(polyvander2d(u, v, [degree, degree]), square, rcond=None)
-    u, v = (each.ravel() for each in np.meshgrid(np.linspace(-1.12, 1.12, 121), np.linspace(-1.12, 1.12, 81)))
+    u, v = np.meshgrid(*(np.linspace(-1.12, 1.12, count) for count in points))
     square = polyval2d(u, v, smooth.reshape(degree + 1, -1))
     square[u**2 + v**2 > 1.25] = 0.0  # away from all that was fitted a polynomial says nothing
+    return u, v, square
+
+
+def map_of(axes: Axes, x: NDArray[Any], y: NDArray[Any], values: NDArray[Any], a: float, b: float) -> Any:
+    """Contours of a contact pressure over an ellipse of semi-axes a and b, smoothed between the mesh's points.
+
+    The points are those of a circle: an ellipse's own triangles would be slivers.
+    """
+    u, v, square = (each.ravel() for each in smoothed(x, y, values, a, b))
     shown = values.max() * np.sqrt(np.clip(square, 0.0, None))
     levels = np.linspace(0.02, 1.02, 51) * values.max()  # without pressure no colour
     filled = axes.tricontourf(Triangulation(u * a, v * b), shown, levels=levels, cmap=PRESSURE)

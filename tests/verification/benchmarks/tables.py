@@ -18,7 +18,7 @@ from fem_check.report.figures import sector as sector_figures
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
 from qsbearing.model.solution.point_errors import CREEP, HELD
-from tests.guide import interface
+from tests.guide import agreement, interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks import before, cost, marked
@@ -348,9 +348,10 @@ def filled(page: str) -> str:
 
 
 def main() -> None:
-    """Rewrite the tables of every page, the list of hard cases, the pictures of what accuracy costs, and the numbers of
-    the design report's evidence."""
+    """Rewrite the tables of every page, the page of B218's agreement, the list of hard cases, the pictures of what
+    accuracy costs, and the numbers of the design report's evidence."""
     evidence_numbers.main()
+    agreement.main()
     cost.draw()
     hard_cases_table.TABLE.write_text(hard_cases_table.markdown(read(hard_cases_table.DATA)["cases"]), encoding="utf-8")
     for page in PAGES:
