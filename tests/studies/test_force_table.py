@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import signal
 import subprocess
 import sys
@@ -205,6 +206,7 @@ def test_the_command_writes_what_python_returns(scene: qs.Scene, tmp_path: Path)
         xarray.testing.assert_equal(read.load(), made)
         assert read["axial_load_N"].attrs["units"] == "N"
         assert read.attrs["points"] == made["status"].size
+    assert "hypotheses_differ" in [each["code"] for each in json.loads(made.attrs["remarks"])]
     heading, *rows = csv.read_text().splitlines()
     assert len(rows) == made["status"].size
     names, last = heading.split(","), rows[-1].split(",")

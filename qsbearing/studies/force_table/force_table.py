@@ -18,6 +18,7 @@ from qsbearing.model.solution import solver
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, alike, check_kind, question, raise_if_any
 from qsbearing.model.version import __version__
+from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chunk import STATUSES
 from qsbearing.studies.force_table.refined_grid import FIRST, Errors, Evaluate, GridPoints, RefinedGrid
@@ -46,6 +47,8 @@ class _Task(NamedTuple):
     scene: Scene
     """With everything chosen, and held where an axis has one value."""
     axes: list[TableAxis]
+    solution: Solution
+    """Of the scene's own operating point."""
     load: float
     """Size of the force under the scene's own operation [N]; 0: none, or no equilibrium."""
 
@@ -94,7 +97,8 @@ def force_table(
             tilt y, tilt z. `status`: 0 converged, 1 no_equilibrium, 2 not_converged; the last two hold NaN.
             `loaded_balls`: balls that press on the inner raceway; without one the load is 0 at rest. Each load has the
             attributes `error_largest`, `error_95` and both in percent, as measured at points that are none of the grid.
-            Of the table: `wish_is_met`, `interpolation`, `unjudged_points`.
+            Of the table: `wish_is_met`, `interpolation`, `unjudged_points`; `remarks`, what is said of the scene
+            at its operating point, as JSON.
 
     Raises:
         SceneError: a name, range or number that cannot be; a range that the scene does not tell; every error, at once.
@@ -168,7 +172,7 @@ def _task_of(scene: Scene, over: Mapping[str, tuple[float, float] | None]) -> _T
     axes = axes_of(solution.scene, over, solution)
     force = float(np.linalg.norm(solution.load[:3])) if solution.converged else 0.0
     fixed = at_points(solution.scene, {name: np.asarray(value) for name, value in held(axes).items()})
-    return _Task(fixed, axes, force)
+    return _Task(fixed, axes, solution, force)
 
 
 def _evaluation(scene: Scene, fields: list[str], report: Callable[[int], object]) -> Evaluate:
@@ -228,6 +232,7 @@ def _attributes(
 ) -> dict[str, Any]:
     worst = float(np.max(errors.largest / scale))
     status, balls = grid.solved.status, grid.solved.loaded_balls
+    said = every_remark(task.solution) if task.solution.converged else []
     count = int(np.asarray(task.scene.bearing.ball_count))
     return {
         "Conventions": "CF-1.11",
@@ -249,4 +254,5 @@ def _attributes(
         "points_without_loaded_balls": int((balls == 0).sum()),
         "points_with_some_unloaded_balls": int(((balls > 0) & (balls < count)).sum()),
         "input": json.dumps(input_tables(task.scene)),
+        "remarks": json.dumps(remarks_record(said)["remarks"]),
     }
