@@ -69,6 +69,7 @@ from qsbearing.studies.chooser.choose import solve as solve
 from qsbearing.studies.chooser.choose_set import solve_set as solve_set
 from qsbearing.studies.design.compare import compare as compare
 from qsbearing.studies.design.find import find as find
+from qsbearing.studies.force_table.force_table import force_table as force_table
 from qsbearing.studies.sobol import sobol_indices as sobol_indices
 from qsbearing.studies.store import open_results as open_results
 from qsbearing.studies.study import Study as Study

@@ -33,6 +33,7 @@ from qsbearing.cli.schema import schema
 from qsbearing.cli.skill import skill
 from qsbearing.cli.stiffness import stiffness
 from qsbearing.cli.sweep import sweep
+from qsbearing.cli.table import table
 from qsbearing.model.version import __version__
 
 
@@ -79,6 +80,7 @@ for command in (
     plot,
     heat,
     stiffness,
+    table,
     import_model,
     figures,
     cost,

@@ -3,7 +3,7 @@
 ==============  ==================================================================================================
 0, 1, 2         what the command itself says: done, no equilibrium (or out of tolerance), bad input
 2               also what the computer refuses: a full disk, a closed output, too little memory
-3               solved, but a requirement of [require] is not met
+3               solved, but a requirement of [require] is not met, or a table errs by more than is wished
 70              a defect of this program
 128 + signal    ended by a signal: 130 by Ctrl-C, 143 by `kill` or `timeout`
 ==============  ==================================================================================================

@@ -1,12 +1,14 @@
 """The stiffness of a solved bearing or set for other programs: as JSON, for MATLAB, as elements of ROSS, as springs of
 CalculiX, Nastran and Abaqus, as a matrix of ANSYS.
 
-Each row by itself, about the plane of its balls' centres, in the axes of the shaft.
+Each row by itself, about the plane of its balls' centres, in the axes of the shaft; as JSON and springs of CalculiX and
+Nastran also in those of a model in which the shaft lies otherwise.
 """
 
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from io import BytesIO
 from typing import Any, NamedTuple
 
@@ -24,11 +26,14 @@ from qsbearing.model.solution.rounding import (
 from qsbearing.model.units import mm, rpm
 from qsbearing.model.validation import printable
 from qsbearing.model.version import __version__
+from qsbearing.systems.rotor_dynamics.model_frame import OWN, ModelFrame, in_model
 from qsbearing.systems.rotor_dynamics.springs import asymmetry, combined_springs, from_shaft
 
 UNITS = {"N-mm-t": mm, "N-m-kg": 1.0}
 """Systems of units: the size of their length in metres."""
 AXES = "x along the shaft, y and z across it; rotations right-handed"
+IN_MODEL = "x, y, z of the model; rotations right-handed"
+DIRECTIONS = "Of the scene +x, along the shaft, is {x} there, +y is {y}, +z is {z}."
 POINT = "on the axis, in the plane of the balls' centres"
 FIRST_NODE = 900_000
 """Nodes of a deck begin there: 100 for each row."""
@@ -91,35 +96,52 @@ def seats_of(solution: Any, units: str, *, mirrored: bool = False) -> list[Seat]
     return seats
 
 
-def _facts(units: str) -> dict[str, str]:
+def _is_turned(frame: ModelFrame) -> bool:
+    return bool((frame.directions != OWN.directions).any())
+
+
+def _directions(frame: ModelFrame) -> str:
+    """Those of a scene in the model, in words."""
+    named = (f"({', '.join(f'{part:.6g}' for part in direction)})" for direction in frame.directions)
+    return DIRECTIONS.format(**dict(zip("xyz", named, strict=True)))
+
+
+def _facts(units: str, frame: ModelFrame = OWN) -> dict[str, str]:
     length = units.split("-")[1]
     return {
         "version": __version__,
         "what": "tangent stiffness: forces and moments of the shaft on the bearing over its displacements",
         "units": f"{units}: N/{length}, N/rad, N {length}/rad; positions in {length}, speeds in rpm",
-        "axes": AXES,
+        "axes": f"{IN_MODEL}. {_directions(frame)}" if _is_turned(frame) else AXES,
         "point": POINT,
         "channels": "x, y, z, rotations about x (free), y, z",
     }
 
 
-def _of(seat: Seat) -> dict[str, Any]:
+def _of(seat: Seat, frame: ModelFrame = OWN) -> dict[str, Any]:
     """The numbers of a row, 6 × 6, without stiffness about the axis."""
+    load = np.insert(seat.load, 3, 0.0)
+    stiffness = np.insert(np.insert(seat.stiffness, 3, 0.0, axis=0), 3, 0.0, axis=1)
+    where = {}
+    if not frame.is_own:
+        where = {"place": frame.place(seat.position)}
+        load, stiffness = frame.vector(load.reshape(2, 3)).ravel(), in_model(stiffness, frame.directions)
     return {
         "name": seat.name,
         "position": seat.position,
+        **where,
         "speed": seat.speed,
-        "load": np.insert(seat.load, 3, 0.0),
-        "stiffness": np.insert(np.insert(seat.stiffness, 3, 0.0, axis=0), 3, 0.0, axis=1),
+        "load": load,
+        "stiffness": stiffness,
         "asymmetry": seat.asymmetry,
     }
 
 
-def json_text(seats: list[Seat], units: str) -> str:
-    """All rows as JSON."""
-    rows = [{key: each.tolist() if isinstance(each, np.ndarray) else each for key, each in _of(seat).items()}
+def json_text(seats: list[Seat], units: str, frame: ModelFrame = OWN) -> str:
+    """All rows as JSON; in another model's axes with the place of each row there."""
+    rows = [{key: each.tolist() if isinstance(each, np.ndarray) else each for key, each in _of(seat, frame).items()}
             for seat in seats]  # fmt: skip
-    return json.dumps(_facts(units) | {"rows": rows}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(_facts(units, frame) | {"rows": rows}, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def mat_bytes(seats: list[Seat], units: str) -> bytes:
@@ -164,23 +186,25 @@ def ross_module(seats: list[Seat]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def calculix_deck(seats: list[Seat], units: str) -> str:
+def calculix_deck(seats: list[Seat], units: str, frame: ModelFrame = OWN) -> str:
     """All rows as an input of CalculiX to be included: springs between the shaft and the ground.
 
     An auxiliary node takes each combination of displacements by *EQUATION, and a SPRING1 holds it.
     """
-    return _springs_by_equations(seats, units, [], True)
+    return _springs_by_equations(seats, units, [], True, frame)
 
 
 def abaqus_deck(seats: list[Seat], units: str) -> str:
     """The same for Abaqus, whose nodes turn as well as move; not run."""
-    return _springs_by_equations(seats, units, [NOT_RUN.format(mark="**", program="Abaqus")], False)
+    return _springs_by_equations(seats, units, [NOT_RUN.format(mark="**", program="Abaqus")], False, OWN)
 
 
-def _springs_by_equations(seats: list[Seat], units: str, more: list[str], has_rotation_node: bool) -> str:
-    lines = [*_head("**", units, "Include it before the first *STEP."), *more]
+def _springs_by_equations(
+    seats: list[Seat], units: str, more: list[str], has_rotation_node: bool, frame: ModelFrame
+) -> str:
+    lines = [*_head("**", units, "Include it before the first *STEP.", frame), *more]
     for number, seat in enumerate(seats, 1):
-        moved, turned, springs = _springs(number, seat)
+        moved, turned, springs = _springs(number, seat, frame)
         how = [f"** Node {moved} moves and turns with the shaft at the bearing. Write into your model:"]
         how += [f"**   *RIGID BODY, REF NODE={moved}, PIN NSET=your_seat"]
         if has_rotation_node:
@@ -189,19 +213,31 @@ def _springs_by_equations(seats: list[Seat], units: str, more: list[str], has_ro
             how += [f"**   *RIGID BODY, NSET=your_seat, REF NODE={moved}, ROT NODE={turned}"]
         turning, first = (turned, 1) if has_rotation_node else (moved, 4)
         nodes = dict.fromkeys((moved, turning, *(each.node for each in springs)))
-        lines += [*_row("**", number, seat, units), *how, "*NODE"]
-        lines += [f"{node}, {seat.position:.13e}, 0., 0." for node in nodes]
+        lines += [*_row("**", number, seat, units, frame), *how, "*NODE"]
+        x, *across = frame.place(seat.position)
+        place = ", ".join([f"{x:.13e}", *(f"{each:.13e}" if each else "0." for each in across)])
+        lines += [f"{node}, {place}" for node in nodes]
         for node, constant, moves, turns in springs:
             terms = [(node, 1, 1.0), *((moved, dof, -part) for dof, part in moves)]
             terms += [(turning, dof + first - 1, -part) for dof, part in turns]
             lines += [f"*ELEMENT, TYPE=SPRING1, ELSET=QS_{node}", f"{node}, {node}"]
-            lines += [f"*SPRING, ELSET=QS_{node}", "1", f"{constant:.12e}", "*EQUATION", f"{len(terms)}"]
-            for at in range(0, len(terms), 4):
-                lines.append(", ".join(f"{each}, {dof}, {part:.12e}" for each, dof, part in terms[at : at + 4]))
+            lines += [f"*SPRING, ELSET=QS_{node}", "1", f"{constant:.12e}", *_equation(terms)]
             lines += ["*BOUNDARY", f"{node}, 2, 3"] if has_rotation_node else []
         if number == 1:
-            lines += [f"** {HELD}", "*BOUNDARY", f"{turning}, {first}, {first}"]
+            # The largest part first: it is the one that the program takes out of its unknowns.
+            about = sorted(_parts(frame.directions[0]), key=lambda part: -abs(part[1]))
+            held = [(turning, dof + first - 1, part) for dof, part in about]
+            alone = ["*BOUNDARY", f"{turning}, {held[0][1]}, {held[0][1]}"]
+            lines += [f"** {HELD}", *(alone if len(held) == 1 else _equation(held))]
     return "\n".join(lines) + "\n"
+
+
+def _equation(terms: Sequence[tuple[int, int, float]]) -> list[str]:
+    """That node, direction and part of each add up to nothing."""
+    lines = ["*EQUATION", f"{len(terms)}"]
+    for at in range(0, len(terms), 4):
+        lines.append(", ".join(f"{each}, {dof}, {part:.12e}" for each, dof, part in terms[at : at + 4]))
+    return lines
 
 
 def ansys_deck(seats: list[Seat], units: str) -> str:
@@ -227,21 +263,30 @@ def ansys_deck(seats: list[Seat], units: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def nastran_deck(seats: list[Seat], units: str) -> str:
+def nastran_deck(seats: list[Seat], units: str, frame: ModelFrame = OWN) -> str:
     """All rows as bulk data of Nastran to be included: springs between the shaft and the ground, in large fields.
 
-    A grid of its own takes each combination of displacements by an MPC, and a CELAS2 holds it.
+    A grid of its own takes each combination of displacements by an MPC, and a CELAS2 holds it. In another model's axes
+    the grids move along those of the bearing, by a coordinate system of their own.
     """
-    lines = _head("$", units, f"Include it in the bulk data, and select MPC = {FIRST_NODE} in the case control.")
+    use = f"Include it in the bulk data, and select MPC = {FIRST_NODE} in the case control."
+    lines = _head("$", units, use, frame)
+    system: Any = ""
+    if _is_turned(frame):
+        system = FIRST_NODE
+        lines += [f"$ Grids that move with the shaft have its axes, x along it: coordinate system {system}."]
+        points = (frame.origin, frame.origin + frame.directions[2], frame.origin + frame.directions[0])
+        lines += _large("CORD2R", system, "", *(float(each) for point in points for each in point))
     lines += [f"$ Grid {FIRST_NODE} is the ground.", *_large("GRID", FIRST_NODE, "", 0.0, 0.0, 0.0, "", "123456")]
     for number, seat in enumerate(seats, 1):
-        moved, _, springs = _springs(number, seat)
+        moved, _, springs = _springs(number, seat, OWN)
+        point = [float(each) for each in frame.place(seat.position)]
         lines += [
-            *_row("$", number, seat, units),
+            *_row("$", number, seat, units, frame),
             f"$ Grid {moved} moves and turns with the shaft at the bearing. Write into your model:",
             f"$   RBE2, EID, {moved}, 123456, grids of your seat",
             *([f"$ {HELD}"] if number == 1 else []),
-            *_large("GRID", moved, "", seat.position, 0.0, 0.0, "", "4" if number == 1 else ""),
+            *_large("GRID", moved, "", *point, system, "4" if number == 1 else ""),
         ]
         for node, constant, moves, turns in springs:
             terms = [(node, 1, 1.0)]
@@ -249,7 +294,7 @@ def nastran_deck(seats: list[Seat], units: str) -> str:
             fields: list[Any] = [FIRST_NODE]
             for place, (each, dof, part) in enumerate(terms):
                 fields += [each, dof, part, *(["", ""] if place % 2 else [])]
-            lines += _large("GRID", node, "", seat.position, 0.0, 0.0, "", "23456")
+            lines += _large("GRID", node, "", *point, "", "23456")
             lines += [*_large("MPC", *fields), *_large("CELAS2", node, constant, node, 1, FIRST_NODE, 1)]
     return "\n".join(lines) + "\n"
 
@@ -263,33 +308,42 @@ class _Spring(NamedTuple):
     """By the number of the rotation: its part in the combination."""
 
 
-def _springs(number: int, seat: Seat) -> tuple[int, int, list[_Spring]]:
+def _springs(number: int, seat: Seat, frame: ModelFrame) -> tuple[int, int, list[_Spring]]:
     """The nodes that move and turn with a row, and its springs, each with a node of its own."""
     first = FIRST_NODE + 100 * number
     springs = []
     for count, (constant, parts) in enumerate(zip(*combined_springs(seat.stiffness, seat.lever), strict=True), 11):
-        named = [(dof, float(part)) for dof, part in zip((1, 2, 3, 2, 3), parts, strict=True)]
-        moves, turns = ([each for each in half if each[1]] for half in (named[:3], named[3:]))
+        moves, turns = (_parts(frame.vector(half)) for half in (parts[:3], [0.0, *parts[3:]]))
         springs.append(_Spring(first + count, float(constant), moves, turns))
     return first + 1, first + 2, springs
 
 
-def _head(mark: str, units: str, use: str) -> list[str]:
+def _parts(vector: NDArray) -> list[tuple[int, float]]:
+    """The directions, 1 to 3, of a vector's parts that are not 0, and these."""
+    return [(dof, float(part)) for dof, part in enumerate(vector, 1) if part]
+
+
+def _head(mark: str, units: str, use: str, frame: ModelFrame = OWN) -> list[str]:
     length = units.split("-")[1]
     return [
         f"{mark} Bearings as springs, by qsbearing {__version__}. {use}",
-        f"{mark} Units {units}: N/{length}, N/rad, N {length}/rad. Axes: {AXES}.",
+        f"{mark} Units {units}: N/{length}, N/rad, N {length}/rad. Axes: {IN_MODEL if _is_turned(frame) else AXES}.",
+        *([f"{mark} {_directions(frame)}"] if _is_turned(frame) else []),
         f"{mark} Tangent stiffness about a solved operating point: load the model with changes of its loads.",
     ]
 
 
-def _row(mark: str, number: int, seat: Seat, units: str) -> list[str]:
+def _row(mark: str, number: int, seat: Seat, units: str, frame: ModelFrame = OWN) -> list[str]:
     length = units.split("-")[1]
-    load = ", ".join(f"{each:.6g}" for each in seat.load)
+    place, loads = f"x = {seat.position:.6g}", seat.load
+    if not frame.is_own:
+        place = f"({', '.join(f'{each:.6g}' for each in frame.place(seat.position))})"
+        loads = frame.vector(np.insert(seat.load, 3, 0.0).reshape(2, 3)).ravel()
+    load = ", ".join(f"{each:.6g}" for each in loads)
     return [
         mark,
         f"{mark} {number}: {seat.name}, {seat.speed:g} rpm, loads on it {load} (N, N {length})",
-        f"{mark} Point: {POINT}, x = {seat.position:.6g} {length}.",
+        f"{mark} Point: {POINT}, {place} {length}.",
         f"{mark} The springs are the symmetric part of the stiffness. Of what is not symmetric the largest",
         f"{mark} difference of two terms is {plain(100.0 * seat.asymmetry, '.3g')} % of the largest term.",
     ]

@@ -25,9 +25,10 @@ from qsbearing.inference.practice import (
     practice_of,
 )
 from qsbearing.inference.proportions import likely_sets, proportions_of
-from qsbearing.inference.ratings_fit import Fitted, fitted, joined, of_known_balls
+from qsbearing.inference.ratings_fit import WORST_ALONE, Fitted, fitted, joined, of_known_balls
 from qsbearing.inference.rigidity import grooves_of_rigidity, kind_of, pair_rigidity
 from qsbearing.model.bearing import BallBearing, BearingKind, Outline
+from qsbearing.model.units import mm
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, SceneError, Setting, raise_if_any
 from qsbearing.readings.dynamic_rating import dynamic_load_rating
 from qsbearing.remarks.kinds import CHECK, NOTE, Kind
@@ -211,6 +212,10 @@ def _fits(sheet: DataSheet, remarks: list[Warned]) -> Fitted:
     fits = fitted(sheet, practice)
     if not fits.misfit.size:
         raise SceneError([_no_set(sheet, practice)])
+    is_told = any(each is not None for each in (sheet.ball_count, sheet.ball_diameter, sheet.f0))
+    is_alone = not is_told and len(set(zip(*fits.sets, strict=True))) == 1
+    if practice.kind == RatingPractice.SERIES_FACTORS and is_alone and fits.misfit[0] > WORST_ALONE:
+        raise SceneError([_alone(sheet, fits)])
     return fits
 
 
@@ -260,6 +265,15 @@ _HOW = {
     RatingPractice.OWN_GROOVE: "with grooves of f = 0.508 to 0.535",
     RatingPractice.SERIES_FACTORS: "by ISO 281 and ISO 76 times the factors",
 }
+
+
+def _alone(sheet: DataSheet, fits: Fitted) -> ErrorDetail:
+    """Of a single set that fits badly."""
+    balls = f"{fits.sets.counts[0]:.0f} x {fits.sets.diameters[0] / mm:.6g} mm"
+    problem = f"one ball set alone, {balls}, has these ratings {_HOW[RatingPractice.SERIES_FACTORS]}, and badly"
+    detail = f"its misfit is {fits.misfit[0]:.2g}, of a single set {WORST_ALONE:g} are believed"
+    cause = "The factors are likely those of other rows: take those of a row near in size, or give ball_count"
+    return ErrorDetail("bearing.static_load_rating", problem, sheet.static_load_rating, cause=cause, detail=detail)
 
 
 def _no_set(sheet: DataSheet, practice: Practice) -> ErrorDetail:

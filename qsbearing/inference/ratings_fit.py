@@ -36,6 +36,9 @@ OWN_F_PRIOR, OWN_F_SPREAD = 0.5224, 0.0034
 GMN's S 619."""
 WORST_FIT = 9.0
 """The misfit beyond which no set is believed."""
+WORST_ALONE = 4.0
+"""Likewise where factors of a series leave one set alone: of GMN's KH the right ones are at 3.1 at most. Beyond, the
+factors are more likely those of other rows."""
 THIN_C, THIN_C_SPREAD, THIN_F_SPREAD = (-0.035, 0.016), 0.012, 0.006
 """Of own grooves in dimension series 18: C printed over computed, less 1, between these; its usual deviation from their
 middle; that of f."""

@@ -58,6 +58,7 @@ COMMANDS = {
     "heat": ["heat", "b218"],
     "sweep": ["sweep", "b218", "--vary", "axial_load_N=1,2"],
     "stiffness": ["stiffness", "b218"],
+    "table": ["table", "b218"],
     "report": ["report", "b218", "--out", "folder"],
     "init": ["init", "b218"],
     "catalogue": ["catalogue", "b218"],

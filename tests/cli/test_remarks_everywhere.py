@@ -45,6 +45,7 @@ ASKED: dict[str, list[str] | str] = {
     ],
     "compare": ["compare SCENE 7210c"],
     "plot": ["plot study.nc --out picture.svg"],
+    "table": ["table SCENE --error 5"],
     "stiffness": ["stiffness SCENE --vary speed_rpm=9000:12000:3", "stiffness SCENE --format json"],
     "report": ["report SCENE --out folder"],
     "heat": ["heat hot.toml", "heat hot.toml --json"],

@@ -319,3 +319,23 @@ def test_rings_of_a_designation_have_its_dimensions() -> None:
     assert rings.origin == "the bearing's own dimensions"
     assert (rings.bore, rings.outside, rings.width) == pytest.approx((25 * mm, 52 * mm, 15 * mm))
     assert ring_dimensions(scene(**OWN).bearing).origin == "usual proportions"
+
+
+@pytest.mark.parametrize("maker", designation._facts()["other"]["makers"])
+def test_a_maker_whose_letters_are_not_known_is_a_maker_and_no_prefix(maker: str) -> None:
+    """Its deep-groove bearings are of their series, as those of makers whose ratings are in no table."""
+    found = told(f"{maker.title()} 6208-2RS/C3")
+    assert (found.maker, found.prefix, found.clearance_class) == (maker, "", "C3")
+    assert [list(each) for each in sheets_by_name({"name": f"{maker} 6208"})] == [["rating_practice"]]
+    assert told(f"{maker} 7208 WN").angle is None
+    assert "for the angle is not known here: give free_contact_angle_deg" in catalogue.nearest(f"{maker} 7208 WN")
+
+
+def test_letters_before_the_number_that_begin_with_a_digit() -> None:
+    """NTN's 5S: ceramic balls. SKF's E2: other balls than those of the rating tables, so that only the size is told."""
+    found = told("NTN 5S-7012UCDB/GNP42")
+    assert (found.ball_material, found.angle, found.arrangement, found.bore) == ("silicon nitride", 15, "DB", 60)
+    found = told("SKF E2.6208-2Z")
+    assert (found.bore, found.outside, found.width, found.prefix) == (40, 80, 18, "E2")
+    assert sheets_by_name({"name": "SKF E2.6208-2Z"}) == []
+    assert "40 x 80 x 18" in catalogue.nearest("SKF E2.6208-2Z")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
+import qsbearing as qs
 from qsbearing.inference.ball_sets import BallSets
 from qsbearing.inference.data_sheet import DataSheet, RigidityKind
 from qsbearing.inference.practice import OWN_GROOVE
@@ -14,12 +17,24 @@ from qsbearing.inference.ratings_fit import (
     OWN_F_OFFSETS,
     OWN_F_PRIOR,
     OWN_F_SPREAD,
+    WORST_ALONE,
     groove_of_static_rating,
     rated,
 )
 from qsbearing.readings import dynamic_load_rating
 from tests.guide.pages import GUIDE
-from tests.inference.measured import Shares, coverage, gmn_rigidities, judges, own_grooves, rigidity_table, table
+from tests.inference.measured import (
+    Shares,
+    by_factors,
+    coverage,
+    gmn_rigidities,
+    inferred,
+    judges,
+    light,
+    own_grooves,
+    rigidity_table,
+    table,
+)
 from tests.inference.measured_proportions import JUDGES, measured
 from tests.inference.measured_proportions import coverage as coverage_of_guess
 from tests.inference.measured_proportions import table as proportions_table
@@ -34,10 +49,23 @@ def test_the_measured_tables_are_those_of_the_guide() -> None:
 
 
 def test_wrong_lists_are_few_on_rows_that_judge() -> None:
-    """All four wrong lists of one set are of EX 17 and EX 25, whose C is 15 % below that of their series."""
+    """Those of one set that are left are of EX 25, whose C is 15 % below that of its series."""
     of = Shares(judges())
     assert of.wrong <= 0.05 * of.rows
-    assert of.wrong_of_one <= 4
+    assert of.wrong_of_one <= 0.02 * of.rows
+
+
+def test_a_single_set_that_fits_badly_by_factors_is_refused() -> None:
+    """A bound that GMN's KH chose: it costs none of them. What tells the balls besides makes one set no surprise."""
+    alone = [each for each in map(inferred, light()) if each is not None and each.set_number[-1] == 0]
+    assert len(alone) == 11 and max(each.misfit[0] for each in alone) < 0.8 * WORST_ALONE
+    (known,) = (each for each in by_factors("EX") if each.name == "EX 12" and each.sheet["free_contact_angle"] < 0.3)
+    with pytest.raises(qs.SceneError) as caught:
+        qs.infer_bearing(**known.sheet)
+    told = re.search(r"one ball set alone, (\d+) x .* and badly: its misfit is (4\.\d)", str(caught.value))
+    assert told is not None, caught.value
+    with_count = qs.infer_bearing(**known.sheet, ball_count=float(told[1]))
+    assert with_count.misfit[0] == pytest.approx(float(told[2]), abs=0.06)
 
 
 def test_the_range_holds_the_printed_rigidity_of_rows_that_judge() -> None:

@@ -162,6 +162,8 @@ def _angle_missing(told: Designation) -> str:
         said = ", ".join(f"{angle:g}° at {makers[angle]}" for angle in means)
         begun = f"Suffix {told.suffix} means" if told.suffix else "Without a suffix the angle is"
         return f"{begun} {said}; write the maker first ({told.angles[0][0]} {told.text.strip()}) or {advice}"
+    if told.maker and not angles_of(told.maker):
+        return f"What {told.maker.capitalize()} writes for the angle is not known here: {advice}"
     if told.maker:
         codes = listed(f"{code} ({angle:g}°)" for code, angle in angles_of(told.maker).items())
         whose = f"Prefix {told.prefix} is of {told.maker}, whose" if told.prefix else f"{told.maker}'s"

@@ -18,7 +18,9 @@ from qsbearing.inference.iso15 import table
 LONGEST = 60
 """Letters of a text that may be a designation."""
 _BORES = {"00": 10.0, "01": 12.0, "02": 15.0, "03": 17.0}
-_PARTS = re.compile(r"([A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)", re.ASCII)
+_PARTS = re.compile(
+    r"(E2\.|(?:\d[A-Z]+-)*[A-Z]*(?:-[A-Z]+)*)-?(\d+)(?:([/-])(\d+(?:\.\d+)?)(?![A-Z]*\d*[RZ]))?(.*)", re.ASCII
+)
 _SNFA = re.compile(r"(SE[AB]|VE[BX]|EX|E-?2)(?:/[A-Z]+)*-?(\d+)(?:[-/].*?\d?(CE[13].*)?)?", re.ASCII)
 _TOLERANCE = re.compile(r"P4[ASY]?|P[256](?!\d)|ABEC-?[13579]")
 _CLEARANCE = re.compile(r"(?<!H)C[2-5](?!\d)|(?<![A-Z0-9])CN(?![A-Z0-9])")
@@ -127,7 +129,7 @@ def read(text: str) -> Designation | None:
     """What a text tells as a designation; None where it is none."""
     facts = _facts()
     words = text.upper()[:LONGEST].replace("_", " ").split()
-    maker = next((each for each in facts["angles"] if each in words), "")
+    maker = next((each for each in (*facts["angles"], *facts["other"]["makers"]) if each in words), "")
     plain = "-".join(word for word in words if word != maker)
     if maker in ("", "SNFA") and (parts := _SNFA.fullmatch(plain)):
         letters, bore, rest = parts[1].replace("-", ""), float(parts[2]), parts[3] or ""
@@ -136,7 +138,7 @@ def read(text: str) -> Designation | None:
     if parts is None:
         return None
     prefix, number, mark, own_bore, rest = parts.groups(default="")
-    prefix = prefix.replace("-", "")
+    prefix = prefix.replace("-", "").rstrip(".")
     beginning = prefix + number + (mark + own_bore + rest)
     for each in facts["refused"]:
         if re.match(each["pattern"], beginning):
