@@ -56,8 +56,8 @@ def page(browser: Browser, address: str) -> Browser:
 def opened(browser: Browser, text: str) -> None:
     """A file, on the page that is there."""
     given = json.dumps({"text": text, "label": "mine"})
-    assert browser.value(f"take('open', {given})")
-    wait(browser, f"!busy && {WHOLE}")
+    assert browser.value(f"workbench.take('open', {given})")
+    wait(browser, f"!workbench.page.busy && {WHOLE}")
 
 
 def press(browser: Browser, key: str, code: int) -> None:
@@ -93,7 +93,8 @@ def write(browser: Browser, field: str, text: str) -> None:
     browser.value(f"(e => {{ e.closest('details')?.setAttribute('open', ''); e.focus(); e.select(); }})({field})")
     browser.type(text)
     browser.value(f"{field}.blur()")
-    wait(browser, "JSON.stringify(now) === settled")  # the fields are new ones around it, and undo knows it
+    # The fields are new ones around it, and undo knows it.
+    wait(browser, "JSON.stringify(workbench.page.now) === workbench.page.settled")
 
 
 def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, address: str, tmp_path: Path) -> None:
@@ -193,18 +194,18 @@ def test_shares_of_effects_come_after_the_results(page: Browser) -> None:
     assert page.value("document.getElementById('effects').classList.contains('stale')")
     page.value("window.back()")
     wait(page, WHOLE)
-    told = answers.effects(page.value("now.document"), "")["effects"]
+    told = answers.effects(page.value("workbench.page.now.document"), "")["effects"]
     assert page.value(BOXES) == [each["most"] or each["verdict"] for each in told]
 
 
 def test_a_pinned_state_stands_beside_the_present_one(page: Browser) -> None:
     wait(page, WHOLE)
-    first, load = page.value("found.key"), float(page.value(f"{LOAD}.value"))
+    first, load = page.value("workbench.page.found.key"), float(page.value(f"{LOAD}.value"))
     page.click(PIN)
     assert page.value(f"{PIN}.getAttribute('aria-pressed')") == "true" and "difference 0 / 0 %" in page.value(KEY)
     write(page, LOAD, "900")
     wait(page, f"{SOLVED} && {LOAD}.value === '900'")
-    second = page.value("found.key")
+    second = page.value("workbench.page.found.key")
     assert page.value("document.getElementById('said').textContent") == f"Pinned: axial load {load:,.0f} N."
     loads = [next(each["parts"] for each in key if each["name"] == "maximum contact load") for key in (first, second)]
     change = [100.0 * (now["values"][0] / old["values"][0] - 1.0) for old, now in zip(*loads, strict=True)]
@@ -260,10 +261,10 @@ def test_a_key_is_added_in_place_of_what_excludes_it(page: Browser) -> None:
 def test_daily_use_needs_no_scrolling(browser: Browser, address: str, drawn: None) -> None:
     """Of b218, on a screen of 1280 x 900: speed and load first, results beside them."""
     browser.open(address)
-    wait(browser, "!busy && document.querySelectorAll('#effects tbody tr').length > 0")
+    wait(browser, "!workbench.page.busy && document.querySelectorAll('#effects tbody tr').length > 0")
     document = answers.start("b218")["document"]
-    assert browser.value(f"take('check', {json.dumps({'document': document, 'label': 'b218'})})")
-    wait(browser, f"!busy && {WHOLE}")
+    assert browser.value(f"workbench.take('check', {json.dumps({'document': document, 'label': 'b218'})})")
+    wait(browser, f"!workbench.page.busy && {WHOLE}")
     inputs = ("pin", "undo", "save", "operation.speed_rpm", "operation.axial_load_N", "switches", "add")
     results = ("of", "key", "warnings", "section", "stiffness", "life", "angles", "loads")
     found = boxes(browser, *inputs, *results)
@@ -290,7 +291,7 @@ def test_rows_are_tabs_and_the_tool_comes_first(page: Browser, drawn: None) -> N
     opened(page, SPINDLE)
     assert page.value(KEY).startswith("tool: deflection\n")
     row = "document.getElementById('row').innerText"
-    loads = [each["key"][0]["parts"][0]["number"] for each in page.value("found.rows")]
+    loads = [each["key"][0]["parts"][0]["number"] for each in page.value("workbench.page.found.rows")]
     assert loads[0] != loads[1] and page.value(row).startswith(f"axial load\n{loads[0]} N")
     first, shaft = (page.value(f"document.getElementById('{name}').innerHTML") for name in ("section", "shaft"))
     page.value("document.getElementById('tab 1').focus()")
@@ -317,7 +318,7 @@ def test_every_input_is_reached_by_tab_and_shows_it(page: Browser) -> None:
     page.ask("Input.dispatchKeyEvent", type="char", text=" ")
     press(page, " ", 32)
     wait(page, "document.getElementById('table bearing').open")
-    wait(page, f"!busy && {WHOLE}")
+    wait(page, f"!workbench.page.busy && {WHOLE}")
     wanted = page.value(
         "[...document.querySelectorAll('input, select, button, summary, #key')]"
         ".filter(e => !e.disabled && e.checkVisibility()).map((e, k) => e.id ||= `unnamed ${k}`)"
