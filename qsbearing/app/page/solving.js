@@ -1,28 +1,36 @@
 // The scene is solved while it changes; what is of another input than the fields have is grey, and is said to be.
 import {ask} from "./ask.js";
-import {$, kept} from "./dom.js";
+import {$, kept, make} from "./dom.js";
 import {effects} from "./effects.js";
 import {results} from "./results.js";
 import {differences, page} from "./state.js";
 
 export const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
-export const MAIN = ["section", "requirements", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
+export const MAIN = ["section", "required", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 export const NOT_YET = "not yet solved";
 
+const lineOf = text => make("li", {}, text);
+
+// What is wrong with the scene, each fault at its field.
 export function complain(errors) {
   for (const each of document.querySelectorAll("[aria-invalid]")) each.removeAttribute("aria-invalid");
   for (const each of document.querySelectorAll(".wrong")) each.textContent = "";
   const elsewhere = [];
   for (const {key, text} of errors) {
-    const field = key && $(key);
+    const field = key && ($(key) ?? document.querySelector(`input[id^="${CSS.escape(key)}."]`));
     if (!field) { elsewhere.push(text); continue; }
     field.setAttribute("aria-invalid", "true");
-    field.setAttribute("aria-describedby", `${key} wrong`);
+    field.setAttribute("aria-describedby", `${field.id} wrong`);
     field.closest("details")?.setAttribute("open", "");
-    $(`${key} wrong`).textContent += text + "\n";
+    $(`${field.id} wrong`).textContent += text + "\n";
   }
-  $("errors").replaceChildren(...elsewhere.map(text => Object.assign(document.createElement("li"), {textContent: text})));
+  $("errors").replaceChildren(...elsewhere.map(lineOf));
   if (errors.length) grey("Not solved.");
+}
+
+// What is wrong with a file that is not taken over: it is none of the fields' faults, and the scene stays as it is.
+export function refused(what, errors) {
+  $("refused").replaceChildren(...[`${what || "The file"} is not opened. The scene stays as it was.`, ...errors.map(({text}) => text)].map(lineOf));
 }
 
 // What is on the page is grey as long as it is of another input than the fields have, and is said to be of that.
