@@ -34,12 +34,12 @@ def told(solution: Any, readings: Any) -> dict[str, Any]:
 
 
 def _told(answer: Answer) -> dict[str, Any]:
-    found, bound = numbers_of(answer)
+    value, bound = numbers_of(answer)
     limit, used = answer.limit, answer.used
     return {
         "path": [REQUIRE, limit.name, _END_OF[limit.sense]],
         "name": name_of(answer),
-        "found": found,
+        "found": value,
         "bound": bound,
         "sign": SIGNS[limit.sense],
         "unit": printed_unit(limit.unit),
