@@ -256,6 +256,19 @@ def test_the_command_refuses_what_run_refuses() -> None:
     assert result.exit_code == 2 and "neither a file nor a bearing" in result.stderr
 
 
+def test_the_page_begins_with_what_is_set() -> None:
+    settings = [("operation.speed_rpm", 12000), ("effects.raceway_control", "inner")]
+    document = answers.start("7210C", settings)["document"]
+    assert document["operation"]["speed_rpm"] == 12000 and document["effects"]["raceway_control"] == "inner"
+    assert answers.start("7210C")["document"]["operation"]["speed_rpm"] == 24500
+
+
+def test_a_setting_that_is_none_is_refused_before_the_page_is_served() -> None:
+    result = CliRunner().invoke(cli, ["app", "7210C", "--set", "speed_rpm=fast", "--set", "no_such=1"])
+    assert result.exit_code == 2 and "no_such" in result.stderr and "speed_rpm" in result.stderr
+    assert "shows" not in result.stderr
+
+
 def test_friction_is_a_choice_in_the_list(scene: dict[str, Any]) -> None:
     tables = copy.deepcopy(scene)
     effects = tables["document"]["effects"]

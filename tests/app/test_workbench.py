@@ -17,7 +17,7 @@ pytest.importorskip("uvicorn")
 from qsbearing.cli import cli
 from tests.app.served import served
 from tests.app.test_page import KEY, SOLVED, WHOLE, boxes, press, wait, write
-from tests.documents.browser import Browser, barriers, installed
+from tests.documents.browser import OVERFLOWS, WIDTHS, Browser, barriers, installed
 from tests.systems.sets.arrangements import PAIR_FILE
 
 pytestmark = pytest.mark.skipif(installed() is None, reason="no Chromium is installed")
@@ -299,3 +299,27 @@ def test_on_a_phone_the_effects_are_folded_below_the_strip_of_results(page: Brow
     wait(page, f"{field('effect centrifugal_force')}.checkVisibility()")
     page.resize(1280)
     wait(page, f"{field('switches')}.open")
+
+
+def test_all_of_it_open_fits_its_window_and_bars_nobody(page: Browser) -> None:
+    """Every table open, two states pinned, requirements met and not."""
+    wait(page, f"{field('add ring_expansion')} !== null")
+    page.click(field("pin"))
+    page.click(field("add ring_expansion"))
+    wait(page, f"{field('effect ring_expansion')}.checked")
+    page.value(
+        "workbench.page.now.document.require = {max_pressure: {most: 2000}, inner_load_max: {most: 1, source: 'x'}}"
+    )
+    write(page, field("operation.speed_rpm"), "20000")
+    wait(page, f"{REQUIRED}.length === 2")
+    ready(page)
+    page.click(field("pin"))
+    page.value("for (const each of document.querySelectorAll('details')) each.open = true")
+    wait(page, WHOLE)
+    for width in WIDTHS:
+        page.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        page.value("for (const each of document.querySelectorAll('details')) each.open = true")
+        assert page.value("document.documentElement.scrollWidth") <= width
+        assert page.value(OVERFLOWS) == [], width
+        assert barriers(page) == [], width
+    page.resize(1280)
