@@ -5,12 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from qsbearing.app import channels, effect_forms
+from qsbearing.app.scenes import beside_control
 from qsbearing.files.file_keys import REQUIRE, find, spelled
-from qsbearing.files.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
+from qsbearing.files.keys import EFFECT_SECTIONS, EFFECT_TABLES, MATERIALS, NUMBERED, SEAT_MATERIALS
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
+from qsbearing.files.template import notes
 from qsbearing.model.described import choices_of
 from qsbearing.model.material import BY_NAME
+from qsbearing.model.operation import TURNING
+from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.model.validation import Field, Setting
 from qsbearing.remarks.wording import Audience, Words
 from qsbearing.studies import keys
@@ -24,29 +29,45 @@ NEAR = 0.2
 """Of the bearing's own numbers a slider covers so much to either side: far more describes no bearing."""
 FARTHEST = 1e30
 """Of a slider."""
-ROOM = 20.0
-"""The reference temperature [C]."""
 OF_SET = (("operation",), ("preload",), ("shaft", "loads"), ("shaft", "gears"), ("shaft", "belts"))
 """The tables of a set that the page has fields for; what else rows and shaft have is changed in the file."""
 DAILY = ("operation", "shaft", "preload")
 """Tables whose fields come first and are always in view."""
+ALWAYS = ("operation", f"{TURNING[0]}_rpm")
+"""What every scene has."""
+SELDOM = (("operation", f"{TURNING[-1]}_deg"),)
+"""Of these tables, what few people look at."""
 _NUMBERED = {table: word for word, table in NUMBERED.items()}
 
 
 def fields(document: dict[str, Any]) -> list[FieldOfPage]:
-    """A field for every number and word of these tables; of a number with the ends of its slider."""
+    """A field for every number and word of these tables, and for all that their effects may be given; of a number with
+    the ends of its slider."""
     inputs = [
         _field(path, value)
         for path, value in _leaves(document)
         if path != ("bearing", "name") and _is_shown(document, path)
     ]
+    inputs += [_empty(path) for path in effect_forms.not_given(document)]
+    for field in inputs:
+        field["replaces"] = effect_forms.replaces(field["path"])
+        field["brings"] = effect_forms.brings(field["path"], document)
     place = {table: number for number, table in enumerate(DAILY)}
-    return sorted(inputs, key=lambda field: place.get(field["path"][0], len(place)))
+    return sorted(
+        inputs, key=lambda field: (place.get(field["path"][0], len(place)), effect_forms.order(field["path"]))
+    )
 
 
 def _is_shown(document: dict[str, Any], path: Path) -> bool:
-    """Limits of results are the file's: the page answers them."""
-    return path[0] != REQUIRE and (not is_set(document) or any(path[: len(table)] == table for table in OF_SET))
+    """Limits of results stand with their answers."""
+    if path[0] == REQUIRE:
+        return False
+    return not is_set(document) or any(path[: len(table)] == table for table in OF_SET) or is_of_effect(path)
+
+
+def is_of_effect(path: Path) -> bool:
+    """Whether it is in the table of an effect, of all rows or of one."""
+    return any(step in EFFECT_SECTIONS for step in path[:-1])
 
 
 def _leaves(table: Any, before: Path = ()) -> Iterator[tuple[Path, Any]]:
@@ -69,18 +90,38 @@ def _key(path: Path) -> str:
 
 
 def _field(path: Path, value: Any) -> FieldOfPage:
-    own = _key(path)
-    key, table, name = find(own), own.rpartition(".")[0], str(path[-1])
-    words, unit = label(key.field if key else name), key.unit if key else ""
-    field: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
-    field |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
+    field = _named(path)
     if isinstance(value, str):
-        return field | {"options": _options(name, path)}
+        return field | {"options": _options(field["name"], path)}
     if path[-1] == "ball_count":
         return field | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
     value = min(max(value, -FARTHEST), FARTHEST)
-    low, high = _span(float(value), field["unit"], path[0] == "bearing")
+    key = find(field["key"])
+    low, high = _span(float(value), key.unit if key else "", path[0] == "bearing")
     return field | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
+
+
+def _named(path: Path) -> FieldOfPage:
+    """What is said of a field, whatever it has in it."""
+    own, name = _key(path), str(path[-1])
+    key, table = find(own), own.rpartition(".")[0]
+    words, unit = label(key.field if key else name), printed_unit(key.unit) if key else ""
+    bounds = () if key is None or key.range is None else tuple(key.in_file(end) for end in key.range)
+    allowed = f"{bounds[0]:g} to {bounds[1]:g} {unit}" if bounds else ""
+    note = ", ".join(filter(None, (notes().get((table.rpartition(".")[2], name), ""), allowed)))
+    field: FieldOfPage = {"path": path, "key": own, "name": name, "group": table.replace(".", ", "), "words": words}
+    field |= {"unit": unit, "note": note, "channel": channels.channel_of(path), "is_given": True}
+    is_needed = (path[0] in ("bearing", "shaft") and not is_of_effect(path)) or path == ALWAYS
+    return field | {"is_needed": is_needed, "is_daily": path[0] in DAILY and path not in SELDOM}
+
+
+def _empty(path: Path) -> FieldOfPage:
+    """Of a key that is not given: without a slider, for nothing tells where it would begin."""
+    field = _named(path) | {"is_given": False}
+    options, key = _options(field["name"], path), find(field["key"])
+    if key is None and (options or path[-1] in (*MATERIALS, *SEAT_MATERIALS)):
+        return field | {"options": options}
+    return field
 
 
 def _options(name: str, path: Path) -> list[str]:
@@ -91,6 +132,8 @@ def _options(name: str, path: Path) -> list[str]:
         return list(map(str, words))
     if name in (*MATERIALS, *SEAT_MATERIALS):
         return list(BY_NAME)
+    if is_of_effect(path) and (words := effect_forms.options(path)):
+        return list(words)
     return [str(each) for each in CHOICES_OF_FILES.get(name, ())]
 
 
@@ -118,17 +161,20 @@ ON_PAGE = Words(Audience.PAGE, _spelled)
 
 
 def addable(document: dict[str, Any]) -> list[FieldOfPage]:
-    """The keys that these tables have not, with what each stands in place of and a value to start from."""
+    """The keys that these tables have not, and no control of its own offers, with what each stands in place of."""
     return [
-        {
-            "path": key.path,
-            "unit": key.unit,
-            "replaces": keys.replaced(key, document),
-            "value": ROOM if key.unit == "C" else 0.0,
-        }
+        {"path": key.path, "unit": printed_unit(key.unit), "replaces": keys.replaced(key, document)}
         for key in keys.ALL.values()
-        if _is_shown(document, key.path) and _fits(document, key.path)
+        if _is_shown(document, key.path) and _fits(document, key.path) and not _has_control(document, key.path)
     ]
+
+
+def _has_control(document: dict[str, Any], path: tuple[str, ...]) -> bool:
+    """Channels and preload have a choice each, an effect its switch, and fields for all that belongs to it; of a law of
+    friction there is nothing to add where none is chosen, and of hypotheses nothing beside one."""
+    if channels.channel_of(path) or any(step in EFFECT_TABLES for step in path):
+        return True
+    return path[0] == "effects" and path[1] in beside_control(document)
 
 
 def _fits(document: dict[str, Any], path: tuple[str, ...]) -> bool:
