@@ -15,7 +15,7 @@ from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.facts import facts_of
 from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
-from qsbearing.reports.layout import in_pairs
+from qsbearing.reports.layout import side_by_side
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
@@ -59,7 +59,7 @@ def document(
             remarks(said, of_all),
             _results(solution),
             *hot,
-            *([Section("Readings", in_pairs(readings_tables(readings, scene)))] if readings else []),
+            *([Section("Readings", side_by_side(readings_tables(readings, scene)))] if readings else []),
             curves.section(solution, swept),
             effects.section(solution, requested, rows, tolerance),
             inputs.section(scene, source, requested.thermal),
@@ -108,4 +108,4 @@ def _results(solution: Solution) -> Section:
             )
         )
     pictures = [Section("Pictures", drawn)] if drawn else []
-    return Section("Results", [*in_pairs(report.tables(solution)), *pictures])
+    return Section("Results", [*side_by_side(report.tables(solution)), *pictures])

@@ -1,31 +1,22 @@
-"""Small tables in pairs, side by side where a page is wide enough: a report of few pages."""
+"""Tables side by side where a page is wide enough: a report of few pages."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import groupby
 
-from qsbearing.documents.model import Badge, Bar, Block, Cell, Columns, RowGroup, Table
-
-NARROW = 66
-"""Letters of a row, gaps included, that fit into half of a page's width."""
-GAP = 2
-"""Letters between columns."""
+from qsbearing.documents.model import Block, Columns, RowGroup, Table
 
 
-def in_pairs(blocks: Iterable[Block]) -> list[Block]:
-    """Blocks in their order, neighbouring narrow tables beside each other."""
+def side_by_side(blocks: Iterable[Block]) -> list[Block]:
+    """Blocks in their order, neighbouring tables beside each other as far as they fit; on a phone their cells wrap."""
     placed: list[Block] = []
-    waiting: Table | None = None
-    for each in blocks:
-        if not isinstance(each, Table) or _letters(each) > NARROW:
-            placed += [each] if waiting is None else [waiting, each]
-            waiting = None
-        elif waiting is None:
-            waiting = each
-        else:
-            placed.append(Columns([[waiting], [each]]))
-            waiting = None
-    return placed if waiting is None else [*placed, waiting]
+    wrapping = (replace(each, stack=True) if isinstance(each, Table) else each for each in blocks)
+    for are_tables, each in groupby(wrapping, lambda block: isinstance(block, Table)):
+        alike = list(each)
+        placed += [Columns([[table] for table in alike], True)] if are_tables and len(alike) > 1 else alike
+    return placed
 
 
 LONG = 12
@@ -59,15 +50,3 @@ def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], al
             for part, own in zip(parts, used, strict=True)
         ]
     )
-
-
-def _letters(table: Table) -> int:
-    """Of its longest row, column by column."""
-    rows = [row for row in table.rows if not isinstance(row, RowGroup)]
-    columns = zip(table.headings, *rows, strict=True)
-    return sum(max(map(_length, column)) + GAP for column in columns)
-
-
-def _length(cell: Cell) -> int:
-    """Of its longest line."""
-    return len(cell.word) if isinstance(cell, Badge | Bar) else max(map(len, cell.split("\n")))

@@ -51,13 +51,13 @@ class SmallPicture(NamedTuple):
 
 
 def section(swept: Swept | None, required: Sequence[Answer]) -> Section | None:
-    """The picture; None where nothing depends on the speed."""
+    """The picture, where page 1 has room for it; None where nothing depends on the speed."""
     if swept is None or not np.asarray(swept.solution.converged).any():
         return None
     panels = _panels(swept, required)
     titles = " and ".join(each.title for each in panels)
     drawn = picture(_figure(swept, panels), f"Curves over the speed: {titles}; the operating point is marked.")
-    return Section("Over the speed", [drawn], "over-speed")
+    return Section("Over the speed", [drawn], "over-speed", is_spare=True)
 
 
 def figure_of(swept: Swept, required: Sequence[Answer]) -> Any:
