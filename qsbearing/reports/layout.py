@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby
+from typing import Any
 
-from qsbearing.documents.model import Block, Columns, RowGroup, Table
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Block, Columns, Picture, RowGroup, Table
 
 
 def side_by_side(blocks: Iterable[Block]) -> list[Block]:
@@ -17,6 +19,19 @@ def side_by_side(blocks: Iterable[Block]) -> list[Block]:
         alike = list(each)
         placed += [Columns([[table] for table in alike], True)] if are_tables and len(alike) > 1 else alike
     return placed
+
+
+HALF = 4.4
+"""Width of a picture that has half of a page's [inches]."""
+
+
+def half(figure: Any, alt: str, caption: str) -> Picture:
+    """A picture for half of a page's width: its letters are as large as in those of the whole width, and what was
+    solved, which a report says above all of them, does not stand in it again."""
+    width, height = figure.get_size_inches()
+    figure.suptitle("")
+    figure.set_size_inches(HALF, height * (0.5 + 0.5 * HALF / width))
+    return picture(figure, alt, caption, 1.0)
 
 
 LONG = 12

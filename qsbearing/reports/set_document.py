@@ -11,7 +11,7 @@ from qsbearing.documents.model import Block, Bullets, Document, Section
 from qsbearing.files.file_keys import BALL_TABLES, ShownBalls
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.units import mm, rpm
-from qsbearing.pictures import contact_angles
+from qsbearing.pictures import contact_angles, ellipse_on_groove
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.facts import facts_of_set
@@ -92,8 +92,14 @@ def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limit
         "Both contact angles of every ball by its azimuth, for each row.",
         "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
     )
+    grooves = picture(
+        ellipse_on_groove(solution),
+        "The contact ellipse of the most loaded ball on each groove of each row, with the edges of its shoulders.",
+        "The most loaded ellipse of each ring of each row, seen along its normal; dark: shoulders; dash-dot: the "
+        "groove's bottom",
+    )
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
-        Section("Load distribution", [*drawn, angles]),
+        Section("Load distribution", [*drawn, angles, grooves]),
     ]
     return Section("Results", [*side_by_side(tables), *parts])

@@ -60,6 +60,10 @@ DRAWN: dict[str, Callable[[], Any]] = {
     "loads of rows": lambda: pictures.load_distribution(solved("spindle")),
     "bent shaft": lambda: pictures.deformed_shaft(solved("spindle")),
     "grooves": lambda: pictures.ring_shape(solved("elastic rings")),
+    **{
+        f"ellipses on grooves of the {name}": lambda name=name: pictures.ellipse_on_groove(solved(name))
+        for name in FILES
+    },  # type: ignore[misc]
 }
 
 

@@ -2,8 +2,8 @@
 // The scene is the page's own: the server is told it with each question and keeps nothing.
 const $ = id => document.getElementById(id);
 const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
-const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
-const OF_ROW = ["section", "angles", "loads", "ellipses"];  // of a set
+const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses", "grooves"];
+const OF_ROW = ["section", "angles", "loads", "ellipses", "grooves"];  // of a set
 const MAIN = ["section", "requirements", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 const NOT_YET = "not yet solved";
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
