@@ -30,8 +30,8 @@ BAND = 0.1
 """Half of a groove's height in the picture, over its width; more where an ellipse is wider."""
 BEYOND = 0.07
 """Of a groove's width: what is shown of each shoulder."""
-ABOVE = 1.3
-"""Room for a line of words above a band, in halves of its height."""
+ABOVE, SMALL_ABOVE = 0.75, 0.95
+"""Room for a line of words above a band, in halves of its height; likewise where there is little room."""
 LINES, SMALL_LINES = 2, 3
 """Of words, and where there is little room."""
 TITLE = "Contact ellipses on their grooves, rolling up and down"
@@ -134,8 +134,8 @@ def draw_grooves(axes: Axes, solution: Solution, place: CasePlace, is_small: boo
     spans = {side: _span(each) for side, each in drawn.items()}
     width = max((high - low for low, high in spans.values()), default=1.0)
     half = max([BAND * width, *(1.4 * each.b / mm for each in drawn.values())])
-    lines = SMALL_LINES if is_small else LINES
-    step = (2.0 + ABOVE * lines) * half
+    above = SMALL_LINES * SMALL_ABOVE if is_small else LINES * ABOVE
+    step = (2.0 + above) * half
     for number, side in enumerate(found):
         y, each = -number * step, found[side]
         if each is None:
@@ -154,7 +154,7 @@ def draw_grooves(axes: Axes, solution: Solution, place: CasePlace, is_small: boo
         max((b for _, b in spans.values()), default=1.0),
     )
     axes.set_xlim(low - 0.03 * width, high + 0.03 * width)
-    axes.set_ylim(-step - 1.25 * half, (1.0 + ABOVE * lines) * half)
+    axes.set_ylim(-step - 1.25 * half, (1.0 + above) * half)
     axes.set_aspect("equal")
     axes.set_yticks([])
     axes.set_xlabel(

@@ -48,7 +48,7 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
-GROOVES, OF_ROW = (5.8, 4.0), (2.25, 3.2)
+GROOVES, OF_ROW = (5.8, 4.0), (2.25, 2.75)
 """Of both grooves of a bearing, and of each row of a set [inches]."""
 FLAT = 2.4
 """Width and height of the angles of rows where there are many, so that four have room side by side [inches]."""

@@ -9,6 +9,7 @@ from typing import Any
 
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Columns, Picture, RowGroup, Table
+from qsbearing.pictures.style import legend
 
 
 def side_by_side(blocks: Iterable[Block]) -> list[Block]:
@@ -25,19 +26,32 @@ HALF = 4.4
 """Width of a picture that has half of a page's [inches]."""
 
 
-def half(figure: Any, alt: str, caption: str) -> Picture:
-    """A picture for half of a page's width: its letters are as large as in those of the whole width, and what was
-    solved, which a report says above all of them, does not stand in it again."""
+TITLE = 0.4
+"""Height of a title above a picture [inches]."""
+
+
+def untitled(figure: Any) -> Any:
+    """A figure without what was solved, which a report says above all of them."""
     width, height = figure.get_size_inches()
     figure.suptitle("")
-    figure.set_size_inches(HALF, height * (0.5 + 0.5 * HALF / width))
+    figure.set_size_inches(width, height - TITLE)
+    return figure
+
+
+def half(figure: Any, alt: str, caption: str) -> Picture:
+    """A picture for half of a page's width: its letters are as large as in those of the whole width."""
+    width, height = untitled(figure).get_size_inches()
+    figure.set_size_inches(HALF, height * (0.6 + 0.4 * HALF / width))
+    for each in figure.legends:  # which has its lines by the width
+        each.remove()
+    legend(figure, *figure.axes)
     return picture(figure, alt, caption, 1.0)
 
 
 LONG = 12
 """Letters of a last cell that stands below its table instead, with a mark in its place."""
-PER_LINE = 70
-"""Letters of a line of notes."""
+PER_LINE, LOW, ACROSS = 72, 0.8, 1.3
+"""Letters of a line of notes; its height, and that of a row across the table, over those of other rows."""
 
 
 def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], align: str) -> Columns:
@@ -45,12 +59,12 @@ def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], al
     column, which many rows share, are notes below."""
     notes: dict[str, str] = {}
     short: list[Sequence[str] | RowGroup] = []
-    lines = [0]
+    lines = [0.0]
     for row in rows:
-        added = 1
+        added = ACROSS if isinstance(row, RowGroup) else 1.0
         if not isinstance(row, RowGroup) and len(row[-1]) > LONG:
             *others, last = row
-            added += 0 if last in notes else -(-len(last) // PER_LINE)
+            added += 0.0 if last in notes else LOW * -(-len(last) // PER_LINE)
             row = [*others, notes.setdefault(last, f"[{len(notes) + 1}]")]
         short.append(row)
         lines.append(lines[-1] + added)

@@ -16,7 +16,7 @@ from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.facts import facts_of_set
 from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
-from qsbearing.reports.layout import side_by_side
+from qsbearing.reports.layout import side_by_side, untitled
 from qsbearing.reports.set_rows import rows_sections
 from qsbearing.reports.yields import what_yields
 from qsbearing.results import report, set_report
@@ -88,7 +88,7 @@ def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limit
     tables = [rows_table(solution, readings), *set_report.tables(solution, readings)]
     drawn = [glance(solution).blocks[0]] if solution.thermal is not None else []
     angles = picture(
-        contact_angles(solution),
+        untitled(contact_angles(solution)),
         "Both contact angles of every ball by its azimuth, for each row.",
         "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
     )
