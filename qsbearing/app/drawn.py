@@ -16,6 +16,7 @@ from qsbearing.model.units import mm, rpm, um
 from qsbearing.pictures import deformed_shaft
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
+from qsbearing.pictures.ellipse_on_groove import draw_grooves
 from qsbearing.pictures.load_distribution import draw_loads
 from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import GREY, of_results
@@ -110,9 +111,15 @@ PANELS = {
         "Contact ellipses to scale with their pressures.",
         room=(0.08, 0.12, 0.9, 0.78),
     ),
+    "grooves": Panel(
+        _of_point(draw_grooves),
+        (5.6, 3.9),
+        "The most loaded contact ellipse on each groove, with the edges of its shoulders.",
+        room=(0.03, 0.14, 0.94, 0.7),
+    ),
 }
 SHAFT = "shaft"
-OF_ROW = ("section", "loads", "angles", "ellipses")
+OF_ROW = ("section", "loads", "angles", "ellipses", "grooves")
 """The pictures of one row of a set; over the speed a row has none, for it does not run alone."""
 ALT = {name: panel.alt for name, panel in PANELS.items()} | {
     SHAFT: "The shaft as drawn and as it bends, with rows, loads and points."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
@@ -11,10 +12,11 @@ import click
 from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
 from qsbearing.cli.output import UNSOLVED, print_table, warnings_as_notes
 from qsbearing.cli.scene import solving
+from qsbearing.cli.settings import settings_of
 
 if TYPE_CHECKING:
     from qsbearing.documents.model import Block, Cell
-    from qsbearing.studies.design.compare import Compared, Comparison
+    from qsbearing.studies.design.compare import Compared, Comparison, Setting
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -34,9 +36,23 @@ BESIDE = 2
     metavar="SCENE",
     help="A scene whose operation, preload, effects, readings and requirements are used for all bearings.",
 )
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="[N:]KEY=VALUE",
+    help="Another value for a key: operation.speed_rpm=12000 of the job that all share, bearing.ball_count=15 of every "
+    "scene, 2:bearing.ball_count=15 of the second scene alone. Repeat it for each further key.",
+)
 @click.option("--csv", "csv_target", metavar="FILE", help="Also write the table.")
 @click.option("--plot", "plot_target", metavar="FILE", help="Also draw the main results; .png, .svg or .pdf.")
-def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plot_target: str | None) -> None:
+def compare(
+    scenes: tuple[str, ...],
+    at: str | None,
+    settings: tuple[str, ...],
+    csv_target: str | None,
+    plot_target: str | None,
+) -> None:
     """Solve the bearings of SCENES, files or names of the catalogue, under the same loads: those of --at, or those of
     the first scene.
 
@@ -44,6 +60,7 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
 
     Exit codes: 0 all are solved, 1 some are not, 2 bad input.
     """
+    from qsbearing.documents.model import Paragraph
     from qsbearing.files.csv_table import csv_bytes
     from qsbearing.model.validation import SceneError
     from qsbearing.studies.design.compare import job_of, solved
@@ -52,13 +69,14 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
     with ExitStack() as stack:
         try:
             with warnings_as_notes():
-                job = job_of(scenes, at)
+                job = job_of(scenes, at, _settings(settings))
         except SceneError as error:
             problems.append(str(error))
         writers = claimed(stack, {"--csv": csv_target, "--plot": plot_target}, problems)
         with solving():
             comparison = solved(job)
-        print_table(_tables(comparison))
+        lines = [Paragraph(f"Set: {file}: {each}", "Set:") for file, each in job.changes]
+        print_table([*lines, *_tables(comparison)])
         make = {
             "--csv": lambda: csv_bytes(_columns(comparison)),
             "--plot": lambda: _picture(comparison, plot_target or ""),
@@ -66,6 +84,17 @@ def compare(scenes: tuple[str, ...], at: str | None, csv_target: str | None, plo
         write_files(writers, make)
     if not comparison.all_solved:
         sys.exit(UNSOLVED)
+
+
+def _settings(texts: tuple[str, ...]) -> list[Setting]:
+    """Keys, their values, and the scene that each is meant for."""
+    if not texts:
+        return []
+    from qsbearing.studies.design.compare import Setting
+
+    parts = [re.fullmatch(r"(?:(\d+):)?(.*)", text, re.DOTALL) for text in texts]
+    pairs = settings_of([part[2] for part in parts if part])
+    return [Setting(int(part[1]) if part[1] else None, *pair) for part, pair in zip(parts, pairs, strict=True) if part]
 
 
 def _tables(comparison: Comparison) -> list[Block]:

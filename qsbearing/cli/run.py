@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from qsbearing.cli.ball_sets import blocks_of_lists
-from qsbearing.cli.files import claimed, csv_problems, picture_bytes, picture_problems, write_files
+from qsbearing.cli.files import claimed, csv_problems, picture_problems, write_files
 from qsbearing.cli.output import NOT_MET, UNSOLVED, note, print_result, print_table, refuse, refuse_all
+from qsbearing.cli.pictured import check_picture, drawn, picture_option
 from qsbearing.cli.run_points import run_points
 from qsbearing.cli.scene import answers_to_required, is_missed, load_scene_or_set, solve
 from qsbearing.cli.settings import set_option, told, with_changes
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
     help="Also draw loads, contact angles and contact ellipses; for a set, the loads and angles of each row; .png, "
     ".svg or .pdf.",
 )
+@picture_option
 @click.option(
     "--into",
     metavar="MODEL",
@@ -81,6 +83,7 @@ def run(
     as_json: bool,
     csv_target: str | None,
     plot_target: str | None,
+    picture: str | None,
     into: str | None,
     accuracy: float | None,
     points: str | None,
@@ -99,6 +102,7 @@ def run(
     """
     if points is not None or out is not None or decimal is not None:
         others = {"--json": as_json, "--csv": csv_target, "--plot": plot_target, "--into": into, "--accuracy": accuracy}
+        others |= {"--picture": picture}
         clashing = {name: given for name, given in others.items() if given not in (None, False)}
         run_points(scene, settings, points, out, decimal, clashing)
         return
@@ -108,6 +112,7 @@ def run(
         loaded, document, changes = load_scene_or_set(scene, settings, may_infer=True)
         if plot_target is not None and "spectrum" in loaded.readings:
             refuse(NO_PICTURE)
+        check_picture(picture, plot_target, loaded)
         model: Any = None if into is None else _model_of(scene, document, into)
         from qsbearing.model.scene.scene import Scene
 
@@ -132,7 +137,7 @@ def run(
         spectrum = "spectrum" in loaded.readings
         make = {
             "--csv": lambda: csv_bytes(outcome.columns()),
-            "--plot": lambda: _drawn(outcome.solution, plot_target or ""),
+            "--plot": lambda: drawn(outcome.solution, picture, plot_target or ""),
             "--into": lambda: (
                 model.put_life(outcome.readings) if spectrum else model.put(outcome.solution, outcome.readings)
             ),
@@ -304,9 +309,3 @@ def _solved(scene: Scene | BearingSet, accuracy: float | None) -> Any:
         if scene.thermal is not None:
             refuse("--accuracy: a scene with a heat balance has the effects that its file names")
     return solve(scene, accuracy)
-
-
-def _drawn(solution: Solution | SetSolution, target: str) -> bytes:
-    from qsbearing.pictures import overview
-
-    return picture_bytes(overview(solution), target)

@@ -70,7 +70,7 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
         case model.Section():
             return {
                 "is": "section", "title": runs(block.title), "name": block.name, "level": level,
-                "whole": block.is_whole, "blocks": _blocks(block.blocks, level + 1, counted),
+                "whole": block.is_whole, "spare": block.is_spare, "blocks": _blocks(block.blocks, level + 1, counted),
             }  # fmt: skip
         case model.Paragraph():
             return {"is": "paragraph", "text": runs(block.text), "small": block.is_small}
@@ -107,7 +107,8 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
         case model.Shares():
             return {"is": "shares", "parts": [{"name": name, "part": part} for name, part in block.parts]}
         case model.Columns():
-            return {"is": "columns", "columns": [_blocks(column, level, counted) for column in block.columns]}
+            columns = [_blocks(column, level, counted) for column in block.columns]
+            return {"is": "columns", "columns": columns, "fitted": block.are_fitted}
         case model.Picture():
             counted.pictures.append(block)
             return {

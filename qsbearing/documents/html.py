@@ -88,11 +88,11 @@ NARROW = 8
 """Letters of a first column of numbers or short names, which needs no room for a sentence."""
 
 
-def _classes(headings: Sequence[Any], rows: Sequence[dict[str, Any]], **_: Any) -> str:
-    """The classes of a table that does not stack: of many columns, of a narrow first one."""
+def _classes(headings: Sequence[Any], rows: Sequence[dict[str, Any]], stack: bool, **_: Any) -> str:
+    """The classes of a table of a narrow first column; and of many, where it does not stack."""
     first = [headings[0], *(row["cells"][0].get("text", []) for row in rows if "cells" in row)]
     longest = max(sum(len(run.get("text", "")) for run in runs) for runs in first)
-    return " ".join(["many"] * (len(headings) > 7) + ["narrow"] * (longest <= NARROW))
+    return " ".join(["many"] * (len(headings) > 7 and not stack) + ["narrow"] * (longest <= NARROW))
 
 
 def _highlighted(text: str, language: str, **_: Any) -> str:

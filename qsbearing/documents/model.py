@@ -206,6 +206,8 @@ class Columns:
     """Blocks side by side, where a page is wide enough."""
 
     columns: Sequence[Sequence[Block]]
+    are_fitted: bool = False
+    """Whether each is as wide as it is by itself, and as many stand side by side as fit; else all are equally wide."""
 
 
 @dataclass(frozen=True)
@@ -217,6 +219,8 @@ class Section:
     anchor: str = ""
     is_whole: bool = False
     """Whether all of it stands on one page of paper, which it must not be longer than."""
+    is_spare: bool = False
+    """Whether a front page of paper that has no room for it does without; pages on a screen have it."""
 
     @property
     def name(self) -> str:

@@ -235,8 +235,9 @@ class _Drawn(NamedTuple):
         tip, tail = (far, near) if along * outward > 0.0 else (near, far)
         self.axes.annotate("", (tip, y), (tail, y), arrowprops=arrow)
         self.axes.annotate(
-            f"{abs(along):.4g} N", (0.5 * (near + far), y), (0, 4), textcoords="offset points", ha="center", **style
-        )
+            f"{abs(along):.4g} N", (near, y), (2 * outward, 4), textcoords="offset points",
+            ha="left" if outward > 0.0 else "right", **style,
+        )  # fmt: skip
         self.axes.plot(end / mm + outward * 1.5 * length, y, alpha=0.0)  # room for it
 
     def _forces(self) -> Iterator[tuple[float, float, NDArray]]:

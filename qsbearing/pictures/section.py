@@ -55,7 +55,15 @@ def draw_section(axes: Axes, solution: Solution, place: CasePlace, ball: int | N
     words = "free, in operation" if solution.scene.is_reshaped else "free"
     beside = "right" if free > STEEP else "left"  # of a steep line, off the centre line
     axes.text(
-        0.98 * end[0], 0.98 * end[1], f" {words}: {free / deg:.3g}° ", fontsize=9, color=GREY, ha=beside, va="center"
+        0.98 * end[0],
+        0.98 * end[1],
+        f" {words}: {free / deg:.3g}° ",
+        fontsize=9,
+        color=GREY,
+        ha=beside,
+        va="center",
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.6},
+        zorder=2.5,
     )
     axes.plot([0.0, 0.0], [-reach, reach], color=GREY, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
     seats: list[float] = []
@@ -75,11 +83,11 @@ def draw_section(axes: Axes, solution: Solution, place: CasePlace, ball: int | N
     span = 0.5 * WIDTH * diameter
     axes.set_xlim(-1.9 * span, 1.9 * span)
     bottom, top = min(-0.9 * diameter, *seats), max(0.9 * diameter, *seats)
-    axes.set_ylim(bottom - 0.1 * diameter, top + 0.08 * diameter)
+    axes.set_ylim(bottom - 0.17 * diameter, top + 0.08 * diameter)
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(_title(solution, place, number), fontsize=10, y=1.0)
-    axes.text(0.0, bottom - 0.09 * diameter, "axis of the bearing below; ring outlines are sketched", fontsize=7.5,
+    axes.text(0.0, bottom - 0.16 * diameter, "axis of the bearing below; ring outlines are sketched", fontsize=7.5,
               color=GREY, ha="center", va="bottom")  # fmt: skip
 
 

@@ -12,10 +12,19 @@ from qsbearing.pictures.ball_advance import draw_advance
 from qsbearing.pictures.contact_angles import angle_span, draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.deformed_shaft import draw_deformed_shaft, planes_of, scale_of
+from qsbearing.pictures.ellipse_on_groove import draw_grooves, edges_told, on_grooves
 from qsbearing.pictures.load_distribution import draw_loads, load_span
 from qsbearing.pictures.ring_shape import draw_shape
 from qsbearing.pictures.section import draw_section
-from qsbearing.pictures.style import Span, carry_alike, figure_of_size, legend, write_title, write_title_of_set
+from qsbearing.pictures.style import (
+    Span,
+    carry_alike,
+    figure_of_size,
+    legend,
+    write_above,
+    write_title,
+    write_title_of_set,
+)
 from qsbearing.systems.sets.set_solution import SetSolution
 
 if TYPE_CHECKING:
@@ -39,6 +48,8 @@ class Drawing(NamedTuple):
 
 LOADS = Drawing(draw_loads, load_span, (5.0, 5.0), (3.6, 3.8), (3.0, 3.2), "polar")
 ANGLES = Drawing(draw_angles, angle_span, (6.2, 3.6), (3.6, 2.9), (3.4, 2.5))
+GROOVES, OF_ROW = (5.8, 4.0), (2.25, 2.75)
+"""Of both grooves of a bearing, and of each row of a set [inches]."""
 FLAT = 2.4
 """Width and height of the angles of rows where there are many, so that four have room side by side [inches]."""
 SHAFT_HEIGHT, SHAFT_WIDTH = 3.4, 6.6
@@ -84,6 +95,28 @@ def section(solution: Solution, index: Index = None, ball: int | None = None) ->
         ball: its number, from zero; None: the one with the largest contact load.
     """
     return _alone(partial(draw_section, ball=ball), (6.4, 5.4), solution, index)
+
+
+def ellipse_on_groove(solution: Solution | SetSolution, index: Index = None) -> Figure:
+    """The contact ellipse of the most loaded ball on each groove, along the contact's normal, and how far its tip is
+    from the groove's edge; of a set, of each row. Shoulders that nobody states are assumed, and said to be."""
+    if isinstance(solution, Solution):
+        return _alone(draw_grooves, GROOVES, solution, index)
+    place = case_place(index, solution.shape)
+    count = len(solution.rows)
+    columns = min(count, PER_SHEET)
+    lines = -(-count // columns)
+    figure = figure_of_size(max(columns * OF_ROW[0], 5.0), lines * OF_ROW[1] + 0.6)
+    panels = figure.subplots(lines, columns, squeeze=False).ravel()
+    found = []
+    for number, (axes, row) in enumerate(zip(panels, solution.rows, strict=False)):
+        draw_grooves(axes, row, place, is_small=True)
+        axes.set_title(f"Row {number + 1}, {solution.set.rows[number].carries}", fontsize=10, loc="left")
+        found += [(f"row {number + 1} {side}", each) for side, each in on_grooves(row, place).items()]
+    for axes in panels[count:]:
+        axes.set_axis_off()
+    write_above(figure, f"Contact ellipses on their grooves, rolling up and down, {edges_told(found)}")
+    return figure
 
 
 def ball_advance(solution: Solution, index: Index = None) -> Figure:

@@ -30,7 +30,7 @@ FOLLOWS = {True: "axial displacement, µm", False: "axial load, N"}
 SPEED_RANGE, LOAD_RANGE = (0.1, 1.5), (0.25, 1.75)
 """Parts of the scene's own speed and loads."""
 
-SIZE = 11.5, 2.5
+SIZE = 11.5, 2.3
 """Of four panels side by side [inches]."""
 CURVES = "contact angles, maximum pressures, the axial answer, axial and radial stiffness"
 

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Document, Section
+from qsbearing.documents.model import Block, Columns, Document, Section
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, load_distribution
+from qsbearing.pictures import ball_advance, contact_angles, contact_ellipses, ellipse_on_groove, load_distribution
 from qsbearing.pictures.style import carry_alike
 from qsbearing.remarks.of_solution import message
 from qsbearing.remarks.wording import capital
 from qsbearing.reports import curves, effects, evidence, heat, inputs
 from qsbearing.reports.facts import facts_of
 from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
-from qsbearing.reports.layout import in_pairs
+from qsbearing.reports.layout import half, side_by_side
 from qsbearing.results import report
 from qsbearing.results.readings_record import taken
 from qsbearing.results.readings_report import readings_tables
@@ -59,7 +59,7 @@ def document(
             remarks(said, of_all),
             _results(solution),
             *hot,
-            *([Section("Readings", in_pairs(readings_tables(readings, scene)))] if readings else []),
+            *([Section("Readings", side_by_side(readings_tables(readings, scene)))] if readings else []),
             curves.section(solution, swept),
             effects.section(solution, requested, rows, tolerance),
             inputs.section(scene, source, requested.thermal),
@@ -75,15 +75,21 @@ def document(
 def _results(solution: Solution) -> Section:
     """Tables and pictures; what page 1 shows is not shown again."""
     are_alike, is_hot = carry_alike(solution, ()), solution.thermal is not None
-    drawn = [glance(solution).blocks[0]] if is_hot else []
-    if not are_alike:  # else all is the same around the bearing
-        drawn.append(
-            picture(
-                contact_angles(solution),
-                "Both contact angles of every ball by its azimuth.",
-                "Contact angles by azimuth; the dotted line is the free contact angle",
-            )
+    drawn: list[Block] = [glance(solution).blocks[0]] if is_hot else []
+    grooves = half(
+        ellipse_on_groove(solution),
+        "The contact ellipse of the most loaded ball on each groove, with the edges of its shoulders.",
+        "The most loaded ellipse of each ring, seen along its normal; dark: shoulders; dash-dot: the groove's bottom",
+    )
+    if are_alike:
+        drawn.append(Columns([[grooves], []]))
+    else:  # else all is the same around the bearing
+        angles = half(
+            contact_angles(solution),
+            "Both contact angles of every ball by its azimuth.",
+            "Contact angles by azimuth; the dotted line is the free contact angle",
         )
+        drawn.append(Columns([[angles], [grooves]]))
         drawn.append(
             picture(
                 contact_ellipses(solution),
@@ -108,4 +114,4 @@ def _results(solution: Solution) -> Section:
             )
         )
     pictures = [Section("Pictures", drawn)] if drawn else []
-    return Section("Results", [*in_pairs(report.tables(solution)), *pictures])
+    return Section("Results", [*side_by_side(report.tables(solution)), *pictures])

@@ -9,7 +9,6 @@ from typing import NamedTuple
 from qsbearing.documents.drawing import picture
 from qsbearing.documents.model import Block, Callout, Cell, Columns, Facts, Md, Paragraph, Section
 from qsbearing.model.solution.changes import requested
-from qsbearing.model.solution.limit import Standing
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import printable
 from qsbearing.pictures import under_load
@@ -27,10 +26,6 @@ from qsbearing.systems.sets.set_solution import SetSolution
 
 REMARKS = "remarks"
 """Name of their section."""
-MOST_LINES, BESIDE_SHAFT = 12, 6
-"""Requirements, limits and reasons of open ones, beside which page 1 has room for curves over the speed; so many beside
-the picture of a shaft with named points, which is taller; the curves stand on later pages too."""
-
 PEOPLE = ("customer", "author", "document")
 """Keys of a file's [report] that page 1 repeats."""
 
@@ -75,11 +70,7 @@ def front(
     people: list[tuple[str, Cell]] = [(capital(key), report[key]) for key in PEOPLE if key in report]
     wrong = [each for each in said if each.kind.severity is Severity.WRONG_MODEL]
     others = [each for each in said if each.kind.severity is not Severity.WRONG_MODEL]
-    every = (*limits.required, *limits.built_in)
-    lines = len(every) + sum(each.state is Standing.OPEN for each in every)
-    is_tall = isinstance(solution, SetSolution) and bool(solution.points)
-    has_room = lines <= (BESIDE_SHAFT if is_tall else MOST_LINES) and of_all is None
-    curves = over_speed.section(swept, limits.required) if has_room else None
+    curves = over_speed.section(swept, limits.required)
     parts = [each for each in side_by_side if each is not None]
     numbers = Section("In numbers", [facts], "in-numbers")
     return [

@@ -1,37 +1,57 @@
-"""Small tables in pairs, side by side where a page is wide enough: a report of few pages."""
+"""Tables side by side where a page is wide enough: a report of few pages."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import groupby
+from typing import Any
 
-from qsbearing.documents.model import Badge, Bar, Block, Cell, Columns, RowGroup, Table
-
-NARROW = 66
-"""Letters of a row, gaps included, that fit into half of a page's width."""
-GAP = 2
-"""Letters between columns."""
+from qsbearing.documents.drawing import picture
+from qsbearing.documents.model import Block, Columns, Picture, RowGroup, Table
+from qsbearing.pictures.style import legend
 
 
-def in_pairs(blocks: Iterable[Block]) -> list[Block]:
-    """Blocks in their order, neighbouring narrow tables beside each other."""
+def side_by_side(blocks: Iterable[Block]) -> list[Block]:
+    """Blocks in their order, neighbouring tables beside each other as far as they fit; on a phone their cells wrap."""
     placed: list[Block] = []
-    waiting: Table | None = None
-    for each in blocks:
-        if not isinstance(each, Table) or _letters(each) > NARROW:
-            placed += [each] if waiting is None else [waiting, each]
-            waiting = None
-        elif waiting is None:
-            waiting = each
-        else:
-            placed.append(Columns([[waiting], [each]]))
-            waiting = None
-    return placed if waiting is None else [*placed, waiting]
+    wrapping = (replace(each, stack=True) if isinstance(each, Table) else each for each in blocks)
+    for are_tables, each in groupby(wrapping, lambda block: isinstance(block, Table)):
+        alike = list(each)
+        placed += [Columns([[table] for table in alike], True)] if are_tables and len(alike) > 1 else alike
+    return placed
+
+
+HALF = 4.4
+"""Width of a picture that has half of a page's [inches]."""
+
+
+TITLE = 0.4
+"""Height of a title above a picture [inches]."""
+
+
+def untitled(figure: Any) -> Any:
+    """A figure without what was solved, which a report says above all of them."""
+    width, height = figure.get_size_inches()
+    figure.suptitle("")
+    figure.set_size_inches(width, height - TITLE)
+    return figure
+
+
+def half(figure: Any, alt: str, caption: str) -> Picture:
+    """A picture for half of a page's width: its letters are as large as in those of the whole width."""
+    width, height = untitled(figure).get_size_inches()
+    figure.set_size_inches(HALF, height * (0.6 + 0.4 * HALF / width))
+    for each in figure.legends:  # which has its lines by the width
+        each.remove()
+    legend(figure, *figure.axes)
+    return picture(figure, alt, caption, 1.0)
 
 
 LONG = 12
 """Letters of a last cell that stands below its table instead, with a mark in its place."""
-PER_LINE = 70
-"""Letters of a line of notes."""
+PER_LINE, LOW, ACROSS = 72, 0.8, 1.3
+"""Letters of a line of notes; its height, and that of a row across the table, over those of other rows."""
 
 
 def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], align: str) -> Columns:
@@ -39,12 +59,12 @@ def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], al
     column, which many rows share, are notes below."""
     notes: dict[str, str] = {}
     short: list[Sequence[str] | RowGroup] = []
-    lines = [0]
+    lines = [0.0]
     for row in rows:
-        added = 1
+        added = ACROSS if isinstance(row, RowGroup) else 1.0
         if not isinstance(row, RowGroup) and len(row[-1]) > LONG:
             *others, last = row
-            added += 0 if last in notes else -(-len(last) // PER_LINE)
+            added += 0.0 if last in notes else LOW * -(-len(last) // PER_LINE)
             row = [*others, notes.setdefault(last, f"[{len(notes) + 1}]")]
         short.append(row)
         lines.append(lines[-1] + added)
@@ -59,15 +79,3 @@ def halves(headings: Sequence[str], rows: Sequence[Sequence[str] | RowGroup], al
             for part, own in zip(parts, used, strict=True)
         ]
     )
-
-
-def _letters(table: Table) -> int:
-    """Of its longest row, column by column."""
-    rows = [row for row in table.rows if not isinstance(row, RowGroup)]
-    columns = zip(table.headings, *rows, strict=True)
-    return sum(max(map(_length, column)) + GAP for column in columns)
-
-
-def _length(cell: Cell) -> int:
-    """Of its longest line."""
-    return len(cell.word) if isinstance(cell, Badge | Bar) else max(map(len, cell.split("\n")))

@@ -51,13 +51,13 @@ class SmallPicture(NamedTuple):
 
 
 def section(swept: Swept | None, required: Sequence[Answer]) -> Section | None:
-    """The picture; None where nothing depends on the speed."""
+    """The picture, where page 1 has room for it; None where nothing depends on the speed."""
     if swept is None or not np.asarray(swept.solution.converged).any():
         return None
     panels = _panels(swept, required)
     titles = " and ".join(each.title for each in panels)
     drawn = picture(_figure(swept, panels), f"Curves over the speed: {titles}; the operating point is marked.")
-    return Section("Over the speed", [drawn], "over-speed")
+    return Section("Over the speed", [drawn], "over-speed", is_spare=True)
 
 
 def figure_of(swept: Swept, required: Sequence[Answer]) -> Any:
@@ -158,13 +158,12 @@ def _figure(swept: Swept, panels: Sequence[SmallPicture]) -> Any:
             at = float(np.interp(own, *_ascending(along, shown)))
             axes.plot(own, at, "o", color=style["color"], markersize=4.5)
             if not label:
+                beyond = float(np.interp(1.05 * own, *_ascending(along, shown)))
+                before = beyond > at  # of a curve that rises, on the side where it is below
                 axes.annotate(
-                    that_matter(at),
-                    (own, at),
-                    (5, 5),
-                    textcoords="offset points",
-                    fontsize=9,
-                )
+                    that_matter(at), (own, at), (-5 if before else 5, 5), textcoords="offset points", fontsize=9,
+                    ha="right" if before else "left",
+                )  # fmt: skip
         for bound in panel.bounds:
             axes.axhline(bound, color=RED, linewidth=1.0, linestyle=(0, (4, 3)))
             axes.annotate(

@@ -7,21 +7,20 @@ from collections.abc import Sequence
 import numpy as np
 
 from qsbearing.documents.drawing import picture
-from qsbearing.documents.model import Block, Bullets, Columns, Document, Section
+from qsbearing.documents.model import Block, Bullets, Document, Section
 from qsbearing.files.file_keys import BALL_TABLES, ShownBalls
 from qsbearing.model.accuracy import DEFAULT_ACCURACY
 from qsbearing.model.units import mm, rpm
-from qsbearing.pictures import contact_angles, contact_ellipses
-from qsbearing.remarks.remark import row_name
+from qsbearing.pictures import contact_angles, ellipse_on_groove
 from qsbearing.remarks.wording import capital, listed
 from qsbearing.reports import effects, evidence, heat, inputs, set_curves, set_inputs
 from qsbearing.reports.facts import facts_of_set
 from qsbearing.reports.front import OfAllPoints, front, glance, made_with, remarks
-from qsbearing.reports.layout import in_pairs
+from qsbearing.reports.layout import side_by_side, untitled
+from qsbearing.reports.set_rows import rows_sections
 from qsbearing.reports.yields import what_yields
 from qsbearing.results import report, set_report
 from qsbearing.results.readings_record import Readings, all_taken
-from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import every_remark
 from qsbearing.results.requirements import answered
 from qsbearing.results.set_key_results import rows_table
@@ -57,7 +56,7 @@ def document(solution: SetSolution, source: str, command: str, of_all: OfAllPoin
             remarks(said, of_all),
             _results(solution, readings, changes),
             *hot,
-            *_rows(solution, readings, report_of.get(BALL_TABLES) == ShownBalls.EACH),
+            *rows_sections(solution, readings, report_of.get(BALL_TABLES) == ShownBalls.EACH),
             set_curves.section(of, changes, swept),
             effects.section_of_set(solution, effect_rows),
             set_inputs.section(of, source, None if solution.thermal is None else solution.thermal.thermal),
@@ -84,54 +83,23 @@ def _summary(solution: SetSolution) -> str:
     return ". ".join(filter(None, said)) + "."
 
 
-def _name(solution: SetSolution, number: int) -> str:
-    return capital(row_name(solution.set.rows[number], number))
-
-
 def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limits) -> Section:
     """Tables, and what page 1 does not show."""
     tables = [rows_table(solution, readings), *set_report.tables(solution, readings)]
     drawn = [glance(solution).blocks[0]] if solution.thermal is not None else []
     angles = picture(
-        contact_angles(solution),
+        untitled(contact_angles(solution)),
         "Both contact angles of every ball by its azimuth, for each row.",
         "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
     )
+    grooves = picture(
+        ellipse_on_groove(solution),
+        "The contact ellipse of the most loaded ball on each groove of each row, with the edges of its shoulders.",
+        "The most loaded ellipse of each ring of each row, seen along its normal; dark: shoulders; dash-dot: the "
+        "groove's bottom",
+    )
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),
-        Section("Load distribution", [*drawn, angles]),
+        Section("Load distribution", [*drawn, angles, grooves]),
     ]
-    return Section("Results", [*in_pairs(tables), *parts])
-
-
-def _rows(solution: SetSolution, readings: Sequence[Readings], is_each_ball: bool) -> list[Section]:
-    """What rows have besides their lines in the table of rows; nothing where none has anything."""
-    sections = [part for n, of_row in enumerate(readings) for part in _row(solution, n, of_row, is_each_ball)]
-    if not sections:
-        return []
-    pairs = [sections] if is_each_ball else [sections[n : n + 2] for n in range(0, len(sections), 2)]
-    blocks: list[Block] = []
-    for pair in pairs:
-        blocks += pair if is_each_ball or len(pair) == 1 else [Columns([[each] for each in pair])]
-    return [Section("Rows", blocks)]
-
-
-def _row(solution: SetSolution, number: int, readings: Readings, is_each_ball: bool) -> list[Section]:
-    """What a row has besides its line in the table of rows: its rings, what was read off, and its balls where they are
-    asked for; nothing of a row that has none of these."""
-    row = solution.rows[number]
-    heat = None if solution.thermal is None else solution.thermal.thermal
-    blocks: list[Block] = [*(report.tables_of_balls if is_each_ball else report.tables_of_rings)(row, heat)]
-    if is_each_ball:
-        blocks.append(
-            picture(
-                contact_ellipses(row),
-                f"Outlines of the contact ellipses of row {number + 1} to one scale, with their maximum pressures.",
-                f"Contact ellipses of row {number + 1}; loads are those of the row alone, in the direction that it "
-                "carries",
-            )
-        )
-    blocks += readings_tables(readings, row.scene)
-    if not blocks:
-        return []
-    return [Section(_name(solution, number), in_pairs(blocks) if is_each_ball else blocks, f"row-{number + 1}")]
+    return Section("Results", [*side_by_side(tables), *parts])

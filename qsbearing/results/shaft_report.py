@@ -73,7 +73,7 @@ def shaft_tables(shaft: Record | None) -> list[Table]:
     tables = [*_drive_tables(shaft), Table(heading, cells, caption=title)]
     for name, point in shaft["points"].items():
         heading = ["", *(each.plain_name for each in SHARES)]
-        cells = [("stiffness, N/µm and N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
+        cells = [("stiffness, N/µm, N m/mrad", *map(digits_of, point["effective_stiffness"].values()))]
         for part, share in point["shares"].items():
             cells.append((f"deflection due to {part}", *map(_share, share.values())))
         tables.append(Table(heading, cells, caption=f"Point {name}, at {point['position_mm']:.6g} mm"))

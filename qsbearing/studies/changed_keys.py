@@ -133,8 +133,7 @@ def _put(document: dict[str, Any], name: str, value: Any) -> ChangedKey:
     Raises:
         ValueError: it has no place in them.
     """
-    key = keys.find(name)
-    path = _path_of(name, document) if key is None else key.path
+    key, path = keys.find(name), path_of(name, document)
     if key is not None and key.ball is not None:
         path = (*path, str(key.ball + 1))
         _with_deviations(document)
@@ -161,8 +160,10 @@ def _before(document: dict[str, Any], path: tuple[str, ...]) -> Any:
     return entry.bearing.get(path[-1]) if entry else None
 
 
-def _path_of(name: str, document: dict[str, Any]) -> tuple[str, ...]:
-    """Of a key that holds no number; what no table has stands as it is, for its reader to refuse."""
+def path_of(name: str, document: dict[str, Any]) -> tuple[str, ...]:
+    """Of a key in a file; what no table has stands as it is, for its reader to refuse."""
+    if (key := keys.find(name)) is not None:
+        return key.path
     path = tuple(name.split("."))
     if len(path) > 1 or name in document:
         return path

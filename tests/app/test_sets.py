@@ -112,7 +112,7 @@ def test_an_answer_is_that_of_the_same_numbers(spindle: dict[str, Any], drawn: N
         numbers = {each["name"]: " / ".join(one["number"] for one in each["parts"]) for each in row["key"]}
         assert [row["name"], numbers["axial load"], numbers["preload mounted"]] == list(line[:3])
         assert numbers["maximum contact pressure"] == line[3] and numbers["contact angles"] in line
-    assert told["pictures"] == ["shaft", "section", "loads", "angles", "ellipses"]
+    assert told["pictures"] == ["shaft", "section", "loads", "angles", "ellipses", "grooves"]
     assert told["warnings"] == part(blocks(every_remark(solution), words=ON_PAGE))
     found = ran(spindle, tmp_path)
     assert told["rows"][1]["key"][0]["parts"][0]["values"][0] == pytest.approx(found["rows"][1]["axial_load_N"])

@@ -8,17 +8,20 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 import qsbearing as qs
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.studies.chooser.choose_set import solve_any
+from qsbearing.systems.rotor_dynamics.natural_frequencies import NaturalFrequencies
 from tests.guide.pages import GUIDE, blocks
 
 pytest.importorskip("matplotlib")
 from matplotlib.text import Text
 
 from qsbearing import pictures
+from qsbearing.pictures.campbell import figure_of
 from qsbearing.reports import curves, over_speed, set_curves
 
 SIZES = (0.8, 1.0, 1.5)
@@ -60,7 +63,23 @@ DRAWN: dict[str, Callable[[], Any]] = {
     "loads of rows": lambda: pictures.load_distribution(solved("spindle")),
     "bent shaft": lambda: pictures.deformed_shaft(solved("spindle")),
     "grooves": lambda: pictures.ring_shape(solved("elastic rings")),
+    **{
+        f"ellipses on grooves of the {name}": lambda name=name: pictures.ellipse_on_groove(solved(name))
+        for name in FILES
+    },  # type: ignore[misc]
 }
+DRAWN |= {
+    f"campbell, {name}": lambda shift=shift: of_whirls(shift) for name, shift in (("critical", 0.3), ("none", 9.0))
+}  # type: ignore[misc]
+
+
+def of_whirls(shift: float) -> Any:
+    """Of a rotor whose modes part with the speed, with a critical speed or without."""
+    speeds = np.linspace(20.0, 1900.0, 25)
+    modes = np.array([1500.0, 5200.0]) * (shift + 0.7)
+    parting = 0.25 * speeds[:, None]
+    found = NaturalFrequencies(speeds, modes + parting, modes - parting, np.full((25, 1), 4200.0))
+    return figure_of(found, 1256.0, "spindle, +x -x +x -x")
 
 
 def texts_of(figure: Any) -> list[Text]:

@@ -14,6 +14,7 @@ from qsbearing.documents.pdf import pdf
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.reports.of_any import document_of_any
 from qsbearing.studies.chooser.choose_set import solve_any
+from tests.drawing import drawing
 from tests.guide.pages import GUIDE, blocks
 
 FILES = {
@@ -40,11 +41,11 @@ PARTS: dict[str, Sequence[str]] = {
     ),
     "fitted": (*USUAL, SPEED, "Picture", "Paragraph"),
     "free": (*LIMITS, GLANCE, "Picture", LEFT_OUT, "Paragraph", "Paragraph", NUMBERS, "Facts", "Paragraph"),
-    "spectrum": ("Callout", "Table", "Paragraph", *USUAL, "Paragraph"),
+    "spectrum": ("Callout", "Table", "Paragraph", *USUAL, SPEED, "Picture", "Paragraph"),
     "pair": (*USUAL, SPEED, "Picture", "Paragraph"),
     "spindle": (
         *LIMITS, *3 * ("Paragraph",), GLANCE, "Picture", "What gives way at the tool", "Shares", "Paragraph", LEFT_OUT,
-        "Table", "Paragraph", NUMBERS, "Facts", "Paragraph",
+        "Table", "Paragraph", NUMBERS, "Facts", SPEED, "Picture", "Paragraph",
     ),
     "tight": (*LIMITS, HEAT, "Picture", LEFT_OUT, "Table", "Paragraph", NUMBERS, "Facts", "Paragraph"),
 }  # fmt: skip
@@ -52,7 +53,8 @@ MOST_PAGES = 6
 
 
 @cache
-def report_of(name: str, more: str = "") -> Document:
+def report_of(name: str, more: str = "", is_drawn: bool = False) -> Document:
+    """Args: is_drawn: whether its pictures are, which is up to whoever asks."""
     texts = [each.text for each in blocks(GUIDE / f"{FILES[name]}.md") if each.language == "toml"]
     named = [text for text in texts if text.startswith(f"# {name}.toml")] or texts[:1]
     if name == "my":
@@ -60,6 +62,14 @@ def report_of(name: str, more: str = "") -> Document:
     source = "".join(named) + more
     requested = scene_or_set_of(tomllib.loads(source), f"{name}.toml", name)
     return document_of_any(solve_any(requested), requested, source, f"qsbearing report {name}.toml --out DIR")
+
+
+def pages_of(name: str, more: str = "") -> list[str]:
+    """Texts of its pages of paper, as they are with pictures that are drawn."""
+    pypdf = pytest.importorskip("pypdf")
+    with drawing():
+        made = pdf(report_of(name, more, is_drawn=True))
+    return [page.extract_text() for page in pypdf.PdfReader(BytesIO(made)).pages]
 
 
 def walked(found: Sequence[Block]) -> Iterator[Block]:
@@ -88,13 +98,13 @@ def test_page_one_has_its_parts_in_their_order(name: str) -> None:
 
 @pytest.mark.parametrize("name", FILES)
 def test_page_one_is_a_page_and_few_follow(name: str) -> None:
-    """Remarks begin page 2, whatever the length of page 1's tables."""
-    pypdf = pytest.importorskip("pypdf")
-    document = report_of(name)
-    pages = [page.extract_text() for page in pypdf.PdfReader(BytesIO(pdf(document))).pages]
+    """Remarks begin page 2, whatever the length of page 1's tables; with all pictures as they are."""
+    pages = pages_of(name)
     assert "Pages: Remarks 2" in " ".join(pages[0].split()), "the last line of page 1"
     assert pages[1].split("\n")[1].startswith("Remarks")
     assert len(pages) <= MOST_PAGES
+    has_curves = name not in ("free", "tight", "spindle")  # it stands still, has temperatures, needs what they take
+    assert (SPEED in pages[0]) == has_curves
 
 
 def test_every_limit_has_a_bar_and_its_sources_are_named() -> None:
@@ -123,11 +133,12 @@ def test_a_picture_of_page_one_is_not_drawn_again() -> None:
 
 
 def test_curves_give_way_to_many_requirements() -> None:
-    """Beside more than a dozen lines page 1 has no room for them; they stand on later pages anyway."""
+    """On paper page 1 has no room for them beside these, a screen has; later pages have more of them anyway."""
     more = "".join(f"inner.{name} = {bound}\n" for name, bound in LIMITED.items())
-    many = report_of("required", more)
-    assert SPEED in parts_of(report_of("required")) and SPEED not in parts_of(many)
-    assert "Around the operating point" in [section.title for section in many.sections]
+    first, second = pages_of("required", more)[:2]
+    assert SPEED not in first and "Pages: Remarks 2" in " ".join(first.split())
+    assert second.split("\n")[1].startswith("Remarks")
+    assert SPEED in parts_of(report_of("required", more))
 
 
 LIMITED = {

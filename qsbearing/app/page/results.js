@@ -7,7 +7,7 @@ import {MAIN, PICTURES, SLOW, fresh, rest} from "./solving.js";
 import {isSet, page} from "./state.js";
 import {differenceOf, states, textOf} from "./states.js";
 
-const OF_ROW = ["section", "angles", "loads", "ellipses"];  // of a set
+const OF_ROW = ["section", "angles", "loads", "ellipses", "grooves"];  // of a set
 
 export function results() {
   const {found, now} = page;

@@ -5,7 +5,7 @@ import {effects} from "./effects.js";
 import {results} from "./results.js";
 import {differences, page} from "./state.js";
 
-export const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
+export const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses", "grooves"];
 export const MAIN = ["section", "required", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 export const NOT_YET = "not yet solved";
 

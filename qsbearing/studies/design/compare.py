@@ -34,10 +34,12 @@ from qsbearing.remarks.wording import listed
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.remarks import every_remark
 from qsbearing.results.requirements import required_answers
+from qsbearing.studies.changed_keys import AS_SET, ChangedKey, changed, path_of
 from qsbearing.studies.chooser.choose import solve as choose
 from qsbearing.studies.chooser.choose_set import solve_set
 from qsbearing.studies.chunk import MAIN
 from qsbearing.studies.results import known_results, read
+from qsbearing.studies.study import Read
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.set_solution import SetSolution
 
@@ -142,6 +144,15 @@ def _is_no_source(given: object) -> bool:
     return not isinstance(given, str | os.PathLike | dict)
 
 
+class Setting(NamedTuple):
+    """A key that has another value than the files say."""
+
+    number: int | None
+    """Of the scene that it is meant for, from 1; None: of all, or of the job that all share."""
+    key: str
+    value: Any
+
+
 class Job(NamedTuple):
     """Bearings at one job, as they can be solved."""
 
@@ -151,9 +162,11 @@ class Job(NamedTuple):
     """Where the job stands."""
     unused: list[tuple[str, ...]]
     """Tables of each file that say otherwise than the job."""
+    changes: list[tuple[str, ChangedKey]]
+    """What was set, and in which file."""
 
 
-def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
+def job_of(sources: Sequence[Source], at: Source | None = None, settings: Sequence[Setting] = ()) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
     if not isinstance(sources, Sequence) or isinstance(sources, str) or any(map(_is_no_source, sources)):
         raise TypeError("compare takes a list of scenes, each by its file, its name in the catalogue, or its tables")
@@ -163,7 +176,11 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
         raise refused("compare", f"{given}: a comparison takes 2 to {MOST}")
     errors: list[FileErrorDetail] = []
     documents = [_read(source, errors) for source in sources]
-    job = documents[0][0] if at is None else _read(at, errors)[0]
+    if at is not None:
+        documents.append(_read(at, errors))
+    changes = _put(documents, -1 if at is not None else 0, settings, count, errors) if not errors else []
+    job = documents[-1 if at is not None else 0][0]
+    del documents[count:]
     if "spectrum" in job:
         errors.append(FileErrorDetail("[[spectrum]]", "has several operating points: a comparison takes one"))
     made: list[Scene | BearingSet] = []
@@ -178,7 +195,39 @@ def job_of(sources: Sequence[Source], at: Source | None = None) -> Job:
         raise SceneFileError("compare", errors)
     where = "the first scene" if at is None else ("tables" if isinstance(at, dict) else str(at))
     unused = [_unused(document, job, file) for document, file, _ in documents]
-    return Job(made, [file for _, file, _ in documents], where, unused)
+    return Job(made, [file for _, file, _ in documents], where, unused, changes)
+
+
+def _put(
+    documents: list[tuple[dict[str, Any], str, str]],
+    of_job: int,
+    settings: Sequence[Setting],
+    count: int,
+    errors: list[FileErrorDetail],
+) -> list[tuple[str, ChangedKey]]:
+    """Give keys other values: those of the job in the file that it is taken from, others in each scene or in the one
+    that is meant; documents change."""
+    found: dict[int, list[tuple[str, Any]]] = {}
+    for number, key, value in settings:
+        head, is_set = path_of(key, documents[of_job][0])[0], "rows" in documents[0][0]
+        is_shared = head in OF_JOB if is_set else head != "bearing"
+        if number is not None and (is_shared or not 1 <= number <= count):
+            shared = f"{head} is of the job, which all share: leave the number out"
+            cause = shared if is_shared else f"is of no scene: there are 1 to {count}"
+            errors.append(FileErrorDetail(f"{number}:{key}", cause, value, note=AS_SET))
+            continue
+        meant = [of_job] if is_shared else range(count) if number is None else [number - 1]
+        for each in meant:
+            found.setdefault(each, []).append((key, value))
+    changes: list[tuple[str, ChangedKey]] = []
+    for each, values in found.items():
+        try:
+            read, _, own = changed(Read(*documents[each]), values, lambda of: of)
+            documents[each] = (read.document, read.file, read.label)
+            changes += [(read.file, change) for change in own]
+        except SceneFileError as error:
+            errors += [replace(detail, key=f"{error.file}: {detail.key}") for detail in error.errors]  # type: ignore[type-var]
+    return changes
 
 
 def solved(job: Job) -> Comparison:
