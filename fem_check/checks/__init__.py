@@ -17,6 +17,7 @@ from fem_check.checks import (
     solution_parts,
     true_geometry,
 )
+from fem_check.rows.agreement import Check, MeshLevel
 
 ALL = {
     check.name: check
@@ -44,4 +45,10 @@ OF_BEARING = {bearing_contacts.CHECK.name: bearing_contacts.CHECK}
 OPTIONAL = OF_BEARING | {permanent_dent.CHECK.name: permanent_dent.CHECK}
 """Checks that no run of all has."""
 
-__all__ = ["ALL", "OF_BEARING", "OPTIONAL"]
+
+def usual(level: MeshLevel) -> dict[str, Check]:
+    """What a run of all has at a level; at the quick one not what sees no error that the others there do not."""
+    return {name: check for name, check in ALL.items() if check.at_quick or level is not MeshLevel.QUICK}
+
+
+__all__ = ["ALL", "OF_BEARING", "OPTIONAL", "usual"]

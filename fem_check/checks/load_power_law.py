@@ -183,4 +183,5 @@ CHECK = Check(
     tolerance=f"{TOLERANCE:g} % at every load, 0.02 % on each exponent, 0.002 of the approach",
     run=run,
     largest_dofs=lambda level: recipes(level)[-1].dofs,
+    at_quick=False,
 )

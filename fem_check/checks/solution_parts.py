@@ -17,18 +17,17 @@ import numpy as np
 import qsbearing as qs
 from fem_check.checks.elastic_ring import equilibrium
 from fem_check.checks.heat_parts import heat_rows
+from fem_check.checks.motion_parts import LOADS, SPEED, motion_rows, stress_rows
 from fem_check.checks.product_scenes import B218, BOTH
-from fem_check.independent import catalogue_table, orthogonal_shear, shaft_beam
+from fem_check.checks.unlike_parts import unlike_rows
+from fem_check.independent import catalogue_table, shaft_beam
 from fem_check.independent.ring_growth import compliance_on_shaft
 from fem_check.product import problems
 from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress, collapsed
 from fem_check.rows.compared import compared
 from qsbearing.files import catalogue
-from qsbearing.readings import kinematics, stress
 
-SPEED = 8000.0 * qs.rpm
-LOADS = qs.Operation(speed=SPEED, axial_load=12e3, radial_load_y=1.5e3, radial_load_z=-1e3, moment_y=0.0, moment_z=0.0)
 FEW, MANY = 64, 1000
 
 
@@ -58,50 +57,6 @@ def batch_of(count: int) -> Iterator[AgreementRow]:
         ("stiffness", "SI", lambda of: of.stiffness),
     ):
         yield compared(case, name, unit, of(many)[list(at)], [of(one) for one in each], source)
-
-
-def motion_rows() -> Iterator[AgreementRow]:
-    """The balls' axis and spin, by vectors from the reported rotation; slip from what is asked and what is allowed."""
-    friction = 0.03
-    effects = (qs.CentrifugalForce(), qs.GyroscopicMoment(friction_coefficient=friction))
-    free = qs.solve(qs.Scene(B218, LOADS, **BOTH))
-    motion, case, source = kinematics(free), "B218, 8000 rpm, combined loads", "vectors, from the reported rotation"
-    along, outward, size, orbit = (
-        np.asarray(getattr(free, name), float)
-        for name in ("axial_rotation", "radial_rotation", "rotation_speed", "orbital_speed")
-    )
-    rotation = np.stack([along, -outward])
-    axis = np.arctan2(-rotation[1] / size, rotation[0] / size)
-    yield compared(case, "attitude angle", "rad", free.attitude_angle, axis, source)
-    for race, contacts, ring in (("inner", free.inner, SPEED), ("outer", free.outer, 0.0)):
-        normal = np.stack([np.sin(contacts.angle), np.cos(contacts.angle)])
-        spin = (rotation * normal).sum(axis=0) - (ring - orbit) * normal[0]
-        scale = np.abs(rotation).max()  # the controlling raceway has none
-        told = np.append(getattr(motion, race).spin_speed, scale)
-        yield compared(case, f"{race} spin and the largest rotation", "rad/s", told, np.append(spin, scale), source)
-    bound = qs.solve(qs.Scene(B218, replace(LOADS, speed=6000.0 * qs.rpm), **BOTH | {"ball_effects": effects}))
-    required = np.max([np.asarray(each.required_friction, float) for each in (bound.inner, bound.outer)], axis=0)
-    slipping = np.asarray(bound.slips, bool)
-    yield compared(
-        "B218, mu = 0.03", "balls that slip, and all", "1", [np.sum(slipping), len(required)],
-        [np.sum(required > friction * (1.0 + 1e-9)), len(required)], "friction asked for above the coefficient",
-    )  # fmt: skip
-
-
-def stress_rows() -> Iterator[AgreementRow]:
-    """The orthogonal shear below the contacts."""
-    solution = qs.solve(qs.Scene(B218, LOADS, **BOTH))
-    told = stress(solution)
-    for race in ("inner", "outer"):
-        contacts, of = getattr(solution, race), getattr(told, race)
-        a, b = contacts.semi_major_axis[0], contacts.semi_minor_axis[0]
-        over_p0, depth = orthogonal_shear.amplitude(float(a / b))
-        case, source = f"B218 {race}", "Boussinesq's stresses integrated"
-        yield compared(
-            case, "orthogonal shear stress", "Pa", of.orthogonal_shear[0], over_p0 * contacts.max_pressure[0], source
-        )
-        # At a maximum the place is known to the square root of the value's precision.
-        yield compared(case, "its depth", "m", of.orthogonal_shear_depth[0], depth * b, source, tolerance=1e-6)
 
 
 SECTIONS = ((0.15, 70e-3, 30e-3), (0.25, 90e-3, 40e-3))
@@ -288,6 +243,7 @@ PARTS = {
     "motion": motion_rows,
     "stresses": stress_rows,
     "an elastic shaft": shaft_rows,
+    "two unlike rows": unlike_rows,
     "elastic rings": ring_rows,
     "heat": heat_rows,
     "scene files": key_rows,

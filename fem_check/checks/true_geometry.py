@@ -24,9 +24,9 @@ from fem_check.solids.true_contact import READ
 from fem_check.solids.true_study import TrueContactStudy, assumed_shoulders, contacts, meshed, ring_doubt, solve
 from qsbearing.documents.numbers import plain
 
-FINEST = {MeshLevel.QUICK: 6, MeshLevel.RELEASE: 8}
-"""Elements per semi-axis of the finest of three meshes."""
-DOFS = {MeshLevel.QUICK: 60_000, MeshLevel.RELEASE: 110_000}
+MESHES = {MeshLevel.QUICK: (3, 4), MeshLevel.RELEASE: (4, 6, 8)}
+"""Elements per semi-axis, coarse to fine."""
+DOFS = {MeshLevel.QUICK: 30_000, MeshLevel.RELEASE: 110_000}
 """About so many unknowns has the larger of the two bodies, which are solved one after the other."""
 LOADS = {
     MeshLevel.QUICK: (("inner", 2000.0, (2000.0,)),),
@@ -37,6 +37,9 @@ LOADS = {
 # error in a formula would exceed). The rest was set before the first run too.
 GAP_TOLERANCES = {"approach": 0.1, "semi_major_axis": 0.1, "semi_minor_axis": 0.2, "max_pressure": 0.05}
 GAP_REASON = "set beforehand: two methods on one gap; b, over which the mesh is coarsest, twice the others"
+WHY_FOUND = (
+    "a finding: its scatter over two meshes of one load tells nothing; judged over six loads at the release level"
+)
 BULGE_TOLERANCE = 1.0
 BULGE_REASON = (
     "set beforehand: a smooth field; a ball that is held at its equator in another way is off by tens of per cent"
@@ -44,12 +47,16 @@ BULGE_REASON = (
 
 
 def gap_rows(solved: TrueContactStudy) -> list[AgreementRow]:
-    """The gap's shape, on the true bodies, against boundary elements; the ball's other side against a series."""
+    """The gap's shape, on the true bodies, against boundary elements; the ball's other side against a series.
+
+    Of two meshes the approach is a finding: its uncertainty is a scatter, of which two values know next to nothing.
+    """
     reference = boundary_element.over_hertz(solved.groove, solved.load, inclined=True)
     rows = []
     for name, tolerance in GAP_TOLERANCES.items():
         effect, uncertainty = solved.ratio("exact_gap", "parabola", name)
         of_both = 100.0 * uncertainty / reference.ratio[name] + reference.uncertainty_percent[name]
+        is_found = name == "approach" and len(solved.surface) < 3
         rows.append(
             AgreementRow(
                 f"{solved.case}: exact gap over parabola, true bodies",
@@ -59,8 +66,8 @@ def gap_rows(solved: TrueContactStudy) -> list[AgreementRow]:
                 boundary_element.SOURCE,
                 effect,
                 of_both,
-                tolerance,
-                GAP_REASON,
+                None if is_found else tolerance,
+                WHY_FOUND if is_found else GAP_REASON,
             )
         )
     ratio, uncertainty = solved.bulge()
@@ -258,7 +265,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
     refused: list[AgreementRow] = []
     for race, mesh_load, loads in loads_of(scene, level):
         try:
-            own = solve(contacts(scene, race, mesh_load, sequence(FINEST[level])), loads, progress)
+            own = solve(contacts(scene, race, mesh_load, MESHES[level]), loads, progress)
             of = load_scene(scene)
             solutions += [replace(each, ring_doubt=ring_doubt(of, scene, each.groove, each.load)) for each in own]
         except (MeshError, ContactError) as problem:
@@ -276,7 +283,7 @@ def run(level: MeshLevel, progress: Progress, scene: str = EXAMPLE) -> Findings:
         rows += half_spaces_beside.rows(solutions, progress)
     pictures: dict[str, object] = {"true_geometry": {race: series(solved) for race, solved in every.items()}}
     pictures["pressures"] = [true_maps.pressure_map(each.finest, each.load) for each in solutions if each.finest]
-    return Findings([*rows, *refused], mesh_entry(last, FINEST[level]), last.solver, pictures, NOTES)
+    return Findings([*rows, *refused], mesh_entry(last, MESHES[level][-1]), last.solver, pictures, NOTES)
 
 
 def series(solved: list[TrueContactStudy]) -> dict[str, object]:
@@ -312,7 +319,7 @@ def keep_meshes() -> None:
     """Put the quick level's meshes into the repository, and what they are into its manifest."""
     folder, entries = meshing.committed_folder(), meshing.manifest()
     for race, load, _ in LOADS[MeshLevel.QUICK]:
-        for contact in contacts(EXAMPLE, race, load, sequence(FINEST[MeshLevel.QUICK])):
+        for contact in contacts(EXAMPLE, race, load, MESHES[MeshLevel.QUICK]):
             for body in ("ball", "ring"):
                 path = folder / contact.mesh_file(body)
                 mesh = contact.mesh(body)

@@ -33,8 +33,8 @@ from qsbearing.model.validation import printable
 def run_checks(
     names: tuple[str, ...], level: str, scene: str | None, out: Path, as_json: bool, **rings: float | None
 ) -> None:
-    """Run the named checks on B218, or all checks if none is named. With --scene, check the most heavily loaded
-    contacts of that bearing, or run the named checks on it.
+    """Run the named checks on B218, or all checks of the level if none is named. With --scene, check the most heavily
+    loaded contacts of that bearing, or run the named checks on it.
 
     Prints each comparison with its reference and keeps the records in a folder.
 
@@ -52,7 +52,7 @@ def run_checks(
     finished: list[str] = []
     failed = False
     try:
-        chosen = runner.selected(names, scene is not None)
+        chosen = runner.selected(names, scene is not None, MeshLevel(level))
         with progress_bar(as_json) as reporter:
             for entry in runner.run(
                 chosen, MeshLevel(level), out, lambda check: reporter(check.name), scene or EXAMPLE

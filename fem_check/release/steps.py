@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from fem_check.checks import ALL
+from fem_check.checks import usual
 from fem_check.release import drift, integrity
 from fem_check.rows.agreement import MeshLevel
 from fem_check.rows.record import Record
@@ -102,7 +102,7 @@ def all_steps(level: MeshLevel) -> list[Step]:
         ),
         *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
         *(_recomputed(level, name, count) for name, count in RECOMPUTED[level].items()),
-        *(_check(level, name) for name in ALL),
+        *(_check(level, name) for name in usual(level)),
         Step("benchmarks", ratios, _benchmarks, (f"gate/{level}/benchmarks.json",), _wrong_points, drift.of_benchmarks),
         *rest,
         Step(

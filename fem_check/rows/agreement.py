@@ -155,3 +155,5 @@ class Check:
     run: Run
     largest_dofs: Callable[[MeshLevel], int]
     """Unknowns of the largest linear system at a level, for the estimate of memory."""
+    at_quick: bool = True
+    """Whether a run of all has it at the quick level; by its name it runs at both."""

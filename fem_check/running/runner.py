@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from fem_check.checks import ALL, OF_BEARING, OPTIONAL
+from fem_check.checks import ALL, OF_BEARING, OPTIONAL, usual
 from fem_check.mechanics import half_space_contact
 from fem_check.mechanics.contact import ContactError
 from fem_check.meshing import MeshError
@@ -21,14 +21,13 @@ class BadInputError(Exception):
     """Something was not run; the message says what and what to change."""
 
 
-def selected(names: tuple[str, ...], of_bearing: bool = False) -> list[Check]:
-    """The named checks; for none all of them, or, of a bearing that is named, its contacts."""
+def selected(names: tuple[str, ...], of_bearing: bool = False, level: MeshLevel = MeshLevel.RELEASE) -> list[Check]:
+    """The named checks; for none all of a level, or, of a bearing that is named, its contacts."""
     known = ALL | OPTIONAL
     unknown = [name for name in names if name not in known]
     if unknown:
         raise BadInputError(f"no check named {', '.join(unknown)}; there are: {', '.join(known)}")
-    usual = OF_BEARING if of_bearing else ALL
-    return [known[name] for name in names or usual]
+    return [known[name] for name in names or (OF_BEARING if of_bearing else usual(level))]
 
 
 def refuse_too_large(dofs: int, what: str) -> None:

@@ -21,14 +21,15 @@ from fem_check.solids.sector_comparison import QUANTITIES, Values
 from fem_check.solids.sector_geometry import SectorBearing
 
 ELLIPSE = ("semi_major_axis", "semi_minor_axis", "max_pressure")
-TOLERANCES = {
-    MeshLevel.QUICK: {"semi_major_axis": 0.9, "semi_minor_axis": 2.0, "max_pressure": 2.5},
+TOLERANCES: dict[MeshLevel, dict[str, float | None]] = {
+    MeshLevel.QUICK: {"semi_major_axis": 0.9, "semi_minor_axis": None, "max_pressure": 2.5},
     MeshLevel.RELEASE: {"semi_major_axis": 0.6, "semi_minor_axis": 1.3, "max_pressure": 1.5},
 }
 WHY_ELLIPSE = (
     "the meshes' uncertainty, and what second-order boundary elements and a load 0.7 % larger leave open (a quarter of "
     "a per cent each); 5 % of an elastic modulus are 1.6 % of an axis and 3.3 % of the pressure"
 )
+WHY_FOUND = "a finding: three elements on a semi-minor axis leave 1.6 % open; judged at the release level, on six"
 HALF_SPACE_TOLERANCES = {"load": 0.12, "angle": 0.1}
 WHY_HALF_SPACE = (
     "two to three times what the gap's shape was found to do; a tenth of the centrifugal force does 2 % and 1°"
@@ -63,7 +64,9 @@ def _surfaces(values: Values, bearing: SectorBearing, race: str) -> dict[str, fl
     return boundary_element.over_hertz(groove, values.model[f"{race} load"], follows_surface=True).ratio
 
 
-def _ellipses(case: str, values: Values, bearing: SectorBearing, tolerances: dict[str, float]) -> list[AgreementRow]:
+def _ellipses(
+    case: str, values: Values, bearing: SectorBearing, tolerances: dict[str, float | None]
+) -> list[AgreementRow]:
     rows = []
     for race in ("inner", "outer"):
         surfaces = _surfaces(values, bearing, race)
@@ -80,7 +83,7 @@ def _ellipses(case: str, values: Values, bearing: SectorBearing, tolerances: dic
                     values.elements[name],
                     100.0 * values.position_uncertainty[name] / reference,
                     tolerances[kind],
-                    WHY_ELLIPSE,
+                    WHY_ELLIPSE if tolerances[kind] is not None else WHY_FOUND,
                 )
             )
     return rows

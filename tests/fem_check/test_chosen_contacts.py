@@ -264,6 +264,21 @@ def test_the_angle_is_free_for_loads_given_and_loaded_for_the_scene_s_own():
     }
 
 
+def test_unequal_balls_are_each_solved_as_they_are(tmp_path):
+    scene = tmp_path / "unequal.toml"
+    deviations = [8.0, *[0.0] * 7, -6.0, *[0.0] * 7]
+    scene.write_text(
+        '[bearing]\nname = "B218"\n[operation]\naxial_load_N = 9000\n'
+        f"[effects]\nball_diameter_deviations_um = {deviations}\n"
+    )
+    by_ball = {ball: each for each in choose(str(scene), "inner", [], None) for ball in _balls(each)}
+    diameter = drawing_of(load_scene("b218"), "b218").ball_diameter
+    assert len(by_ball) == len(deviations)
+    for ball, deviation in enumerate(deviations, 1):
+        assert by_ball[ball].groove.ball_diameter - diameter == pytest.approx(1e-6 * deviation, abs=1e-15), ball
+    assert by_ball[1].load > by_ball[2].load > by_ball[9].load
+
+
 def _balls(each: chosen.Chosen) -> list[int]:
     balls: list[int] = []
     for part in each.balls.removeprefix("balls ").removeprefix("ball ").split(", "):

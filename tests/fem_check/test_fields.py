@@ -1,6 +1,7 @@
 """Fields of meshed bodies and their files: volumes, stresses of a known displacement, what ParaView reads."""
 
 import itertools
+from dataclasses import replace
 
 import meshio
 import numpy as np
@@ -93,6 +94,24 @@ def test_tetrahedra_of_the_true_bodies_have_positive_volumes_that_fill_them(bodi
     for body in by_name.values():
         assert body.pressure.max() == pytest.approx(p0, rel=1e-6)  # meshes are kept in single precision
         assert 0.45 * p0 < body.von_mises.max() < 0.7 * p0
+
+
+@pytest.mark.parametrize(
+    ("components", "expected"),
+    [
+        ((3.0, 0.0, 0.0, 0.0, 0.0, 0.0), 3.0),
+        ((2.0, 2.0, 2.0, 0.0, 0.0, 0.0), 0.0),
+        ((0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 3.0**0.5),
+        ((0.0, 0.0, 0.0, 0.0, 2.0, 0.0), 2.0 * 3.0**0.5),
+        ((5.0, 5.0, 5.0, 0.0, 0.0, -1.0), 3.0**0.5),
+        ((4.0, 1.0, 0.0, 1.0, 2.0, 3.0), 55.0**0.5),
+    ],
+)
+def test_von_mises_stress_of_plain_states(block, components, expected):
+    """In tension the stress itself, under pressure all round none, in shear that times the root of 3; all together by
+    hand, ((3^2 + 1^2 + 4^2)/2 + 3 (1 + 4 + 9))^0.5."""
+    state = replace(block, stress=np.tile(np.array(components)[:, None], block.nodes.shape[1]))
+    np.testing.assert_allclose(state.von_mises, expected, rtol=1e-12, atol=1e-12)
 
 
 def test_stress_of_an_even_strain_is_hooke_s():

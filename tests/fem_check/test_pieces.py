@@ -11,8 +11,10 @@ from scipy.optimize import nnls
 from fem_check.elements import boussinesq, elastic_body, linear_solver
 from fem_check.elements.pressure_basis import PressureBasis
 from fem_check.mechanics import contact
+from fem_check.product.solution_equilibrium import compared_arrays
 from fem_check.rows import convergence
 from fem_check.rows.agreement import AgreementRow, collapsed, covered
+from fem_check.rows.compared import compared
 
 
 def test_point_load_on_the_surface_and_below():
@@ -112,6 +114,23 @@ def test_similar_rows_collapse_into_their_worst():
     assert load.quantity == "load"
     hidden, _ = collapsed([replace(light, found=float("nan")), heavy, other], "50 to 500 N")
     assert hidden.verdict == "fail"
+
+
+def test_an_array_is_judged_by_its_worst_element():
+    expected = np.array([[1.0, -4.0], [3.0, 2.0]])
+    good = compared("case", "load", "N", expected, expected, "source")
+    assert (good.verdict, good.reference, good.found) == ("pass", 4.0, 4.0)
+    for place in np.ndindex(expected.shape):
+        for change in (-1e-6, 1e-6):
+            one = expected.copy()
+            one[place] += change
+            judged = compared("case", "load", "N", one, expected, "source")
+            assert judged.verdict == "fail", place
+            assert judged.found == pytest.approx(4.0 + 1e-6)
+            assert compared("case", "load", "N", one, expected, "source", 1e-6).verdict == "pass"
+    assert compared("case", "load", "N", expected[0], expected, "source").verdict == "fail"  # not by chance of shapes
+    arrays = compared_arrays("case", "load", "N", expected + np.array([[0.0, 1e-6], [0.0, 0.0]]), expected)
+    assert (arrays.verdict, arrays.found) == ("fail", pytest.approx(4.0 + 1e-6))
 
 
 def test_an_uncertainty_too_small_fails_of_itself():

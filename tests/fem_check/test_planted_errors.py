@@ -666,6 +666,147 @@ PLANTED |= {
         "tests/fem_check/test_measuring.py",
     ),
 }
+# Seen by what is unlike: of a set in which no two things are alike, and of tests where checks have no row.
+PLANTED |= {
+    "a cone as the cylinder where it begins": (
+        "qsbearing/systems/sets/beam.py",
+        "outer, inner = (first + part * grows for first, grows in (self.outer, self.inner))",
+        "outer, inner = (first + 0.0 * part * grows for first, grows in (self.outer, self.inner))",
+        PARTS,
+    ),
+    "the weight of a cone as of the cylinder where it begins": (
+        "qsbearing/systems/sets/weight.py",
+        "part * (one[..., 1] - one[..., 0])",
+        "0.0 * part * (one[..., 1] - one[..., 0])",
+        PARTS,
+    ),
+    "a mass without weight": (
+        "qsbearing/systems/sets/weight.py",
+        "_load(of.gravity, each.position, each.mass)",
+        "_load(of.gravity, each.position, 0.0 * each.mass)",
+        PARTS,
+    ),
+    "a support twice as stiff": (
+        "qsbearing/systems/sets/elastic_shaft.py",
+        "elasticity += own.swapaxes(1, 2) @ support.stiffness @ own",
+        "elasticity += 2.0 * own.swapaxes(1, 2) @ support.stiffness @ own",
+        PARTS,
+    ),
+    "a seat out of line the other way": (
+        "qsbearing/systems/sets/elastic_shaft.py",
+        "columns.append((moved - places.out_of_line())",
+        "columns.append((moved + places.out_of_line())",
+        PARTS,
+    ),
+    "a tilted housing's tilts swapped": (
+        "qsbearing/systems/sets/row.py",
+        '("housing_tilt_y", ANGLE, 0.1),\n    ("housing_tilt_z", ANGLE, 0.1),',
+        '("housing_tilt_z", ANGLE, 0.1),\n    ("housing_tilt_y", ANGLE, 0.1),',
+        PARTS,
+    ),
+    "a spacer as warm as the shaft": (
+        "qsbearing/systems/sets/axial_growth.py",
+        'own, given = getattr(spacer, f"{side}_temperature"), getattr(self._of, body)',
+        "own, given = None, getattr(self._of, body)",
+        PARTS,
+    ),
+    "a spacer longer on both sides": (
+        "qsbearing/systems/sets/axial_growth.py",
+        "np.asarray(spacer.inner_length, float) - np.asarray(spacer.outer_length, float)",
+        "0.0 * np.asarray(spacer.inner_length, float) + 0.0 * np.asarray(spacer.outer_length, float)",
+        PARTS,
+    ),
+    "a preload without what the shaft draws back": (
+        "qsbearing/systems/sets/solve.py",
+        "row.offset, float) + by + deflection",
+        "row.offset, float) + by + 0.0 * deflection",
+        PARTS,
+    ),
+    "a seat's bore from where its section begins": (
+        "qsbearing/systems/sets/shaft.py",
+        "return float(begin + part * (end - begin))",
+        "return float(begin + 0.0 * part * (end - begin))",
+        PARTS,
+    ),
+    "a warm shaft no thicker": (
+        "qsbearing/systems/sets/elastic_shaft.py",
+        "np.stack([each * grown for each in side])",
+        "np.stack([each * np.ones_like(grown) for each in side])",
+        PARTS,
+    ),
+    "shear in the ring by the ball's Poisson ratio": (
+        "qsbearing/readings/subsurface_stress.py",
+        "poisson = np.asarray(bearing.ring_material.poisson_ratio, float)",
+        "poisson = np.asarray(bearing.ball_material.poisson_ratio, float)",
+        PARTS,
+    ),
+    "spin of an outer ring that stands still": (
+        "qsbearing/readings/ball_motion.py",
+        "outer = 0.0 if operation.outer_speed is None else operation.outer_speed",
+        "outer = 0.0",
+        PARTS,
+    ),
+    "arrays judged by their best element": (
+        "fem_check/rows/compared.py",
+        "np.abs(computed - expected).max()",
+        "np.abs(computed - expected).min()",
+        "tests/fem_check/test_pieces.py",
+    ),
+    "von Mises with half its shear": (
+        "fem_check/elements/fields.py",
+        "+ 2.0 * (shear**2).sum(axis=0)",
+        "+ 1.0 * (shear**2).sum(axis=0)",
+        "tests/fem_check/test_fields.py",
+    ),
+    "the best row shown as the worst": (
+        "fem_check/report/rows.py",
+        "max(same, key=_badness)",
+        "min(same, key=_badness)",
+        "tests/fem_check/test_report.py",
+    ),
+    "unequal balls of a chosen contact alike": (
+        "fem_check/contacts/chosen.py",
+        "_groove(drawings[ball],",
+        "_groove(drawings[0],",
+        "tests/fem_check/test_chosen_contacts.py",
+    ),
+    "a true ring of the ball's material": (
+        "fem_check/solids/true_contact.py",
+        'TetrahedralBody(self.mesh("ring"), self.groove.race)',
+        'TetrahedralBody(self.mesh("ring"), self.groove.ball)',
+        "tests/fem_check/test_true_contact.py",
+    ),
+    "p of 50 to 80 mm, digits swapped": (
+        "qsbearing/files/fits.toml",
+        "p = [6, 12, 15, 18, 22, 26, 32,",
+        "p = [6, 12, 15, 18, 22, 26, 23,",
+        "tests/files/test_printed_tables.py",
+    ),
+    "eC behind a filter of 25 um": (
+        "qsbearing/readings/cleanliness.py",
+        "FILTER_25: _Constants(1.6329, 0.0288)",
+        "FILTER_25: _Constants(1.6329, 0.0298)",
+        "tests/readings/test_printed_factors.py",
+    ),
+    "kN/mm^2 as N/mm^2": (
+        "qsbearing/files/rexs/units.py",
+        '"kN/mm^2": GPa',
+        '"kN/mm^2": MPa',
+        "tests/files/rexs/test_units.py",
+    ),
+    "inertias of a disk swapped": (
+        "qsbearing/systems/sets/rotor.py",
+        '"Ip": "polar_inertia", "Id": "diametral_inertia"',
+        '"Ip": "diametral_inertia", "Id": "polar_inertia"',
+        "tests/systems/sets/test_rotor.py",
+    ),
+    "f that rigidities ask for, above that of C0": (
+        "qsbearing/inference/ratings_fit.py",
+        "OWN_F_OFFSETS = np.array([0.0, 0.0013, 0.0056])",
+        "OWN_F_OFFSETS = np.array([0.0, 0.0013, 0.0065])",
+        "tests/inference/test_own_grooves.py",
+    ),
+}
 COMPILED = ("load exponent 1.49", "centrifugal force doubled")
 COMPILED_ALONE = "tilt lever of batches + 1 %"
 """The plain kernel has no batches."""

@@ -38,7 +38,7 @@ PAGES = 22
 """At most, on paper."""
 SCREENS = 60
 """At most, of 1280 x 900."""
-SMALL = ("patch_test", "manufactured_solution", "body_size")
+SMALL = ("patch_test", "manufactured_solution", "convergence_order")
 
 
 @pytest.fixture(scope="module")
@@ -208,7 +208,7 @@ def test_the_same_records_are_the_same_report(drawn: None) -> None:
 
 def test_what_is_missing_is_said(records: Path) -> None:
     (records / "quick" / "patch_test.json").unlink()
-    change(records, "body_size", lambda entry: entry.pop("provenance"))
+    change(records, "convergence_order", lambda entry: entry.pop("provenance"))
     text = Page.of(html(validation.document(without_the_rest(evidence.read(records))))).text
     assert "Check patch_test is not on record here" in text
     assert "Not on record: patch_test, half_space_contacts, load_power_law" in text
@@ -255,7 +255,7 @@ def test_a_claim_that_the_records_contradict_is_the_verdict(records: Path) -> No
 def test_changes_since_other_records_are_told(records: Path, tmp_path: Path) -> None:
     before = tmp_path / "before"
     shutil.copytree(records, before)
-    (before / "quick" / "body_size.json").unlink()
+    (before / "quick" / "convergence_order.json").unlink()
 
     def digit(entry: dict[str, Any]) -> None:
         entry["rows"][0]["found"] *= 1.001
@@ -268,7 +268,7 @@ def test_changes_since_other_records_are_told(records: Path, tmp_path: Path) -> 
         html(validation.document(without_the_rest(evidence.read(records)), evidence.read(before, alone=True)))
     ).text
     assert "1 of them found otherwise" in text
-    assert re.search(r"New:\s+body_size, quick: 4 rows", text)
+    assert re.search(r"New:\s+convergence_order, quick: 6 rows", text)
     assert evidence.read(before).book
     assert not evidence.read(before, alone=True).book
 

@@ -288,6 +288,16 @@ def test_another_scene_is_checked_at_its_own_loads(tmp_path):
     assert len({load for race, load, _ in release if race == "inner"}) == 3
 
 
+def test_ball_and_ring_are_each_of_their_own_material(contact, monkeypatch):
+    """Where both are alike, one in place of the other changes nothing."""
+    ceramic, meshes = ElasticConstants(315e9, 0.26), {body: contact.mesh(body) for body in ("ball", "ring")}
+    hybrid = replace(contact, groove=replace(contact.groove, ball=ceramic))
+    monkeypatch.setattr(TrueContact, "mesh", lambda self, body: meshes[body])
+    assert (hybrid.ball().material, hybrid.ring().material) == (ceramic, contact.groove.race)
+    compliances = [(1.0 - each.poisson_ratio**2) / each.elastic_modulus for each in (ceramic, contact.groove.race)]
+    assert hybrid.frame.ball_share == pytest.approx(compliances[0] / sum(compliances), rel=1e-12)
+
+
 def test_the_whole_seat_is_held(contact):
     ring = TetrahedralBody(contact.mesh("ring"), contact.groove.race)
     fixed, _ = contact._segment(ring)

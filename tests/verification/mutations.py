@@ -1,6 +1,7 @@
 """What share of small errors the tests and quick checks see: one character of the packages changed at a time.
 
     python -m tests.verification.mutations --count 100 --first 36 --seed 1
+    python -m tests.verification.mutations --count 60 --under qsbearing/systems/sets qsbearing/files --record FILE
 
 draws operators and digits from the code of both packages, changes each in a copy, and runs the tests of its module and
 then quick checks on the copy, the kernel as plain Python, each with at most 60 s of processor time. What it finds is
@@ -99,9 +100,9 @@ def is_code(mutation: Mutation) -> bool:
     return True
 
 
-def drawn(count: int, seed: int) -> list[Mutation]:
-    """So many of them."""
-    every = candidates(sorted(file for package in PACKAGES for file in (ROOT / package).rglob("*.py")))
+def drawn(count: int, seed: int, under: Iterable[str] = PACKAGES) -> list[Mutation]:
+    """So many of them, of files below these folders."""
+    every = candidates(sorted(file for folder in under for file in (ROOT / folder).rglob("*.py")))
     random.Random(seed).shuffle(every)
     return list(islice(filter(is_code, every), count))
 
@@ -181,18 +182,24 @@ def main() -> None:
     asked.add_argument("--count", type=int, default=100, help="drawn")
     asked.add_argument("--first", type=int, default=None, help="how many of them are run; all, if left out")
     asked.add_argument("--seed", type=int, default=1)
+    asked.add_argument(
+        "--under", nargs="+", default=PACKAGES, help="folders of the code; all of both packages, if left out"
+    )
+    asked.add_argument("--record", type=Path, default=RECORD, help="file that keeps what is found")
     given = asked.parse_args()
-    some = drawn(given.count, given.seed)[: given.first]
+    some, kept_in = drawn(given.count, given.seed, given.under)[: given.first], given.record
     record: dict[str, Any] = {
         "seed": given.seed,
         "count": given.count,
         "seconds": SECONDS,
+        "under": list(given.under),
         "found": [],
         "survivors": {},
     }
-    if RECORD.is_file():
-        kept = json.loads(RECORD.read_text(encoding="utf-8"))
-        record = kept if (kept["seed"], kept["count"]) == (given.seed, given.count) else record
+    if kept_in.is_file():
+        kept = json.loads(kept_in.read_text(encoding="utf-8"))
+        asked_of = kept["seed"], kept["count"], kept.get("under", list(PACKAGES))
+        record = kept if asked_of == (given.seed, given.count, list(given.under)) else record
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made)
         for name in (*PACKAGES, "tests"):
@@ -207,7 +214,7 @@ def main() -> None:
             line = source.splitlines()[each.line - 1].strip()
             record["found"].append(vars(each) | {"text": line, "seen_by": by, "not_ended": late})
             record["provenance"] = provenance.of_run("python -m tests.verification.mutations", "survey")
-            RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+            kept_in.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
             print(
                 f"{len(record['found'])}: {each.path}:{each.line} {each.old} -> {each.new}: {by or 'not seen'}",
                 flush=True,

@@ -25,6 +25,15 @@ def test_what_is_no_code_is_left_out():
     assert mutations.is_code(mutations.candidates([FILE])[0])
 
 
+def test_a_survey_may_keep_to_some_folders():
+    under = ("qsbearing/systems/sets", "fem_check/rows")
+    some = mutations.drawn(20, 3, under)
+    assert len(some) == 20
+    assert all(each.path.startswith(under) for each in some)
+    assert len({each.path.split("/")[0] for each in some}) == 2
+    assert some == mutations.drawn(20, 3, under) != mutations.drawn(20, 4, under)
+
+
 def test_tests_of_a_module_come_first_by_its_name():
     assert mutations.tests_of("qsbearing/readings/film_thickness.py")[0].startswith("tests/readings/")
     assert (
