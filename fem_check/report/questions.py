@@ -88,7 +88,7 @@ OF_PRODUCT = ("solution_contacts", "solution_parts")
 
 def of_limit(share: float) -> str:
     """How much of a limit deviation and uncertainty take."""
-    return f"{100.0 * share:.2g} % of its limit"
+    return f"{100.0 * share:.0f} % of its limit"
 
 
 def _elements(evidence: Evidence) -> Question:
@@ -224,9 +224,10 @@ def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
     rows = [(row, kept) for kept in expected for row in kept.data["rows"] if row["tolerance_percent"]]
     near, case = max((each for each in rows if not is_count(each[0])), key=lambda each: used(each[0]))
     told, more = row_text.of_row(near), _and_more(records, expected)
+    found = difference(near) if told.deviation or not near["reference"] else told.found
     return question._replace(
         answer=f"{len(expected)} cases{more}; nearest to its limit: {case.data['title']}",
-        worst=f"{(told.deviation and difference(near)) or told.found}, {of_limit(used(near))}",
+        worst=f"{found}, {of_limit(used(near))}",
         limit=told.tolerance, basis=as_read(near["why_tolerance"] or ""),
         verdict=judged(not missed, f"{good} of {len(expected)}"), missed=missed, may="" if missed else may,
     )  # fmt: skip

@@ -4,7 +4,7 @@ limit."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -92,18 +92,15 @@ def _of_status(ended: dict[str, int], status: str) -> int:
     return sum(number for how, number in ended.items() if how.partition(":")[0] == status)
 
 
-def refusals(kept: Iterable[Kept]) -> dict[str, int]:
-    """Scenes of campaigns without an equilibrium by their reason, the most frequent first."""
+def reasons(kept: Kept) -> dict[str, int]:
+    """Scenes of a campaign without an equilibrium by their reason, the most frequent first."""
     by_reason: Counter[str] = Counter()
-    for one in kept:
-        ended = one.data.get("ended", {}).items()
-        by_reason.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
-        reasons = one.data.get(REFUSED, {}).get("reasons_and_certificates", {})
-        by_reason.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
-    merged: Counter[str] = Counter()
-    for why, number in by_reason.items():
-        merged[why.replace("_", " ")] += number
-    return dict(merged.most_common())
+    for how, number in kept.data.get("ended", {}).items():
+        if how.startswith(REFUSED):
+            by_reason[how.partition(": ")[2].replace("_", " ")] += number
+    for why, certificates in kept.data.get(REFUSED, {}).get("reasons_and_certificates", {}).items():
+        by_reason[why.replace("_", " ")] += sum(certificates.values())
+    return dict(by_reason.most_common())
 
 
 def questions(evidence: Evidence) -> list[Question]:
@@ -153,7 +150,6 @@ def blocks(evidence: Evidence) -> list[Block]:
     """Of page 1: each population, why scenes are refused, which are known not to converge."""
     if not evidence.random_scenes:
         return []
-    why = ", ".join(f"{reason} {number:,}" for reason, number in refusals(evidence.random_scenes).items())
     strength = (
         "A refusal is *proved* by a direction in which the load works and nothing is pressed, or a unique "
         "equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, where others are "
@@ -161,7 +157,7 @@ def blocks(evidence: Evidence) -> list[Block]:
     )
     return [
         table(evidence.random_scenes, "Random scenes: each row a population of its own"),
-        Paragraph(Md(f"{strength} Reasons: {why}.")),
+        Paragraph(Md(strength)),
         *known(evidence),
     ]
 

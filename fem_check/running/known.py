@@ -1,7 +1,7 @@
 """What is known not to hold, by name, so that a release can be judged by everything else.
 
-A scene stands here only with its reason. These scenes and no others of the realistic ones may end as not converged; page
-1 of the report names each of them on record. One that is solved fails the gate: then it is to be taken out.
+A scene stands here only with its reason. These scenes and no others of the realistic ones may end as not converged;
+page 1 of the report names each of them on record. One that is solved fails the gate: then it is to be taken out.
 """
 
 from __future__ import annotations

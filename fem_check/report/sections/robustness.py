@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from fem_check.report.evidence import Evidence, Kept, missing
 from fem_check.report.questions import EXPECTED
-from fem_check.report.random_scenes import scenes, table
+from fem_check.report.random_scenes import reasons, scenes, table
 from fem_check.report.rows import as_read
 from fem_check.rows.row_text import scientific
 from qsbearing.documents.model import Badge, Block, Callout, Cell, Md, Paragraph, Section, Table
@@ -41,8 +41,17 @@ def _campaigns(campaigns: Sequence[Kept]) -> list[Block]:
     return [
         Callout(Md(said), "fail" if missed else "pass"),
         table(campaigns, "Campaigns of random scenes"),
+        Paragraph(
+            f"Reasons of refusals, of each campaign by itself: {'; '.join(filter(None, map(_reasons, campaigns)))}."
+        ),
         Paragraph(f"Records: {', '.join(kept.name for kept in campaigns)}."),
     ]
+
+
+def _reasons(kept: Kept) -> str:
+    """Of one campaign."""
+    each = ", ".join(f"{why} {number:,}" for why, number in reasons(kept).items())
+    return f"{scenes(kept).name}: {each}" if each else ""
 
 
 def _mutations(kept: Kept | None) -> list[Block]:

@@ -75,11 +75,10 @@ class Limit:
 
 def per_row(rows: float = 1.0) -> Limit:
     """The limit of cases with so many bearings on average."""
-    of_rows = f", times {rows:g} rows on average" if rows > 1.0 else ""
+    of_rows = f" by {rows:g} rows" if rows > 1.0 else ""
     return Limit(
         PER_BEARING * rows,
-        f"{100.0 * PER_BEARING * rows:g} %: set on 2026-11-28, after the first runs, from the "
-        f"{100.0 * PER_BEARING:g} % of mounted bearings{of_rows}",
+        f"{100.0 * PER_BEARING * rows:g} %; 2026-11-28, after the first runs, from mounted bearings{of_rows}",
     )
 
 

@@ -51,18 +51,16 @@ class Envelope:
 
 
 ENVELOPES = {
-    "wild": Envelope(
-        wild.draw_group, rate=2e-4, basis="0.02 %: set on 2026-11-23, from what the first million scenes came to"
-    ),
+    "wild": Envelope(wild.draw_group, rate=2e-4, basis="0.02 %; 2026-11-23, from the first million scenes"),
     "realistic": Envelope(
         realistic.draw_group,
         rate=0.0,
-        basis="none but those named: set on 2026-11-23, from use: bearings of catalogues under loads that suit them",
+        basis="those named alone; 2026-11-23, from use: bearings of catalogues under loads that suit them",
     ),
     "mounted": Envelope(
         mounted.draw_group,
         rate=3e-4,
-        basis="0.03 %: set on 2026-11-24, after the first runs, from the 0.02 % of wild bearings and these effects",
+        basis="0.03 %; 2026-11-24, after the first runs, from the 0.02 % of wild bearings",
         is_certified=False,
     ),
 }

@@ -1,15 +1,15 @@
 """Whether a set that is said to have no equilibrium has none: a direction in which its loads work and no ball is
 pressed.
 
-As `certificates.unsupported_direction` of one bearing, here of all rows of a shaft. Every ball presses the inner ring of
-its row with Q (sin a, cos a), 0 <= a <= 90 degrees, whatever its stiffness, growth, fit, offset or size, and however
+As `certificates.unsupported_direction` of one bearing, here of all rows of a shaft. Every ball presses the inner ring
+of its row with Q (sin a, cos a), 0 <= a <= 90 degrees, whatever its stiffness, growth, fit, offset or size, and however
 the shaft bends and the housing gives; a support on the shaft pushes either way along its springs. What these can be is
 a cone in the shaft's five channels and in one more for each spring: the rows that a preload's spring moves, or that a
 floating sleeve holds, carry just its force. Loads outside of the cone have no equilibrium (Farkas); the direction that
 says so comes from non-negative least squares and is checked for itself.
 
-No proof where friction of the gyroscopic moment may act on a ring. Evidence is not sought: a set is refused where one of
-its rows is, on the way, which leaves no equilibrium of the set to look at.
+No proof where friction of the gyroscopic moment may act on a ring. Evidence is not sought: a set is refused where one
+of its rows is, on the way, which leaves no equilibrium of the set to look at.
 """
 
 from __future__ import annotations
