@@ -19,6 +19,7 @@ from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
 """Room to write by hand."""
+RANDOM = "Random scenes: each row a population of its own"
 
 
 def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence | None) -> list[Block]:
@@ -31,16 +32,18 @@ def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence |
             [_line(q) for q in questions if not any(each in evidence.random_scenes for each in q.records)],
             "llllll", "What may be relied on: each row one population", stack=True,
         ),
-        *random_scenes.blocks(evidence),
-        Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
-        Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
+        *([random_scenes.table(evidence.random_scenes, RANDOM)] if evidence.random_scenes else []),
+        *random_scenes.known(evidence),
         Paragraph(Md(f"**Tests.** {_tests(evidence)}")),
-        Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
-        _traceability(evidence),
         Table(
             ("approval", "name", "date", "signature"),
             [[f"{word} by", *[BLANK] * 3] for word in ("Prepared", "Reviewed", "Released")], "llll",
         ),
+        Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
+        Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
+        *([Paragraph(Md(random_scenes.STRENGTH))] if evidence.random_scenes else []),
+        Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
+        _traceability(evidence),
     ]  # fmt: skip
 
 

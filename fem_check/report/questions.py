@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -63,7 +64,7 @@ def _equations(evidence: Evidence) -> Question:
     return question._replace(
         answer=f"{len(cases)} scenes against solutions with fifty digits",
         worst=f"{row_text.scientific(worst, 1)}, {of_limit(worst / limit)}", limit=row_text.number(limit),
-        basis="set beforehand: what a converged solution promises of its imbalance",
+        basis="set beforehand",
         verdict=judged(not bad), missed=f"equations: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
 
@@ -77,7 +78,7 @@ def _relations(evidence: Evidence) -> Question:
     bad = [each["file"] for each in files if each["verdict"] != "pass"]
     return question._replace(
         answer=f"{len(files)} files of tests: mirrored, turned, scaled, differentiated",
-        worst=f"{len(bad)} fail", limit="none may fail", basis="each test has its own, with its reason",
+        worst=f"{len(bad)} fail", limit="none may fail", basis="each test has its own",
         verdict=judged(not bad), missed=f"relations: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
 
@@ -89,6 +90,11 @@ OF_PRODUCT = ("solution_contacts", "solution_parts")
 def of_limit(share: float) -> str:
     """How much of a limit deviation and uncertainty take."""
     return f"{100.0 * share:.0f} % of its limit"
+
+
+def in_short(row: RowRecord) -> str:
+    """Why a row has its tolerance, up to the first stop; the annex has it in full."""
+    return re.split("[;:,]", as_read(row["why_tolerance"] or ""))[0]
 
 
 def _elements(evidence: Evidence) -> Question:
@@ -117,7 +123,7 @@ def _compared(evidence: Evidence, text: str, names: Sequence[str], shown: str) -
         answer=f"{len(solved)} comparisons with finite elements; nearest to its limit: "
         f"{row_text.in_words(worst['quantity'])}",
         worst=f"{difference(worst)}, {of_limit(used(worst))}", limit=row_text.of_row(worst).tolerance,
-        basis=as_read(worst["why_tolerance"] or ""), verdict=judged(not missed), missed=missed,
+        basis=in_short(worst), verdict=judged(not missed), missed=missed,
     )  # fmt: skip
 
 
@@ -228,7 +234,7 @@ def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
     return question._replace(
         answer=f"{len(expected)} cases{more}; nearest to its limit: {case.data['title']}",
         worst=f"{found}, {of_limit(used(near))}",
-        limit=told.tolerance, basis=as_read(near["why_tolerance"] or ""),
+        limit=told.tolerance, basis=in_short(near),
         verdict=judged(not missed, f"{good} of {len(expected)}"), missed=missed, may="" if missed else may,
     )  # fmt: skip
 

@@ -55,8 +55,8 @@ class Scenes:
     @property
     def not_converged(self) -> str:
         """How many, and how many of them are explained or named."""
-        more = [f"{n:,} {what}" for n, what in ((self.named, "named"), (self.explained, "skid")) if n]
-        return f"{self.lost + self.named + self.explained:,}" + (f", of which {' and '.join(more)}" if more else "")
+        more = [f"{n:,} {what}" for n, what in ((self.named, "named"), (self.explained, "explained")) if n]
+        return f"{self.lost + self.named + self.explained:,}" + (f" ({', '.join(more)})" if more else "")
 
 
 def scenes(kept: Kept) -> Scenes:
@@ -129,8 +129,8 @@ def _question(kept: Kept) -> Question:
 
 
 HEADINGS = (
-    "scenes of", "count", "solved", "wrong", "refused: proved", "with evidence", "not proved", "not converged",
-    "allowed", "limit set", "verdict",
+    "scenes of", "count", "solved", "wrong", "refused: proved", "evidence", "not proved", "not converged", "allowed",
+    "limit set, from", "verdict",
 )  # fmt: skip
 
 
@@ -146,20 +146,14 @@ def table(campaigns: Sequence[Kept], caption: str) -> Table:
     return Table(HEADINGS, rows, "lrrrrrrrrll", caption, stack=True)
 
 
-def blocks(evidence: Evidence) -> list[Block]:
-    """Of page 1: each population, why scenes are refused, which are known not to converge."""
-    if not evidence.random_scenes:
-        return []
-    strength = (
-        "A refusal is *proved* by a direction in which the load works and nothing is pressed, or a unique "
-        "equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, where others are "
-        "not excluded; *not proved* means that the solver alone says so."
-    )
-    return [
-        table(evidence.random_scenes, "Random scenes: each row a population of its own"),
-        Paragraph(Md(strength)),
-        *known(evidence),
-    ]
+STRENGTH = (
+    "**Refused** scenes are *proved* to have no equilibrium by a direction in which the load works and nothing is "
+    "pressed, or by a unique equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, "
+    "where others are not excluded; *not proved* means that the solver alone says so. Scenes that did not converge are "
+    "*named*, in a list of known ones, or *explained*: balls that skid, or that nothing holds against drag; `allowed` "
+    "counts the others."
+)
+"""What the columns of the table mean."""
 
 
 def known(evidence: Evidence) -> list[Block]:

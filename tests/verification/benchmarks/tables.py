@@ -219,7 +219,7 @@ def random_scenes() -> str:
     """What the README says of each campaign, as page 1 of the validation report counts it."""
     each = [random_scenes_of.scenes(kept) for kept in evidence.read().random_scenes]
     wrong = sum(one.wrong for one in each)
-    lost = [f"{one.not_converged.partition(',')[0]} of {one.count:,} {one.name}" for one in each]
+    lost = [f"{one.not_converged.partition(' ')[0]} of {one.count:,} {one.name}" for one in each]
     said = f"Random scenes that did not converge: {', '.join(lost)}; {'none' if wrong == 0 else wrong} is wrong"
     return f"{textwrap.fill(said, 110)}\n([hard cases](qsbearing/guide/hard_cases.md))."
 

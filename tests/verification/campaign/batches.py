@@ -74,12 +74,9 @@ class Limit:
 
 
 def per_row(rows: float = 1.0) -> Limit:
-    """The limit of cases with so many bearings on average."""
-    of_rows = f" by {rows:g} rows" if rows > 1.0 else ""
-    return Limit(
-        PER_BEARING * rows,
-        f"{100.0 * PER_BEARING * rows:g} %; 2026-11-28, after the first runs, from mounted bearings{of_rows}",
-    )
+    """The limit of cases with so many bearings on average, set after the first runs."""
+    by_rows = f" × {rows:g} rows" if rows > 1.0 else ""
+    return Limit(PER_BEARING * rows, f"2026-11-28: mounted{by_rows}")
 
 
 def run(

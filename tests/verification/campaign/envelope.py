@@ -51,16 +51,16 @@ class Envelope:
 
 
 ENVELOPES = {
-    "wild": Envelope(wild.draw_group, rate=2e-4, basis="0.02 %; 2026-11-23, from the first million scenes"),
+    "wild": Envelope(wild.draw_group, rate=2e-4, basis="2026-11-23: the first million"),
     "realistic": Envelope(
         realistic.draw_group,
         rate=0.0,
-        basis="those named alone; 2026-11-23, from use: bearings of catalogues under loads that suit them",
+        basis="2026-11-23: use, but for those named",
     ),
     "mounted": Envelope(
         mounted.draw_group,
         rate=3e-4,
-        basis="0.03 %; 2026-11-24, after the first runs, from the 0.02 % of wild bearings",
+        basis="2026-11-24: the first runs",
         is_certified=False,
     ),
 }
