@@ -55,6 +55,19 @@ def unloading_load(plus: Sequence[qs.BallBearing], minus: Sequence[qs.BallBearin
     return float(matched_set(plus, minus, operation, qs.Preload(rigid=preload)).load[0])
 
 
+def unloading_stiffness(plus: int, row: qs.BallBearing, preload: ArrayLike) -> NDArray:
+    """Load at which one row against so many just loses contact, over its deflection from its preload [N/µm].
+
+    Args:
+        row: all rows; one ball count, its other numbers may span cases.
+        preload: of the single row [N], which the others share.
+    """
+    way = np.asarray(under_thrust(row, preload).displacement)[..., 0]
+    operation = qs.Operation(axial_displacement=way, **UPRIGHT)
+    solution = matched_set([row] * plus, [row], operation, qs.Preload(rigid=preload))
+    return np.asarray(1e-6 * solution.load[..., 0] / way)
+
+
 def ground_set(plus: int, minus: int, row: qs.BallBearing, preload: float) -> tuple[float, float, float]:
     """(preload of the set [N], axial rigidity, radial one [N/µm]) of equal rows, ground for this preload of a pair."""
     offset = float(np.asarray(under_thrust(row, preload).displacement)[0])

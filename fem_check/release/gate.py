@@ -15,6 +15,7 @@ from typing import Any, TypedDict
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
 from fem_check.release.steps import LONGEST, GateFolders, Step, write_tables
+from fem_check.rows.agreement import MeshLevel
 from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
 from qsbearing.results import provenance
@@ -71,12 +72,16 @@ def run(
     """Run what the journal lacks, and enter it there; `ended` is told how each step ended.
 
     Args:
-        workers: how many processes share the steps that need one core; the others follow, one after another.
+        workers: how many processes share the steps that need one core; the others follow, one after another. Before
+            all of them come the steps that are first.
     """
     waiting = [step for step in steps if step.name not in journal]
     for step in waiting:
         for name in step.made(place.out):  # no earlier record shall pass for this one
             (place.out / name).unlink()
+    for step in (each for each in waiting if each.is_first):
+        _end(step, _run(step, place), place, journal, ended)
+    waiting = [step for step in waiting if not step.is_first]
     shared = [step for step in waiting if workers > 1 and not step.is_alone]
     for step, entry in _side_by_side(shared, place, workers):
         _end(step, entry, place, journal, ended)
@@ -148,7 +153,8 @@ def before_all(steps: list[Step], place: GateFolders, before: Previous) -> list[
     now = tree.head(place.root)
     if now != place.commit:
         dirty.append(f"commit {now[:12]} is checked out, the gate began with {place.commit[:12]}")
-    kept = [*before.names(f"{place.level}/*.json"), *before.names("book/*.json")]
+    levels = MeshLevel if place.level == MeshLevel.RELEASE else (place.level,)
+    kept = [name for level in levels for name in before.names(f"{level}/*.json")] + before.names("book/*.json")
     made = {name for step in steps for pattern in step.records for name in (*before.names(pattern), pattern)}
     gone = [f"{name} is on record, and no step makes it any more" for name in kept if name not in made]
     said = f"{before.label}, as they were kept"
@@ -192,5 +198,9 @@ def keep(steps: list[Step], place: GateFolders) -> list[Path]:
         written.append(kept_files.place_of(name, place.root, place.root / previous.RECORDS))
         written[-1].parent.mkdir(parents=True, exist_ok=True)
         records_store.replace(written[-1], (place.out / name).read_bytes())
+    if place.level == MeshLevel.RELEASE:  # the journal of a quick gate, of another commit than the records beside it
+        kept_files.place_of(f"gate/{MeshLevel.QUICK}/steps.json", place.root, place.root / previous.RECORDS).unlink(
+            missing_ok=True
+        )
     write_tables(place)
     return [*written, manifest.write(place.root)]

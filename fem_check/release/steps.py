@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from fem_check.checks import usual
 from fem_check.release import drift, integrity
 from fem_check.rows.agreement import MeshLevel
 from fem_check.rows.record import Record
-from fem_check.running import known, runner
+from fem_check.running import known, runner, suite
 from fem_check.running.kept_files import OF_REPOSITORY
 
 SCENES = {
@@ -86,6 +86,8 @@ class Step:
     """What moved too far from the previous release's."""
     is_alone: bool = True
     """Whether it needs the machine for itself: it measures times, or takes all cores."""
+    is_first: bool = False
+    """Whether it is run before all records."""
 
     def made(self, out: Path) -> list[str]:
         """The records that are there."""
@@ -94,17 +96,14 @@ class Step:
 
 def all_steps(level: MeshLevel) -> list[Step]:
     """What a release needs, cheap and telling things first."""
-    ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
-    rest = _of_release() if level is MeshLevel.RELEASE else []
+    is_release = level is MeshLevel.RELEASE
     return [
+        *(map(_suite, suite.COMMANDS) if is_release else ()),
         _elsewhere(
             "hard cases", "verification.hard_cases.table", _wrong_hard_cases, moved=drift.of_hard_cases, is_alone=False
         ),
-        *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
-        *(_recomputed(level, name, count) for name, count in RECOMPUTED[level].items()),
-        *(_check(level, name) for name in usual(level)),
-        Step("benchmarks", ratios, _benchmarks, (f"gate/{level}/benchmarks.json",), _wrong_points, drift.of_benchmarks),
-        *rest,
+        *_of_level(level),
+        *(_of_release() if is_release else ()),
         Step(
             "validation book",
             "fem-check book",
@@ -117,6 +116,34 @@ def all_steps(level: MeshLevel) -> list[Step]:
     ]
 
 
+def _suite(name: str) -> Step:
+    made = f"gate/{MeshLevel.RELEASE}/{suite.file_of(name)}"
+
+    def run(place: GateFolders) -> None:
+        log = place.gate / "logs" / f"{name.replace(' ', '_')}.log"
+        suite.run(name, place.root, place.out / made, log)
+
+    return Step(name, suite.command_of(name), run, (made,), suite.wrong, is_first=True)
+
+
+def _of_level(level: MeshLevel) -> list[Step]:
+    """What each level makes records of its own of."""
+    ratios = f"python -m tests.verification.benchmarks.ratios --level {level} FILE"
+    return [
+        *(_campaign(level, envelope, count) for envelope, count in SCENES[level].items()),
+        *(_recomputed(level, name, count) for name, count in RECOMPUTED[level].items()),
+        *(_check(level, name) for name in usual(level)),
+        Step("benchmarks", ratios, _benchmarks, (f"gate/{level}/benchmarks.json",), _wrong_points, drift.of_benchmarks),
+    ]
+
+
+def _quick_too(step: Step) -> Step:
+    """A step of the quick level within a release, so that its record is never that of an older commit."""
+    return replace(
+        step, name=f"{step.name}, quick level", run=lambda place: step.run(replace(place, level=MeshLevel.QUICK))
+    )
+
+
 def _check(level: MeshLevel, name: str) -> Step:
     def run(place: GateFolders) -> None:
         list(runner.run(runner.selected((name,)), place.level, place.out, lambda check: lambda stage, part: None))
@@ -127,9 +154,11 @@ def _check(level: MeshLevel, name: str) -> Step:
 
 
 def _of_release() -> list[Step]:
-    """What the release level makes besides: records that stand elsewhere in the repository, and times."""
+    """What the release level makes besides: those of the quick level, records that stand elsewhere in the repository,
+    and times."""
     elements = "fem-check cost --level release"
     return [
+        *map(_quick_too, _of_level(MeshLevel.QUICK)),
         _elsewhere("fifty digits", "verification.reference.table", _failed("cases", "case"), is_alone=False),
         _elsewhere("relations", "relations", _failed("files", "file"), is_alone=False),
         _elsewhere("errata", "verification.reference.errata", is_alone=False),
@@ -217,7 +246,7 @@ def _recomputed(level: MeshLevel, name: str, count: int) -> Step:
 
     def wrong(record: Record) -> list[str]:
         few = [f"{record['count']} cases are counted, {count} were asked for"] if record["count"] != count else []
-        return [*record["wrong"], *few]
+        return [*record["wrong"], *few, *known.above(record["bar"])]
 
     command = f"python -m {module} {count} {SEED}"
     return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed, is_alone=False)

@@ -18,7 +18,7 @@ REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
 """Where an installed package has the records that stand elsewhere in the repository."""
 
-GATE = ("steps.json", "campaign/*/summary.json")
+GATE = ("steps.json", "tests.json", "heavy_tests.json", "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
 RELEASE = "release"
 
@@ -104,8 +104,8 @@ class Evidence:
     hard_cases: Kept | None = None
     campaigns: list[Kept] = field(default_factory=list)
     recomputed: list[Kept] = field(default_factory=list)
-    """Campaigns of elastic rings, sets, deep-groove rows and spindles, whose solutions are computed a second time; they
-    have no limit."""
+    """Campaigns of elastic rings, sets, deep-groove rows, spindles and friction, whose solutions are computed a second
+    time."""
     model_cost: Kept | None = None
     auto_accuracy: Kept | None = None
     scipy: Kept | None = None
@@ -113,6 +113,8 @@ class Evidence:
     """A survey of the tests, not of results: it takes hours, and need not be of the commit of all others."""
     gate: Kept | None = None
     """The steps of the last release run."""
+    tests: list[Kept] = field(default_factory=list)
+    """What the tests of the release run came to: all but the heavy ones, and these."""
 
     @property
     def random_scenes(self) -> list[Kept]:
@@ -161,6 +163,7 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
         campaigns=[each for each in campaigns if "envelope" in each.data],
         recomputed=[each for each in campaigns if "campaign" in each.data],
         gate=gate.get("steps"),
+        tests=[gate[name] for name in ("tests", "heavy_tests") if name in gate],
         **{name: _in_repository(records, *each) for name, each in ELSEWHERE.items()},
     )
 
@@ -230,7 +233,7 @@ def _gate(records: Path, label: str, levels: set[str]) -> dict[str, Kept]:
     by_name = {}
     for path in paths:
         name, data = path.relative_to(folder).as_posix(), _load(path)
-        command = f"fem-check release --level {level}" if name == "steps.json" else _again(data)
+        command = f"fem-check release --level {level}" if name == "steps.json" else data.get("command") or _again(data)
         by_name[name.removesuffix(".json")] = _kept(f"{label}/gate/{level}/{name}", path, command, data)
     return by_name
 

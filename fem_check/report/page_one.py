@@ -6,17 +6,20 @@ from collections.abc import Sequence
 from itertools import chain
 
 from fem_check.checks import ALL
+from fem_check.report import random_scenes
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.questions import Question, refusals, scenes, span, total
+from fem_check.report.question import Question
+from fem_check.report.questions import span
 from fem_check.report.rows import as_read
 from fem_check.report.sections import previous, traceability
-from fem_check.running.known import NOT_CONVERGED
+from fem_check.running import suite
 from qsbearing import __version__
 from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Table
 from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
 """Room to write by hand."""
+RANDOM = "Random scenes: each row a population of its own"
 
 
 def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence | None) -> list[Block]:
@@ -25,20 +28,22 @@ def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence |
         Facts(_facts(evidence)),
         verdict(evidence, questions),
         Table(
-            ("question", "answer", "worst error", "limit", "verdict", "see"),
-            [[q.text, q.answer, q.worst, q.limit, q.verdict, Md(f"[more](#{q.see})")] for q in questions],
-            "llllll", "What may be relied on", stack=True,
+            ("question", "answer", "worst, by its limit", "limit", "verdict", "see"),
+            [_line(q) for q in questions if not any(each in evidence.random_scenes for each in q.records)],
+            "llllll", "What may be relied on: each row one population", stack=True,
         ),
-        Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
-        Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
-        *_random_scenes(evidence),
-        Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
-        Paragraph(Md(f"**Waivers.** {_waivers(evidence)}")),
-        _traceability(evidence),
+        *([random_scenes.table(evidence.random_scenes, RANDOM)] if evidence.random_scenes else []),
+        *random_scenes.known(evidence),
+        Paragraph(Md(f"**Tests.** {_tests(evidence)}")),
         Table(
             ("approval", "name", "date", "signature"),
             [[f"{word} by", *[BLANK] * 3] for word in ("Prepared", "Reviewed", "Released")], "llll",
         ),
+        Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
+        Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
+        *([Paragraph(Md(random_scenes.STRENGTH))] if evidence.random_scenes else []),
+        Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
+        _traceability(evidence),
     ]  # fmt: skip
 
 
@@ -143,31 +148,26 @@ def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
     return [("finite elements", checks), ("published cases", book), ("fifty digits, scenes, cost, gate", others)]
 
 
-def _random_scenes(evidence: Evidence) -> list[Block]:
-    """How all of them ended, with the reasons of refusals."""
-    if not evidence.random_scenes:
-        return []
-    every, why = total(evidence.random_scenes), refusals(evidence.random_scenes)
-    named = ", ".join(f"{reason} {number:,}" for reason, number in why.items())
-    each = "; ".join(f"{one.name} {one.lost} of {one.count:,}" for one in map(scenes, evidence.random_scenes))
-    return [
-        Paragraph(
-            Md(
-                f"**Random scenes.** Of {every.count:,}: {every.solved:,} solved, of which {every.wrong} wrong; "
-                f"{sum(why.values()):,} without an equilibrium ({named}); {every.lost} not converged ({each})."
-            )
-        )
-    ]
+def _line(question: Question) -> list[Cell]:
+    limit = f"{question.limit} ({question.basis})" if question.basis else question.limit
+    more = Md(f"[more](#{question.see})")
+    return [question.text, question.answer, question.worst, limit, question.verdict, more]
 
 
-def _waivers(evidence: Evidence) -> str:
-    """Scenes of a campaign that did not converge and are excused by name, by their reason."""
-    lost = [name for kept in evidence.campaigns for name in kept.data["not_converged"] if name in NOT_CONVERGED]
-    if not lost:
-        return "None."
-    why: dict[str, list[str]] = {}
-    for name in lost:
-        why.setdefault(NOT_CONVERGED[name], []).append(name)
-    each = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in why.items())
-    which = "scene that does not converge is" if len(lost) == 1 else "scenes that do not converge are"
-    return f"{len(lost)} {which} excused by name, to be signed for below: {each}."
+def _tests(evidence: Evidence) -> str:
+    """How many passed, were skipped and why, and failed: of all but the heavy tests, and of these."""
+    said = []
+    for kept in evidence.tests:
+        record = kept.data
+        parts = [f"{record['passed']:,} passed"]
+        for word, key in (("skipped", "skipped"), ("expected to fail", "expected_to_fail")):
+            reasons = record[key]
+            if reasons:
+                why = "; ".join(f"{number:,}: {reason}" for reason, number in reasons.items())
+                parts.append(f"{sum(reasons.values()):,} {word} ({why})")
+        parts.append(f"{len(record['failed']):,} failed")
+        name = "All but the heavy ones" if record["tests"] == "tests" else "The heavy ones"
+        said.append(f"{name}: {', '.join(parts)}, {record['seconds']:,.0f} s (`{record['command']}`).")
+    missing = suite.COMMANDS.keys() - {kept.data["tests"] for kept in evidence.tests}
+    said += [f"Not on record: {', '.join(sorted(missing))}; the release gate runs them."] if missing else []
+    return " ".join(said)

@@ -1,17 +1,18 @@
-"""The eight questions that decide whether a version may be used: each answered from the records, or not on record."""
+"""The questions that decide whether a version may be used: each answered from the records, or not on record."""
 
 from __future__ import annotations
 
-from collections import Counter
+import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
+from fem_check.book.case import EvidenceKind
+from fem_check.report import random_scenes
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.rows import as_read, difference, largest, quantity, used
+from fem_check.report.question import Question, judged
+from fem_check.report.rows import as_read, difference, is_count, largest, quantity, used
 from fem_check.rows import row_text
 from fem_check.rows.record import RowRecord, deviation_percent
-from fem_check.running.known import NOT_CONVERGED
 from qsbearing.documents.model import Badge
 
 LIMIT_OF_USE = Badge("limit of use", "finding")
@@ -21,46 +22,25 @@ RINGS = ("contact_at_the_edge", "elastic_ring")
 """Checks of what Hertz and rigid rings leave out."""
 
 
-REFUSED = "no_equilibrium"
 MEASURES = ("loads", "angles", "displacements", "stiffness")
 """Of a scene against its solution with fifty digits."""
-
-
-class Question(NamedTuple):
-    """A row of page 1, and a requirement that records answer."""
-
-    text: str
-    see: str
-    """The section that has more."""
-    records: Sequence[Kept]
-    answer: str = ""
-    worst: str = ""
-    limit: str = "no limit"
-    verdict: Badge = Badge("not on record", "missing")
-    may: str = ""
-    """What the version may be used for, where this holds."""
-    not_for: str = ""
-    """What it is not validated for."""
-    missed: str = ""
-    """What is on record against it."""
 
 
 def all_of(evidence: Evidence) -> list[Question]:
     """In the order of page 1."""
     return [
         _equations(evidence),
-        _hertz(evidence),
+        _relations(evidence),
+        _elements(evidence),
+        _contacts(evidence),
         _rigid_seat(evidence),
         _free_ring(evidence),
         _elastic_rings(evidence),
-        _published(evidence),
+        *(_published(evidence, kind) for kind in PUBLISHED),
         _measured(evidence),
-        _robust(evidence),
+        _hard_cases(evidence),
+        *random_scenes.questions(evidence),
     ]
-
-
-def _judged(is_good: bool, word: str = "pass") -> Badge:
-    return Badge(word, "pass") if is_good else Badge("missed", "fail")
 
 
 def _failing(records: Iterable[Kept]) -> str:
@@ -73,36 +53,77 @@ def _passes(kept: Kept) -> bool:
 
 
 def _equations(evidence: Evidence) -> Question:
-    records = [kept for kept in (evidence.reference, evidence.relations) if kept]
+    records = [evidence.reference] if evidence.reference else []
     question = Question("Are the equations solved?", "mathematics", records)
     if evidence.reference is None:
         return question
     record = evidence.reference.data
-    worst = max(
-        max(each[name] for name in ("loads", "angles", "displacements", "stiffness")) for each in record["cases"]
-    )
-    bad = [each["case"] for each in record["cases"] if each["verdict"] != "pass"]
-    files = evidence.relations.data["files"] if evidence.relations else []
-    bad += [each["file"] for each in files if each["verdict"] != "pass"]
+    cases, limit = record["cases"], record["tolerance"]
+    worst = max(max(each[name] for name in MEASURES) for each in cases)
+    bad = [each["case"] for each in cases if each["verdict"] != "pass"]
     return question._replace(
-        answer=f"{len(record['cases'])} scenes against solutions with fifty digits, {len(files)} files of relations",
-        worst=row_text.scientific(worst, 1), limit=row_text.number(record["tolerance"]), verdict=_judged(not bad),
-        missed=f"equations: {', '.join(bad)}" if bad else "",
+        answer=f"{len(cases)} scenes against solutions with fifty digits",
+        worst=f"{row_text.scientific(worst, 1)}, {of_limit(worst / limit)}", limit=row_text.number(limit),
+        basis="set beforehand",
+        verdict=judged(not bad), missed=f"equations: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
 
 
-def _hertz(evidence: Evidence) -> Question:
-    records = [k for name, k in evidence.checks.items() if k.data["kind"] == "verification" and name not in RINGS]
-    question = Question("Is each contact Hertz's?", "hertz", records)
-    solved = [row for row in _rows(evidence.checks, "half_space_contacts", "solution_contacts") if _is_of_elements(row)]
-    if not solved:
-        return question._replace(verdict=_judged(False), missed=_failing(records)) if _failing(records) else question
-    worst = max(solved, key=lambda row: abs(deviation_percent(row)))
-    missed = _failing(records)
+def _relations(evidence: Evidence) -> Question:
+    records = [evidence.relations] if evidence.relations else []
+    question = Question("Do relations between solutions hold?", "mathematics", records)
+    if evidence.relations is None:
+        return question
+    files = evidence.relations.data["files"]
+    bad = [each["file"] for each in files if each["verdict"] != "pass"]
     return question._replace(
-        answer=f"{len(solved)} comparisons with finite elements; worst: {row_text.in_words(worst['quantity'])}",
-        worst=difference(worst), limit=row_text.of_row(worst).tolerance, verdict=_judged(not missed),
-        missed=missed,
+        answer=f"{len(files)} files of tests: mirrored, turned, scaled, differentiated",
+        worst=f"{len(bad)} fail", limit="none may fail", basis="each test has its own",
+        verdict=judged(not bad), missed=f"relations: {', '.join(bad)}" if bad else "",
+    )  # fmt: skip
+
+
+OF_PRODUCT = ("solution_contacts", "solution_parts")
+"""Checks of solutions; the others of their kind are of the elements themselves."""
+
+
+def of_limit(share: float) -> str:
+    """How much of a limit deviation and uncertainty take."""
+    return f"{100.0 * share:.0f} % of its limit"
+
+
+def in_short(row: RowRecord) -> str:
+    """Why a row has its tolerance, up to the first stop; the annex has it in full."""
+    return re.split("[;:,]", as_read(row["why_tolerance"] or ""))[0]
+
+
+def _elements(evidence: Evidence) -> Question:
+    names = [name for name, kept in _verifying(evidence) if name not in OF_PRODUCT]
+    return _compared(evidence, "Do finite elements give Hertz's contact?", names, "half_space_contacts")
+
+
+def _contacts(evidence: Evidence) -> Question:
+    names = [name for name, kept in _verifying(evidence) if name in OF_PRODUCT]
+    return _compared(evidence, "Are a solution's contacts those of elements?", names, "solution_contacts")
+
+
+def _verifying(evidence: Evidence) -> list[tuple[str, Kept]]:
+    return [(n, k) for n, k in evidence.checks.items() if k.data["kind"] == "verification" and n not in RINGS]
+
+
+def _compared(evidence: Evidence, text: str, names: Sequence[str], shown: str) -> Question:
+    """Of some checks; one of them has the comparisons with finite elements that are counted."""
+    records = [evidence.checks[name] for name in names]
+    question, missed = Question(text, "hertz", records), _failing(records)
+    solved = [row for row in _rows(evidence.checks, shown) if _is_of_elements(row)]
+    if not solved:
+        return question._replace(verdict=judged(False), missed=missed) if missed else question
+    worst = max(solved, key=used)
+    return question._replace(
+        answer=f"{len(solved)} comparisons with finite elements; nearest to its limit: "
+        f"{row_text.in_words(worst['quantity'])}",
+        worst=f"{difference(worst)}, {of_limit(used(worst))}", limit=row_text.of_row(worst).tolerance,
+        basis=in_short(worst), verdict=judged(not missed), missed=missed,
     )  # fmt: skip
 
 
@@ -154,7 +175,7 @@ def _rigid_seat(evidence: Evidence) -> Question:
     missed = _failing(records)
     return question._replace(
         answer=f"axial load {span(loads)} N, at rest and at speed",
-        worst=worst, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
+        worst=worst, verdict=judged(False) if missed else LIMIT_OF_USE, missed=missed,
         may="contact loads, contact angles and displacements in rigid seats",
     )  # fmt: skip
 
@@ -185,26 +206,36 @@ def _elastic_rings(evidence: Evidence) -> Question:
     off = f"{largest(findings)} of the {as_read(worst['quantity'])}"
     return question._replace(
         answer=f"one pitch in three dimensions; worst: {as_read(worst['case'])}",
-        worst=off, verdict=_judged(False) if missed else LIMIT_OF_USE, missed=missed,
+        worst=off, verdict=judged(False) if missed else LIMIT_OF_USE, missed=missed,
         not_for=f"deflections of elastic rings near 0° with many balls (up to {off})",
     )  # fmt: skip
 
 
-def _published(evidence: Evidence) -> Question:
-    records = [kept for kept in evidence.book.values() if kept.data["kind"] != "M"]
-    question = Question("Published results?", "published", records)
+PUBLISHED = {
+    EvidenceKind.CATALOGUE: ("What catalogues, standards and textbooks print?", "ratings, rating life and film "
+                             "thickness by published formulas"),
+    EvidenceKind.OTHER_CODE: ("What other programs computed?", ""),
+}  # fmt: skip
+"""By what a published number is: the question, and what may be used where it is met."""
+
+
+def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
+    text, may = PUBLISHED[kind]
+    records = [kept for kept in evidence.book.values() if kept.data["kind"] == kind]
+    question = Question(text, "published", records)
     if not records:
         return question
     expected = [kept for kept in records if not is_counter_example(kept.data)]
     good, missed = sum(map(_passes, expected)), _failing(records)
     rows = [(row, kept) for kept in expected for row in kept.data["rows"] if row["tolerance_percent"]]
-    near, case = max(rows, key=lambda each: used(each[0]))
+    near, case = max((each for each in rows if not is_count(each[0])), key=lambda each: used(each[0]))
     told, more = row_text.of_row(near), _and_more(records, expected)
+    found = difference(near) if told.deviation or not near["reference"] else told.found
     return question._replace(
-        answer=f"{len(expected)} cases computed by others{more}; nearest to its limit: {case.data['title']}",
-        worst=(told.deviation and difference(near)) or told.found, limit=told.tolerance,
-        verdict=_judged(not missed, f"{good} of {len(expected)}"), missed=missed,
-        may="" if missed else "ratings, rating life and film thickness by published formulas",
+        answer=f"{len(expected)} cases{more}; nearest to its limit: {case.data['title']}",
+        worst=f"{found}, {of_limit(used(near))}",
+        limit=told.tolerance, basis=in_short(near),
+        verdict=judged(not missed, f"{good} of {len(expected)}"), missed=missed, may="" if missed else may,
     )  # fmt: skip
 
 
@@ -221,7 +252,7 @@ def _measured(evidence: Evidence) -> Question:
         answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
         + ("none" if worst is None else f"{as_read(worst['quantity'])}, {as_read(worst['case'])}"),
         worst="" if worst is None else largest([worst]),
-        verdict=_judged(False) if missed else Badge("not validated", "finding"), missed=missed,
+        verdict=judged(False) if missed else Badge("not validated", "finding"), missed=missed,
         not_for="contact angles, loads and stiffness at speed (no such measurement was found)",
     )  # fmt: skip
 
@@ -236,84 +267,17 @@ def is_counter_example(entry: Mapping[str, Any]) -> bool:
     return bool(entry.get("counter_example"))
 
 
-@dataclass(frozen=True)
-class Scenes:
-    """Random scenes of one campaign."""
-
-    name: str
-    count: int
-    lost: int
-    """Not converged."""
-    solved: int
-    wrong: int
-    allowed: int | None
-    """Of them that may not converge; None: no limit was set."""
-
-
-def scenes(kept: Kept) -> Scenes:
-    """The counts of a campaign, whichever made it."""
-    record = kept.data
-    if "campaign" in record:
-        lost, wrong = len(record["not_converged"]), len(record["wrong"])
-        solved = record["ended"].get("converged", 0)
-        return Scenes(record["campaign"].replace("_", " "), record["count"], lost, solved, wrong, None)
-    lost, wrong = record["classes"].get("not_converged", 0), sum(record["failures"].values())
-    solved = record["classes"].get("converged", 0)
-    return Scenes(record["envelope"], record["count"], lost, solved, wrong, record["bar"]["allowed"])
-
-
-def refusals(kept: Iterable[Kept]) -> dict[str, int]:
-    """Scenes of campaigns without an equilibrium by their reason, the most frequent first."""
-    by_reason: Counter[str] = Counter()
-    for one in kept:
-        ended = one.data.get("ended", {}).items()
-        by_reason.update({how.partition(": ")[2]: number for how, number in ended if how.startswith(REFUSED)})
-        reasons = one.data.get("no_equilibrium", {}).get("reasons_and_certificates", {})
-        by_reason.update({why: sum(certificates.values()) for why, certificates in reasons.items()})
-    merged: Counter[str] = Counter()
-    for why, number in by_reason.items():
-        merged[why.replace("_", " ")] += number
-    return dict(merged.most_common())
-
-
-def waived(kept: Kept) -> int:
-    """Scenes of a campaign that did not converge and are excused by name."""
-    return sum(name in NOT_CONVERGED for name in kept.data["not_converged"])
-
-
-def total(kept: Iterable[Kept]) -> Scenes:
-    """Of campaigns together."""
-    each = [scenes(one) for one in kept]
-    count, lost, solved, wrong = (
-        sum(getattr(one, name) for one in each) for name in ("count", "lost", "solved", "wrong")
-    )
-    return Scenes("random", count, lost, solved, wrong, None)
-
-
-def _robust(evidence: Evidence) -> Question:
-    records = [*evidence.campaigns, *evidence.recomputed, *([evidence.hard_cases] if evidence.hard_cases else [])]
-    question = Question("Hard and random scenes?", "robustness", records)
-    if not records:
+def _hard_cases(evidence: Evidence) -> Question:
+    question = Question("Hard cases?", "robustness", [evidence.hard_cases] if evidence.hard_cases else [])
+    if evidence.hard_cases is None:
         return question
-    limited, others = [list(map(scenes, each)) for each in (evidence.campaigns, evidence.recomputed)]
-    cases = evidence.hard_cases.data["cases"] if evidence.hard_cases else []
-    hard = [each["case"] for each in cases if each["verdict"] not in EXPECTED]
-    excused = {kept.data["envelope"]: waived(kept) for kept in evidence.campaigns}
-    missed = [
-        f"{each.lost} of {each.count:,} {each.name} random scenes did not converge ({each.allowed} allowed)"
-        for each in limited
-        if each.lost - excused[each.name] > (each.allowed or 0)
-    ]
-    missed += [
-        f"{each.wrong} of {each.count:,} {each.name} scenes are wrong" for each in limited + others if each.wrong
-    ]
-    missed += [f"hard cases without the expected result: {', '.join(hard)}"] if hard else []
-    every, good = total(evidence.random_scenes), len(cases) - len(hard)
+    cases = evidence.hard_cases.data["cases"]
+    bad = [each["case"] for each in cases if each["verdict"] not in EXPECTED]
+    by_condition = sum(each["verdict"] == EXPECTED[1] for each in cases)
     return question._replace(
-        answer=f"{good} of {len(cases)} hard cases give the expected result; {every.wrong} of {every.count:,} random "
-        "scenes wrong",
-        worst=f"not converged: {every.lost} of {every.count:,}",
-        limit=", ".join(f"{each.name} {each.allowed}" for each in limited),
-        verdict=Badge("waived", "finding") if any(excused.values()) and not missed else _judged(not missed),
-        missed="; ".join(missed),
+        answer=f"{len(cases) - len(bad)} of {len(cases)} give the expected result, {by_condition} of them by their "
+        "condition number",
+        worst=f"{len(bad)} do not", limit="1e−9 of the solution with fifty digits",
+        basis="set beforehand", verdict=judged(not bad),
+        missed=f"hard cases without the expected result: {', '.join(bad)}" if bad else "",
     )  # fmt: skip

@@ -79,6 +79,15 @@ def used(row: RowRecord) -> float:
     return float(reach / tolerance) if tolerance else (inf if tolerance == 0.0 and reach else 0.0)
 
 
+COUNTED = ("balls",)
+"""Units of whole numbers: one too many is a whole limit, and says nothing of how near it is."""
+
+
+def is_count(row: RowRecord) -> bool:
+    """Whether a row counts things."""
+    return row["unit"] in COUNTED
+
+
 def worst(rows: Sequence[RowRecord], most: int = 5) -> list[tuple[int, RowRecord]]:
     """Of each quantity the worst row and of how many it is; failures first, then at most three findings, the largest,
     then the rows nearest to their tolerances."""

@@ -271,6 +271,7 @@ PLANTED: list[tuple[str, Callable[[pytest.MonkeyPatch], None]]] = [
     ("radial_over_axial", free_angle),
     ("unloading_loads", free_angle),
     ("multiple_sets", lost_offset),
+    ("snfa_veb_rigidities", softer),
     ("triple_set_factor", lost_offset),
     ("nsk_6208", equivalent_load),
     ("pinion_on_motor", lost_lever),

@@ -57,12 +57,12 @@ def run() -> CaseResult:
             ),
             compared(
                 case,
-                "part of the balls that are loaded",
-                "1",
-                0.5,
-                float((Q[0] > 0.0).mean()),
+                "balls that are loaded, half of the ring's",
+                "balls",
+                0.5 * BALLS,
+                float((Q[0] > 0.0).sum()),
                 SOURCE,
-                1.0 / BALLS,
+                1.0,
                 "one ball",
             ),
         ]

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.questions import Question
+from fem_check.report.question import Question
 from fem_check.report.rows import counts
-from fem_check.running import kept_files
+from fem_check.running import kept_files, suite
 from qsbearing import __version__
 from qsbearing.documents.model import Badge, Block, Bullets, Cell, Code, Facts, Md, Paragraph, RowGroup, Section, Table
 from qsbearing.results import provenance
@@ -119,6 +119,8 @@ def objections(evidence: Evidence) -> list[str]:
     else:
         failed = [name for name, reasons in verdicts.items() if reasons]
         faults += [f"the release run failed at: {named(failed)}"] if failed else []
+    if len(evidence.tests) < len(suite.COMMANDS):
+        faults.append("not all tests were run by the release run")
     return faults
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,9 @@ import qsbearing as qs
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
 from fem_check.release.steps import RECOMPUTED, SCENES
-from fem_check.report import evidence, questions
+from fem_check.report import evidence
+from fem_check.report import random_scenes as random_scenes_of
+from fem_check.report.evidence import Kept
 from fem_check.report.figures import sector as sector_figures
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
@@ -213,18 +216,26 @@ def campaigns_of(names: dict[MeshLevel, dict[str, int]]) -> list[Any]:
 
 
 def random_scenes() -> str:
-    """What the README says of all campaigns, as page 1 of the validation report counts them."""
-    every = questions.total(evidence.read().random_scenes)
-    wrong = "none is" if every.wrong == 0 else f"{every.wrong} are"
-    said = f"Of {every.count:,} random scenes {every.lost} did not converge, and {wrong} wrong"
-    return f"{said}\n([hard cases](qsbearing/guide/hard_cases.md))."
+    """What the README says of each campaign, as page 1 of the validation report counts it."""
+    each = [random_scenes_of.scenes(kept) for kept in evidence.read().random_scenes]
+    wrong = sum(one.wrong for one in each)
+    lost = [f"{one.not_converged.partition(' ')[0]} of {one.count:,} {one.name}" for one in each]
+    said = f"Random scenes that did not converge: {', '.join(lost)}; {'none' if wrong == 0 else wrong} is wrong"
+    return f"{textwrap.fill(said, 110)}\n([hard cases](qsbearing/guide/hard_cases.md))."
+
+
+def strength(record: dict[str, Any]) -> str:
+    """How many refusals of a campaign are proved, have evidence, or neither."""
+    one = random_scenes_of.scenes(Kept("", record, ""))
+    each = {"proved": one.proved, "with evidence": one.evidence, "not proved": one.unproved}
+    return ", ".join(f"{number:,} {word}" for word, number in each.items() if number) or "none"
 
 
 def campaigns() -> str:
     """Every recorded campaign of random scenes."""
     rows = []
     for record in campaigns_of(SCENES):
-        classes, refused = record["classes"], record["no_equilibrium"]
+        classes = record["classes"]
         wrong = record["bar"]["failures"] if "bar" in record else record["failures_total"]
         iterations = record["iterations_of_converged"]
         rows.append(
@@ -232,7 +243,7 @@ def campaigns() -> str:
                 record.get("envelope", "wild"),
                 str(record["seed"]),
                 *(f"{number:,}" for number in (record["count"], classes["converged"])),
-                f"{classes.get('no_equilibrium', 0):,} ({refused['proofs']:,} proofs)",
+                f"{classes.get('no_equilibrium', 0):,} ({strength(record)})",
                 *(f"{number:,}" for number in (classes.get("not_converged", 0), wrong)),
                 " / ".join(f"{iterations[key]:,}" for key in ("median", "99 %", "most")),
                 f"{max(record['largest'].values()):.0e}",
@@ -255,9 +266,10 @@ def recomputed() -> str:
             sum(number for how, number in ended.items() if how.startswith(status))
             for status in ("no_equilibrium", "not_converged")
         )
-        counts = record["count"], ended["converged"], refused, lost, len(record["wrong"])
+        wrong = len(record["wrong"])
         worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
-        rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *map("{:,}".format, counts), worst])
+        counts = (f"{record['count']:,}", f"{ended['converged']:,}", f"{refused:,} ({strength(record)})", f"{lost:,}")
+        rows.append([record["campaign"].replace("_", " "), str(record["seed"]), *counts, f"{wrong:,}", worst])
     headings = ["cases", "seed", "number", "converged", "no equilibrium", "not converged", "wrong", "largest"]
     return markdown(headings, rows)
 

@@ -32,7 +32,7 @@ from qsbearing.model.solution.friction_balance import ContactFriction, FrictionM
 from qsbearing.model.solution.friction_motion import friction_motion
 from tests.qsbearing.scenes import BOTH
 from tests.verification.campaign import friction
-from tests.verification.campaign.batches import Batch, run
+from tests.verification.campaign.batches import Batch, per_row, run
 from tests.verification.campaign.checks import Contacts, hertz_error
 from tests.verification.campaign.friction import AtContacts, Recomputed, of_both, recomputed
 
@@ -165,4 +165,4 @@ def contacts(found: FrictionMotion) -> Counter[int]:
 
 
 if __name__ == "__main__":
-    run("arched", batch, BATCH, __doc__)
+    run("arched", batch, BATCH, per_row(), __doc__)

@@ -1,6 +1,9 @@
 """Whether a case that is said to have no equilibrium has none: the reason given, checked without the solver's word.
 
-Certificates, tried in this order; what is a proof and what is evidence is counted apart.
+Certificates, tried in this order; what is a proof and what is evidence is counted apart. They know bearings whose rings
+have grown, whose balls are unequal and which a preload presses: a contact still presses the ring along its own angle,
+growth and deviations only move where contact begins, and a spring is a load. They do not know rings that bend, but for
+the first two, which hold whatever gives between the balls.
 
 unsupported direction (proof)
     A direction of the ring in the free channels along which the load works and no ball is ever pressed. Every loaded
@@ -46,14 +49,15 @@ from scipy.optimize import nnls
 
 import qsbearing as qs
 from qsbearing.model.operation import CHANNELS
-from tests.verification.campaign.checks import findings, tilt_lever
+from tests.verification.campaign.checks import findings, prescribed, tilt_lever
 from tests.verification.campaign.group import Group
 
 PROOFS = ("unsupported direction", "null motion", "open side, unique equilibrium")
 """The other kinds are evidence."""
 NONE = "none"
-NOT_ASKED = "not asked"
-"""Of scenes with preload, growth or unequal balls, which no certificate knows: their refusals are counted."""
+NOT_PROVED = "not proved"
+"""Of scenes with preload, growth or unequal balls for which none is found: their refusals are counted, and nothing says
+more for them than the solver's word."""
 
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
@@ -112,11 +116,9 @@ def forces_of_balls(scene: qs.Scene, first: float) -> NDArray:
 def free_load(scene: qs.Scene) -> tuple[list[int], NDArray]:
     """The free channels, and their loads with moments over dm/2."""
     arm = 0.5 * float(np.asarray(scene.bearing.pitch_diameter))
-    free = [c for c, channel in enumerate(CHANNELS) if getattr(scene.operation, channel.displacement) is None]
-    load = [float(np.asarray(getattr(scene.operation, CHANNELS[c].load) or 0.0)) for c in free]
-    return free, np.array(
-        [value / (arm if CHANNELS[c].is_rotation else 1.0) for c, value in zip(free, load, strict=True)]
-    )
+    given = [(c, load) for c, (load, _, is_held) in enumerate(prescribed(scene)) if not is_held]
+    load = [float(np.asarray(value or 0.0)) / (arm if CHANNELS[c].is_rotation else 1.0) for c, value in given]
+    return [c for c, _ in given], np.array(load)
 
 
 def friction_acts_on_ring(scene: qs.Scene) -> bool:
@@ -188,7 +190,9 @@ def certify(group: Group, solution: qs.Solution, index: NDArray) -> list[Certifi
             continue
         is_still = is_at_rest(group, int(k))
         is_whole = is_still or float(solution.speed_reached[k]) == 1.0
-        is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_still
+        # Where a rigid preload holds the ring, the solver alone says where.
+        is_placed = "rigid_N" not in group.more.get("preload", {})
+        is_unique = group.hertz_angle is not qs.HertzAngle.ACTUAL and is_still and is_placed
         for name, words in RESTRICTIONS.items():
             if not broken[name][k]:
                 continue

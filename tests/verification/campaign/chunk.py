@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
-from tests.verification.campaign.certificates import NONE, NOT_ASKED, Certificate, certify
+from tests.verification.campaign.certificates import NONE, NOT_PROVED, Certificate, certify
 from tests.verification.campaign.checks import MOST_IMBALANCE, Findings, findings
 from tests.verification.campaign.envelope import CHUNK, chunk_groups
 from tests.verification.campaign.group import GROUP, Group
@@ -190,7 +190,9 @@ def judge(group: Group) -> Judged:
     refused = np.flatnonzero(solution.status == qs.Status.NO_EQUILIBRIUM)
     certificates: list[Certificate] = []
     if refused.size:
-        certificates = [Certificate(NOT_ASKED)] * refused.size if group.more else certify(group, solution, refused)
+        certificates = certify(group, solution, refused)
+        if group.more:
+            certificates = [Certificate(NOT_PROVED) if each.kind == NONE else each for each in certificates]
     return solution, findings(scene, solution), dict(zip(map(int, refused), certificates, strict=True))
 
 

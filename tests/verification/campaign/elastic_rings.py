@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.effects.raceway_control import HYPOTHESES
-from tests.verification.campaign.batches import Batch, run
-from tests.verification.campaign.checks import findings
+from tests.verification.campaign.batches import Batch, per_row, run
+from tests.verification.campaign.certificates import NONE, NOT_PROVED, as_left, directional
+from tests.verification.campaign.checks import ANGLE_ROUNDING, findings
 from tests.verification.campaign.group import one_of
 
 HARMONICS = 24
@@ -146,9 +147,12 @@ def batch(rng: np.random.Generator, count: int = BATCH) -> Batch:
     speed = rng.uniform(0.0, 1e6, count) / (pitch / qs.mm) * qs.rpm if turns else 0.0
     effects = {"ball_effects": (qs.CentrifugalForce(),), "raceway_control": "outer"} if turns else {}
     scene = qs.Scene(bearing, qs.Operation(speed=speed, **loads), ring_effects=(qs.ElasticRings(**rings),), **effects)
-    s = qs.solve(scene)
-    good = np.asarray(s.converged)
-    ended = Counter(f"{status}: {reason}".removesuffix(": ") for status, reason in zip(s.status, s.reason, strict=True))
+    solved = qs.solve(scene)
+    good, refused = np.asarray(solved.converged), np.asarray(solved.status) == "no_equilibrium"
+    s = as_left(solved)  # refusals are recomputed where they were left
+    ended = Counter(
+        f"{status}: {reason}".removesuffix(": ") for status, reason in zip(solved.status, solved.reason, strict=True)
+    )
     q = {side: np.nan_to_num(getattr(s, side).load) for side in ("inner", "outer")}
     sine = {side: np.nan_to_num(getattr(s, side).sine) for side in ("inner", "outer")}
     cosine = {side: np.nan_to_num(getattr(s, side).cosine) for side in ("inner", "outer")}
@@ -219,16 +223,42 @@ def batch(rng: np.random.Generator, count: int = BATCH) -> Batch:
         int(k): f"{bearing_is} {thickness[:, k]}, load {heavy[k]:.4g}: {imbalance[k]:.1e}, {error[k]:.1e}"
         for k in np.flatnonzero(wrong)
     }
+    is_balanced = (imbalance <= TOLERANCE) & (error <= TOLERANCE)
+    is_broken = {
+        "open side, an equilibrium": (sine["inner"] < -ANGLE_ROUNDING) & (not is_symmetric),
+        "over the shoulder, an equilibrium": cosine["inner"] < -ANGLE_ROUNDING,
+    }
+    broken = {name: ((q["inner"] > 0.0) & bad).any(axis=1) & is_balanced for name, bad in is_broken.items()}
+    kinds = (
+        certificate(scene, int(k), [name for name, bad in broken.items() if bad[k]]) for k in np.flatnonzero(refused)
+    )
     return Batch(
         ended,
         told | (wrong_in_motion(rng, scene) if turns else {}),
-        [int(k) for k in np.flatnonzero(np.asarray(s.status) == "not_converged")],
+        [int(k) for k in np.flatnonzero(np.asarray(solved.status) == "not_converged")],
+        Counter(kinds),
         {
             "imbalance": float(np.max(imbalance, where=good, initial=0.0)),
             "error of the gives": float(np.max(error, where=good, initial=0.0)),
             "give over thickness": float(np.max(max_of(total) / thickness.min(axis=0), where=good, initial=0.0)),
         },
     )
+
+
+def certificate(scene: qs.Scene, k: int, broken: list[str]) -> str:
+    """Of a case that is refused: a direction (proof), or the restriction that an equilibrium breaks (evidence)."""
+    kind = directional(between_rigid_rings(scene, k)).kind
+    return kind if kind != NONE else next(iter(broken), NOT_PROVED)
+
+
+def between_rigid_rings(scene: qs.Scene, k: int) -> qs.Scene:
+    """One of these cases without rings that bend: its balls press along lines of the same directions, and these are all
+    that a certificate's direction knows."""
+    bearing, operation = (
+        replace(of, **{name: float(np.ravel(value)[k]) for name, value in vars(of).items() if np.size(value) > 1})
+        for of in (scene.bearing, scene.operation)
+    )
+    return replace(scene, bearing=bearing, operation=operation, ring_effects=())
 
 
 def wrong_in_motion(rng: np.random.Generator, scene: qs.Scene) -> dict[int, str]:
@@ -249,4 +279,4 @@ def max_of(values: NDArray) -> NDArray:
 
 
 if __name__ == "__main__":
-    run("elastic_rings", batch, BATCH, __doc__)
+    run("elastic_rings", batch, BATCH, per_row(), __doc__)

@@ -27,6 +27,12 @@ CHANCE = 0.05
 this share of samples (Poisson): it has ceil(count rate) or fewer in only half of them."""
 
 
+def allowed_of(count: int, rate: float) -> int:
+    """How many of so many cases may end as not converged."""
+    strict = ceil(count * rate)
+    return strict if count >= WHOLE else max(strict, int(poisson.ppf(1.0 - CHANCE, count * rate)))
+
+
 @dataclass(frozen=True)
 class Envelope:
     """How scenes are drawn, and the share of them that may end as not converged."""
@@ -34,19 +40,29 @@ class Envelope:
     draw_group: Callable[[np.random.Generator, int], Group]
     """From random numbers, and the group's number in the campaign."""
     rate: float
+    basis: str
+    """When the rate was set, and from what."""
     is_certified: bool = True
     """Whether each refusal needs a certificate, rather than each group a twin."""
 
     def allowed(self, count: int) -> int:
         """How many of so many scenes may end as not converged."""
-        strict = ceil(count * self.rate)
-        return strict if count >= WHOLE else max(strict, int(poisson.ppf(1.0 - CHANCE, count * self.rate)))
+        return allowed_of(count, self.rate)
 
 
 ENVELOPES = {
-    "wild": Envelope(wild.draw_group, rate=2e-4),
-    "realistic": Envelope(realistic.draw_group, rate=0.0),
-    "mounted": Envelope(mounted.draw_group, rate=3e-4, is_certified=False),
+    "wild": Envelope(wild.draw_group, rate=2e-4, basis="2026-11-23: the first million"),
+    "realistic": Envelope(
+        realistic.draw_group,
+        rate=0.0,
+        basis="2026-11-23: use, but for those named",
+    ),
+    "mounted": Envelope(
+        mounted.draw_group,
+        rate=3e-4,
+        basis="2026-11-24: the first runs",
+        is_certified=False,
+    ),
 }
 
 

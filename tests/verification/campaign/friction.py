@@ -38,7 +38,8 @@ from qsbearing.model.kernel.traction_balance import TOLERANCE
 from qsbearing.model.solution.friction_balance import ContactFriction, FrictionMotion
 from qsbearing.model.solution.friction_motion import friction_motion
 from tests.verification.campaign import realistic
-from tests.verification.campaign.batches import Batch, run
+from tests.verification.campaign.batches import Batch, per_row, run
+from tests.verification.campaign.certificates import NOT_PROVED
 from tests.verification.campaign.checks import CLOSURE, HERTZ, Contacts, hertz_error
 from tests.verification.campaign.group import Group, one_of
 
@@ -410,6 +411,7 @@ def merge(of: Batch, more: Batch, first: int) -> None:
     of.ended.update(more.ended)
     of.wrong |= {first + k: what for k, what in more.wrong.items()}
     of.not_converged += [first + k for k in more.not_converged]
+    of.refusals.update(more.refusals)
     for error, value in more.largest.items():
         of.largest[error] = max(of.largest.get(error, 0.0), value)
 
@@ -423,9 +425,10 @@ def judged(found: FrictionMotion, words: list[str], errors: dict[str, NDArray]) 
         for k in np.flatnonzero(converged & ~(each <= most)):
             of.wrong[int(k)] = f"{of.wrong.get(int(k), '')} {name} {each[k]:.1e}".strip()
         of.largest[name] = float(np.max(each, where=converged, initial=0.0))
+    of.refusals = Counter(NOT_PROVED for word in words if word.startswith("no_equilibrium"))
     of.not_converged = [k for k, word in enumerate(words) if word == UNEXPLAINED]
     return of
 
 
 if __name__ == "__main__":
-    run("friction", batch, BATCH, __doc__)
+    run("friction", batch, BATCH, per_row(), __doc__)

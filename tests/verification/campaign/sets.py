@@ -23,10 +23,11 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.verification.campaign import realistic
-from tests.verification.campaign.batches import Batch, of_sets, run
+from tests.verification.campaign.batches import Batch, of_sets, per_row, run
 from tests.verification.campaign.checks import MOST_IMBALANCE, findings, heat_strain, moved_by_heat
 from tests.verification.campaign.group import GROUP, one_of
 from tests.verification.campaign.mounted import of_one_ball_count, with_expansion
+from tests.verification.campaign.set_certificates import is_unsupported
 
 BATCH = 100
 ARRANGEMENTS = (("+x", "-x"), ("-x", "+x"), ("+x", "+x"), ("+x", "+x", "-x"), ("+x", "+x", "-x", "-x"))
@@ -133,8 +134,8 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
 def batch(rng: np.random.Generator) -> Batch:
     """How one call's sets ended."""
     solution = qs.solve_set(draw_sets(rng, BATCH))
-    return of_sets(solution, wrong_of(solution))
+    return of_sets(solution, wrong_of(solution), lambda k: is_unsupported(solution, k))
 
 
 if __name__ == "__main__":
-    run("sets", batch, BATCH, __doc__)
+    run("sets", batch, BATCH, per_row(2.6), __doc__)

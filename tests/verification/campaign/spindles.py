@@ -25,9 +25,10 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from tests.systems.sets import timoshenko
-from tests.verification.campaign.batches import Batch, of_sets, run
+from tests.verification.campaign.batches import Batch, of_sets, per_row, run
 from tests.verification.campaign.checks import standing_balls
 from tests.verification.campaign.group import GROUP
+from tests.verification.campaign.set_certificates import is_unsupported
 from tests.verification.campaign.sets import draw_sets
 
 BATCH = 100
@@ -187,8 +188,8 @@ def _misplaced(solution: qs.SetSolution, k: int) -> bool:
 def batch(rng: np.random.Generator) -> Batch:
     """How one call's spindles ended."""
     solution = qs.solve_set(draw_spindles(rng, BATCH))
-    return of_sets(solution, wrong_of(solution))
+    return of_sets(solution, wrong_of(solution), lambda k: is_unsupported(solution, k))
 
 
 if __name__ == "__main__":
-    run("spindles", batch, BATCH, __doc__)
+    run("spindles", batch, BATCH, per_row(2.6), __doc__)
