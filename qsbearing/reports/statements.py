@@ -253,6 +253,13 @@ STATEMENTS: tuple[Statement[SceneFacts], ...] = (
         lambda facts: facts.scene.ball_diameter_deviations is not None,
     ),
     Statement(
+        "Seats out of round: lobes turned with the load, one ball against its spring, a second solver.",
+        lambda facts: "To nine digits. No measurement",
+        "pytest tests/model/effects/test_seats_out_of_round.py",
+        lambda facts: [],
+        lambda facts: facts.scene.seats_out_of_round is not None,
+    ),
+    Statement(
         "Axial stiffness of preloaded pairs of spindle bearings, 15 to 25 degrees, as a maker's catalogue prints it.",
         lambda facts: (
             f"{_pairs['values']} values of {_pairs['bearings']} bearings: {plain(100 * _pairs['rms'], '.2g')} % rms, "
