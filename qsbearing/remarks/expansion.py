@@ -70,7 +70,7 @@ def _lobes(of: CaseRange) -> Iterator[Holding]:
     outer = 0.0 if operation.outer_speed is None else operation.outer_speed
     for side, speed in (("inner", operation.speed), ("outer", outer)):
         turns = of.cases(speed) != 0.0
-        yield turns & of.cases(seats.is_out_of_round_at(side), bool), remark(LOBES_TURN, raceways=(side,))
+        yield turns & of.cases(seats.is_out_of_round_at(side), bool), remark(LOBES_TURN, side)
 
 
 EXPANSION_FAR = Kind(

@@ -70,8 +70,8 @@ def _within(span: list[float]) -> str:
 
 
 def _equations(facts: SceneFacts) -> list[Difference]:
-    known = (*OF_BALLS, *(("unequal_balls",) if NUMBERS["reference"]["has_unequal_balls"] else ()))
-    return other_formulas(facts) + other_effects(facts, known)
+    in_some = tuple(name for name in ("unequal_balls", "seats_out_of_round") if NUMBERS["reference"][f"has_{name}"])
+    return other_formulas(facts) + other_effects(facts, (*OF_BALLS, *in_some))
 
 
 def _ellipticity(facts: SceneFacts) -> list[Difference]:

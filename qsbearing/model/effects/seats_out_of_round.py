@@ -93,13 +93,12 @@ class SeatsOutOfRound:
             if phase is not None:
                 errors += within(f"{self.name}.{crest}", phase, ANGLE, -2.0 * pi, 2.0 * pi)
             if phase is not None and size is None:
-                cause = Sentence(
-                    "Give {amplitude}, or leave the phase out", amplitude=Field(f"{self.name}.{amplitude}")
-                )
+                lacking = Field(f"{self.name}.{amplitude}")
+                cause = Sentence("Give {amplitude}, or leave the phase out", amplitude=lacking)
                 errors.append(ErrorDetail(f"{self.name}.{crest}", "is given without an amplitude", cause=cause))
         if all(each is None for each in vars(self).values()):
-            cause = "Give the amplitude of two or of three lobes of a ring, or leave the effect out"
-            errors.append(ErrorDetail(self.name, "has no amplitude", cause=cause))
+            needed = "Give the amplitude of two or of three lobes of a ring, or leave the effect out"
+            errors.append(ErrorDetail(self.name, "has no amplitude", cause=needed))
         raise_if_any(errors)
 
     def _of(self, names: tuple[str, str]) -> tuple[Any, Any]:
@@ -157,8 +156,8 @@ class SeatsOutOfRound:
         for lobes, side, names in _FORMS:
             size, phase = self._of(names)
             if size is not None:
-                given = (np.asarray(each, float)[..., None] for each in (size, 0.0 if phase is None else phase))
-                total = total + SIDES[side] * radial_form(lobes, *given, azimuth)
+                at, crest = (np.asarray(each, float)[..., None] for each in (size, 0.0 if phase is None else phase))
+                total = total + SIDES[side] * radial_form(lobes, at, crest, azimuth)
         return total
 
 
