@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.files import catalogue
 from qsbearing.files.scene_tables import input_tables
 from tests.qsbearing.mechanics import lobe, ring_load, stored_energy
 from tests.qsbearing.scenes import (
@@ -469,3 +471,36 @@ def test_a_micrometre_in_a_spindle_bearing_of_70_mm(load: float, least: float, m
     scene = resting(bearing, axial_load=load)
     change = solved(of(scene, **form("outer", 2, 1e-6))).inner.load / solved(scene).inner.load - 1.0
     assert least < np.abs(change).max() < most
+
+
+CHOICES = [
+    dict(zip(("hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "raceway_control"), each, strict=True))
+    for each in product(
+        qs.HertzAngle,
+        qs.HertzForm,
+        qs.TiltLever,
+        qs.OrbitRadius,
+        [each for each in qs.RacewayControl if each != "friction"],
+    )
+]
+
+
+@pytest.mark.parametrize("name", [entry.name for entry in catalogue.entries()])
+def test_every_choice_of_every_bearing_of_the_catalogue_knows_lobes(name: str) -> None:
+    """The same two ways, by a crest of the inner ring and by a valley of the outer one; and not as without any."""
+    bearing = qs.load_scene(name).bearing
+    load = 0.02 * float(np.asarray(bearing.ball_diameter) ** 2) * 1e9 / 16.0
+    at_speed = turning(3000, bearing, axial_load=load, radial_load_y=0.1 * load, **STRAIGHT)
+    for choices in CHOICES:
+        scene = replace(at_speed, **choices)
+        one, other, absent = (
+            solved(each)
+            for each in (
+                of(scene, **form("inner", 2, 1e-6, 0.3)),
+                of(scene, **form("outer", 2, 1e-6, 0.3 + 0.5 * np.pi)),
+                scene,
+            )
+        )
+        assert one.inner.load == pytest.approx(other.inner.load, rel=1e-8), choices
+        assert one.outer.angle == pytest.approx(other.outer.angle, rel=1e-8), choices
+        assert np.abs(one.inner.load - absent.inner.load).max() > 1e-3 * absent.inner.load.max(), choices
