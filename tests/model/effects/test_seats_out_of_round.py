@@ -330,6 +330,15 @@ def test_a_ring_that_lobes_wedge_has_a_place_without_load() -> None:
         assert "ring_unloaded" not in codes(wedged)
 
 
+@pytest.mark.parametrize("load", [0.0, 1e-9, 1e-3])
+def test_hardly_any_load_beside_what_lobes_press(load: float) -> None:
+    """What counts is the imbalance over the contacts' loads: over a nanonewton, rounding would never do."""
+    scene = of(resting(DEEP_GROOVE, radial_load_y=load, moment_z=0.0), **form("outer", 3, 6e-6, 0.2))
+    solution = solved(scene)
+    assert solution.inner.load.max() > 10.0
+    assert solution.iterations < 30
+
+
 def test_turning_lobes_are_told() -> None:
     """Those of the ring that turns, and no others."""
     for seats, rpm, outer_rpm, expected in (
