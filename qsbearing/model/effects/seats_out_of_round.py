@@ -180,7 +180,7 @@ def _errors(point: OperatingPoint) -> Errors:
 
 ENTRY = Entry(
     "seats_out_of_round",
-    "the seats' being out of round",
+    "the out-of-roundness of the seats",
     effect("ring_effects", SeatsOutOfRound),
     indicator=error_in("pressure", _errors, 2.0),
     errors=_errors,
