@@ -25,6 +25,7 @@ from qsbearing.model.effects import (
     MomentShares as MomentShares,
     RingExpansion as RingExpansion,
     RingState as RingState,
+    SeatsOutOfRound as SeatsOutOfRound,
 )
 from qsbearing.model.effects.hertz_angle import HertzAngle as HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius as OrbitRadius

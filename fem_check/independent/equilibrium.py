@@ -64,6 +64,8 @@ class BallRow:
     """Axially between the groove centres at the zero of the displacement [m]."""
     diameters: Array | None = None
     """Of unequal balls [m]."""
+    lobes: Array | None = None
+    """By how much farther out the inner groove stands at each ball than the outer one, of grooves out of round [m]."""
     over_hertz: tuple[float, float] = (1.0, 1.0)
     """Of the inner and the outer contacts' approaches: 1 for half-spaces."""
 
@@ -103,12 +105,13 @@ class BallRow:
     def groove_centres(self, moved: Array) -> Array:
         """From the outer to the inner groove's centre in each ball's plane [m]; shape (ball, 2)."""
         apart = self.drawing.inner_groove_centre_radius - self.drawing.outer_groove_centre_radius
-        return np.asarray(np.array([self.touching_offset, apart]) + self.by_ring @ moved)
+        round_ones = np.array([self.touching_offset, apart]) + self.by_ring @ moved
+        return np.asarray(round_ones if self.lobes is None else round_ones + np.outer(self.lobes, [0.0, 1.0]))
 
     def repeated(self, times: int) -> BallRow:
         """As many copies of the row, one after the other, to evaluate at several places at once."""
-        own = None if self.diameters is None else np.tile(self.diameters, times)
-        return replace(self, azimuth=np.tile(self.azimuth, times), diameters=own)
+        own, lobes = (None if each is None else np.tile(each, times) for each in (self.diameters, self.lobes))
+        return replace(self, azimuth=np.tile(self.azimuth, times), diameters=own, lobes=lobes)
 
     @cached_property
     def ball_radius(self) -> Array:

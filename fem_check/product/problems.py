@@ -109,7 +109,8 @@ def as_preloaded(scene: qsbearing.Scene, preload: qsbearing.Preload) -> qsbearin
     """The bearing at rest and at the reference temperature, with its fits where the preload is given mounted."""
     effects: list[Any] = []
     for effect in scene.ring_effects:
-        if isinstance(effect, qsbearing.BallDiameterDeviations):
+        is_kept = isinstance(effect, qsbearing.SeatsOutOfRound) and preload.mounted is not None
+        if is_kept or isinstance(effect, qsbearing.BallDiameterDeviations):
             effects.append(effect)
         elif isinstance(effect, qsbearing.RingExpansion) and preload.mounted is not None:
             effects.append(replace(effect, **COLD))
@@ -145,12 +146,26 @@ def row_of(scene: qsbearing.Scene, name: str) -> BallRow:
         outer_speed=_number(operation.outer_speed or 0.0) if turns else 0.0,
         touching_offset=drawing.touching_offset + sum(axial_growth(scene, name)),
     )
+    seats = scene.seats_out_of_round
+    if seats is not None:
+        row = replace(row, lobes=_ring_form(seats, "inner", row.azimuth) - _ring_form(seats, "outer", row.azimuth))
     deviations = scene.ball_diameter_deviations
     if deviations is None:
         return row
     # Deviations are those of cold balls, which grow alike.
     own = 1.0 + np.asarray(deviations.deviations, float).reshape(-1) / drawing.ball_diameter
     return replace(row, diameters=row.drawing.ball_diameter * own)
+
+
+def _ring_form(seats: qsbearing.SeatsOutOfRound, side: str, azimuth: Array) -> Array:
+    """By how much this ring's groove stands out at each ball [m]: the real part of a e^(i n (psi - phase))."""
+    form = np.zeros_like(azimuth)
+    for lobes, word in ((2, "two"), (3, "three")):
+        amplitude, phase = (getattr(seats, f"{side}_{word}_lobe_{what}") for what in ("amplitude", "phase"))
+        if amplitude is not None:
+            turned = np.exp(1j * lobes * (azimuth - _number(phase or 0.0)))
+            form = form + _number(amplitude) * turned.real
+    return form
 
 
 def _number(value: Any) -> float:

@@ -264,6 +264,8 @@ def beyond_thrust(solution: qsbearing.Solution) -> list[str]:
         carried.append(f"outer ring's speed {float(np.asarray(operation.outer_speed)) / qsbearing.rpm:.4g} rpm")
     if solution.scene.ball_diameter_deviations is not None:
         carried.append("unequal balls")
+    if solution.scene.seats_out_of_round is not None:
+        carried.append("seats out of round")
     return carried
 
 

@@ -138,7 +138,7 @@ def model(
         effects = (qsbearing.CentrifugalForce(),)
         if gyroscopic_moment:
             effects = (*effects, qsbearing.GyroscopicMoment())
-    left_out = (qsbearing.BallDiameterDeviations, qsbearing.ElasticRings)
+    left_out = (qsbearing.BallDiameterDeviations, qsbearing.ElasticRings, qsbearing.SeatsOutOfRound)
     ring_effects: tuple[Any, ...] = tuple(each for each in scene.ring_effects if not isinstance(each, left_out))
     if free_outer_ring:
         bearing = sector_bearing(scene_name)

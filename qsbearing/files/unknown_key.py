@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from qsbearing.files.file_keys import OTHER_TABLES, numbers, reading_tables, sections, set_numbers, thermal_numbers
 from qsbearing.files.keys import EFFECT_SECTIONS, MATERIAL, ON_SHAFT, SPECTRUM, Key, named
 from qsbearing.files.usual_words import is_preload, usual
+from qsbearing.model.effects.seats_out_of_round import LOBES, OTHER_LOBES, SeatsOutOfRound
 from qsbearing.model.validation import alike, question
 
 TITLES = ("name", "title")
@@ -45,6 +46,12 @@ def suggest(name: str, section: str, value: Any) -> Suggestion:
         return Suggestion(f"A scene is called after its file; {others}")
     if is_preload(name):
         return Suggestion(f"A preload has a table of its own: [preload], with one of {', '.join(_tables()['preload'])}")
+    if (
+        section == SeatsOutOfRound.name
+        and "lobe" in name
+        and not any(f"_{each}_lobe" in name for each in LOBES.values())
+    ):
+        return Suggestion(OTHER_LOBES)
     # Without its unit a name is its key's.
     stems = {key.field: key.name for key in _keys(section)}
     own = [stems[name]] if name in stems else alike(name, _tables().get(section, ()))

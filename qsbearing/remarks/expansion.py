@@ -1,4 +1,4 @@
-"""Remarks about expanded and elastic rings: wedged balls, fits lost, rings that yield or bend far, seats with gaps."""
+"""Remarks about the shape of rings: wedged balls, fits lost, rings that yield or bend far, seats with gaps or lobes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from qsbearing.model.material import Material, expansion_holds, is_own_expansion
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import MPa, um, zero_celsius
 from qsbearing.remarks.case_range import CaseRange, Subject
-from qsbearing.remarks.kinds import CHECK, SEE_HEAT, SEE_RINGS, WRONG, Kind
+from qsbearing.remarks.kinds import CHECK, NOTE, SEE_HEAT, SEE_RINGS, SEE_ROUND, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remark, remark
 from qsbearing.remarks.wording import listed
 
@@ -39,6 +39,38 @@ def _wedged(of: CaseRange) -> Iterator[Holding]:
     before = of.cases(scene.bearing.diametral_clearance)
     yield (wedged < 0.0) & (before >= 0.0), lambda i: remark(BALLS_WEDGED, interference_um=-wedged[i])
     yield (wedged < 0.0) & (before < 0.0), lambda i: remark(CLEARANCE_NEGATIVE, interference_um=-wedged[i])
+
+
+LOBES_WEDGE = Kind(
+    "lobes_wedge", CHECK, SEE_ROUND,
+    "The lobes of the seats bring the raceways up to {nearer_um:.4g} µm nearer at a ball, more than the radial "
+    "clearance of {clearance_um:.4g} µm: balls are wedged between rings that stand centred.",
+)  # fmt: skip
+LOBES_TURN = Kind(
+    "lobes_turn", NOTE, SEE_ROUND,
+    "The lobes of {raceways:the} ring turn with it: the results are of the instant at which the phases are as given "
+    "and the first ball is at its azimuth.",
+)  # fmt: skip
+
+
+@EXPANSION.tells
+def _lobes(of: CaseRange) -> Iterator[Holding]:
+    """Of seats out of round: what they leave of the clearance, and which of them turn."""
+    solution, seats = of.solution, of.solution.scene.seats_out_of_round
+    if seats is None:
+        return
+    nearer = of.rows(seats.apart(solution.azimuth)).max(axis=-1)
+    room = 0.5 * of.cases(solution.scene.operating_bearing.diametral_clearance)
+
+    def wedged(i: int) -> Remark:
+        return remark(LOBES_WEDGE, nearer_um=nearer[i] / um, clearance_um=room[i] / um)
+
+    yield (nearer > room) & (room >= 0.0), wedged
+    operation = solution.scene.operation
+    outer = 0.0 if operation.outer_speed is None else operation.outer_speed
+    for side, speed in (("inner", operation.speed), ("outer", outer)):
+        turns = of.cases(speed) != 0.0
+        yield turns & of.cases(seats.is_out_of_round_at(side), bool), remark(LOBES_TURN, side)
 
 
 EXPANSION_FAR = Kind(

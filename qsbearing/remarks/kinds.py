@@ -50,7 +50,7 @@ BESIDE = ("who", "raceways", "balls", "field")
 """What sentences have beside the values of a remark."""
 SEE_STATUSES, SEE_HEAT = "how_to#meaning-of-each-status", "how_to#heat-fits-and-rotation"
 SEE_HYPOTHESES, SEE_AXIS, SEE_CHOICES = "limits#hypotheses", "ball_axis", "readings#choices-that-change-the-numbers"
-SEE_PRELOAD, SEE_RINGS = "sets#preload", "elastic_rings"
+SEE_PRELOAD, SEE_RINGS, SEE_ROUND = "sets#preload", "elastic_rings", "how_to#seats-out-of-round"
 
 
 @dataclass(frozen=True)

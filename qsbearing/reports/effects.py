@@ -35,7 +35,7 @@ OF_SHAFTS = (
 RIGID = "Ball loads deform the contacts only, not the rings or their seats: Hertz's ellipses in round grooves."
 GROWN = "Rings change their size as round rings do, with the rotation, fits and heat that the input names."
 NOT_GROWN = "Rings keep the size that they have at rest and cold: rotation, fits and heat do not change it."
-EXACT = "The geometry is exact: {balls}, evenly spaced, grooves round and true."
+EXACT = "The geometry is exact: {balls}, evenly spaced, {grooves}."
 FREE_ANGLE = "Hertz's constants are those of the free contact angle, for every ball."
 ROLLING = {
     RacewayControl.OUTER: "Every ball rolls without spin on the outer raceway (outer control, a hypothesis).",
@@ -65,7 +65,11 @@ def assumptions(scene: Scene) -> list[str]:
     """What the solution of this scene rests on, in sentences."""
     said = [STEADY, RIGID, NOT_GROWN if scene.ring_expansion is None else GROWN]
     alike = scene.ball_diameter_deviations is None
-    said.append(EXACT.format(balls="all balls alike" if alike else "balls of the diameters in the input"))
+    balls = "all balls alike" if alike else "balls of the diameters in the input"
+    is_round = scene.seats_out_of_round is None
+    said.append(
+        EXACT.format(balls=balls, grooves="grooves round and true" if is_round else "grooves with the given lobes")
+    )
     if scene.hertz_angle is HertzAngle.FREE:
         said.append(FREE_ANGLE)
     if scene.raceway_control is not None:

@@ -70,8 +70,8 @@ def _within(span: list[float]) -> str:
 
 
 def _equations(facts: SceneFacts) -> list[Difference]:
-    known = (*OF_BALLS, *(("unequal_balls",) if NUMBERS["reference"]["has_unequal_balls"] else ()))
-    return other_formulas(facts) + other_effects(facts, known)
+    in_some = tuple(name for name in ("unequal_balls", "seats_out_of_round") if NUMBERS["reference"][f"has_{name}"])
+    return other_formulas(facts) + other_effects(facts, (*OF_BALLS, *in_some))
 
 
 def _ellipticity(facts: SceneFacts) -> list[Difference]:
@@ -251,6 +251,13 @@ STATEMENTS: tuple[Statement[SceneFacts], ...] = (
         "pytest tests/model/effects/test_unequal_balls.py",
         lambda facts: [],
         lambda facts: facts.scene.ball_diameter_deviations is not None,
+    ),
+    Statement(
+        "Seats out of round: lobes turned with the load, one ball against its spring, a second solver.",
+        lambda facts: "To nine digits. No measurement",
+        "pytest tests/model/effects/test_seats_out_of_round.py",
+        lambda facts: [],
+        lambda facts: facts.scene.seats_out_of_round is not None,
     ),
     Statement(
         "Axial stiffness of preloaded pairs of spindle bearings, 15 to 25 degrees, as a maker's catalogue prints it.",

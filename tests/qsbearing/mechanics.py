@@ -41,6 +41,17 @@ def ball_diameters(solution: qs.Solution, operating: bool = True) -> NDArray:
     return float(np.asarray(bearing.ball_diameter)) * (1.0 + relative)
 
 
+def lobe(solution: qs.Solution) -> NDArray:
+    """By how much seats out of round bring the grooves nearer at each ball (ball), by complex numbers."""
+    seats, total = solution.scene.seats_out_of_round, np.zeros(len(solution.azimuth), complex)
+    if seats is not None:
+        for ring, sense in (("inner", 1.0), ("outer", -1.0)):
+            for number, word in ((2, "two"), (3, "three")):
+                size, phase = (getattr(seats, f"{ring}_{word}_lobe_{what}") for what in ("amplitude", "phase"))
+                total = total + sense * (size or 0.0) * np.exp(1j * number * (solution.azimuth - (phase or 0.0)))
+    return total.real
+
+
 def vectors(solution: qs.Solution) -> Vectors:
     """The contacts of a single case: normals from the angles, forces from the loads, friction from the moments."""
     psi = solution.azimuth

@@ -195,6 +195,44 @@ def unequal_scenes() -> dict[str, qs.Scene]:
     }
 
 
+def lobes(size: float = 1e-6) -> qs.SeatsOutOfRound:
+    """Two and three lobes of both rings, none of which points at another's crest."""
+    return qs.SeatsOutOfRound(
+        inner_two_lobe_amplitude=0.8 * size,
+        inner_two_lobe_phase=0.4,
+        inner_three_lobe_amplitude=0.5 * size,
+        inner_three_lobe_phase=-1.2,
+        outer_two_lobe_amplitude=1.7 * size,
+        outer_two_lobe_phase=1.8,
+        outer_three_lobe_amplitude=1.1 * size,
+        outer_three_lobe_phase=0.7,
+    )
+
+
+def lobed_scenes() -> dict[str, qs.Scene]:
+    """Scenes with seats out of round, one for every way in which the equations do."""
+    five = {"axial_load": 12e3, "radial_load_y": 3e3, "radial_load_z": -1.5e3, "moment_y": 40.0, "moment_z": -60.0}
+    groove = {"axial_load": 150.0, "radial_load_y": 400.0, "radial_load_z": 100.0, "moment_y": 3.0, "moment_z": -8.0}
+    hot = 60.0 + qs.zero_celsius
+    seats = (lobes(),)
+    rings = qs.RingExpansion(90 * qs.mm, 160 * qs.mm, shaft_interference=25 * qs.um, inner_ring_temperature=hot)
+    return {
+        "lobes at rest": replace(resting(**five), ring_effects=seats),
+        "lobes under thrust": replace(turning(8000, axial_load=12e3), ring_effects=seats),
+        "lobes, actual angle": replace(turning(8000, hertz_angle="actual", **five), ring_effects=seats),
+        "lobes, inner control": replace(turning(5000, control=INNER, effects=BOTH_HARRIS, **five), ring_effects=seats),
+        "lobes, unequal balls, hot": replace(
+            turning(8000, **five), ring_effects=(*seats, unequal_balls(), qs.BallExpansion(hot))
+        ),
+        "lobes without clearance": replace(turning(15000, DEEP_GROOVE, **groove), ring_effects=seats),
+        "lobes, grown rings, rigid preload": replace(
+            turning(6000, radial_load_y=2e3, radial_load_z=0.0, moment_y=0.0, moment_z=0.0),
+            ring_effects=(rings, *seats),
+            preload=qs.Preload(mounted=2e3),
+        ),
+    }
+
+
 def names_of(scenes: dict[str, qs.Scene], *, but: Iterable[str] = ()) -> list[str]:
     """Names to parametrise over."""
     return [name for name in scenes if name not in set(but)]

@@ -25,7 +25,8 @@ BUDGETS = {
     # 250 more: moments of a ring on balls that friction moves, whose balance is read off only where somebody asks.
     # 250 more: words of parts, such as a gear's hand, and power as inputs.
     # 1,250 more: four-point bearings: shims and their checks, statics and friction over four arcs, results of each.
-    "model": 19000,
+    # 250 more: seats out of round, their form by ring, and the errors that they share with unequal balls.
+    "model": 19250,
     # Loads on rigid shafts, weight, cones and seats out of line took 240 lines here.
     # 250 more: sets with gaps, loads on the shaft alone, temperatures of the balls in heat balances.
     # 250 more: results of shaft, supports and heat as groups, remarks of sets beside sets.

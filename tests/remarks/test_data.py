@@ -58,6 +58,7 @@ from tests.qsbearing.scenes import (
     SPINDLE,
     UPRIGHT,
     grown_scenes,
+    lobes,
     resting,
     rubbing,
     turning,
@@ -176,6 +177,7 @@ def of_solutions() -> Iterator[Any]:
         qs.Scene(B218, pressed, ring_effects=(thin,)),
         qs.Scene(B218, pressed, ring_effects=(qs.RingExpansion(90 * qs.mm, 160 * qs.mm, inner_ring_temperature=20.0),)),
         next(scene for name, scene in grown_scenes().items() if name.startswith("wedged")),
+        replace(turning(3000, DEEP_GROOVE, axial_load=500.0), ring_effects=(lobes(),)),
         qs.Scene(tight, qs.Operation(axial_load=0.0), ring_effects=(qs.RingExpansion(25 * qs.mm, 52 * qs.mm),)),
     ))  # fmt: skip
     shallow = replace(QJ, inner_shim=1 * qs.um, outer_shim=1 * qs.um)

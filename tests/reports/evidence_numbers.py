@@ -46,8 +46,11 @@ def reference() -> dict[str, Any]:
     record = read("tests/verification/reference/table.json")
     cases = record["cases"]
     worst = largest(case[name] for case in cases for name in ("loads", "angles", "displacements", "stiffness"))
-    unequal = any("unequal" in case["case"] for case in cases)
-    return {"scenes": len(cases), "largest": order(worst), "has_unequal_balls": unequal}
+    known = {
+        effect: any(word in case["case"] for case in cases)
+        for effect, word in (("unequal_balls", "unequal"), ("seats_out_of_round", "seats"))
+    }
+    return {"scenes": len(cases), "largest": order(worst), **{f"has_{name}": there for name, there in known.items()}}
 
 
 def hertz_formula() -> dict[str, Any]:

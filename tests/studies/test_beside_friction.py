@@ -63,7 +63,7 @@ def test_a_remark_says_what_bending_rings_change_under_outer_control(load: dict[
 def test_explain_says_so_and_gives_no_line_that_is_refused() -> None:
     of = scene(**RADIAL)
     rows = {each.effect: each for each in explain(of, 0.01)[1]}
-    unknown = {"elastic_rings", "hertz_angle", "orbit_radius", "unequal_balls"}
+    unknown = {"elastic_rings", "hertz_angle", "orbit_radius", "seats_out_of_round", "unequal_balls"}
     assert {name for name, each in rows.items() if each.under_control} == unknown
     for name in unknown:
         assert rows[name].under_control == "outer" and not rows[name].add and not rows[name].needs
@@ -94,6 +94,7 @@ def test_what_is_refused_beside_friction_is_what_is_said_not_to_go_with_it() -> 
     unknown = {each.name for each in EFFECTS if is_unknown_to_friction(each, solution)}
     made = {
         "unequal_balls": {"ring_effects": (qs.BallDiameterDeviations(np.full(16, 1e-6)),)},
+        "seats_out_of_round": {"ring_effects": (qs.SeatsOutOfRound(outer_two_lobe_amplitude=1e-6),)},
         "elastic_rings": {"ring_effects": ELASTIC_RINGS.assume(outer, [solution.operating_point])[0].of.ring_effects},
         "hertz_angle": {"hertz_angle": "actual"},
         "orbit_radius": {"orbit_radius": "displaced"},

@@ -24,6 +24,7 @@ from qsbearing.model.effects.entry import QUANTITIES, Entry
 from qsbearing.model.effects.gyroscopic_moment import GyroscopicMoment, MomentShares
 from qsbearing.model.effects.operating_point import OperatingPoint
 from qsbearing.model.effects.ring_expansion import RingExpansion, RingState
+from qsbearing.model.effects.seats_out_of_round import SeatsOutOfRound
 from qsbearing.model.effects.unequal_balls import BallDiameterDeviations
 
 _FILES = (
@@ -33,6 +34,7 @@ _FILES = (
     "ball_expansion",
     "elastic_rings",
     "unequal_balls",
+    "seats_out_of_round",
     "centrifugal_force",
     "gyroscopic_moment",
     "moment_shares",
@@ -46,7 +48,7 @@ _FILES = (
 EFFECTS: tuple[Entry, ...] = tuple(import_module(f"qsbearing.model.effects.{name}").ENTRY for name in _FILES)
 
 BallEffect = CentrifugalForce | GyroscopicMoment
-RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations | ElasticRings
+RingEffect = RingExpansion | BallExpansion | BallDiameterDeviations | ElasticRings | SeatsOutOfRound
 """The effects of this list that type checkers know."""
 
 
@@ -80,6 +82,7 @@ __all__ = [
     "RingEffect",
     "RingExpansion",
     "RingState",
+    "SeatsOutOfRound",
     "as_fitted",
     "as_made",
     "types_in",

@@ -37,13 +37,17 @@ FAR_MORE_THAN_LOAD = 1e6
 
 
 @kernel
-def is_unloaded(case: recarray) -> bool:
-    """No load and no displacement anywhere, nor rings that wedge the balls."""
+def is_unloaded(case: recarray, work: recarray, balls: ndarray) -> bool:
+    """No load and no displacement anywhere, nor rings that wedge the balls, all or some of them."""
     if case.interference > 0.0:
         return False
     for i in range(5):
         if case.prescribed[i] != 0.0 or case.displacement_given[i]:
             return False
+    if case.unequal_balls or case.out_of_round:
+        for n in range(work.ball_count):
+            if balls[n].inner_approach > POSITION_ROUNDING:
+                return False
     return True
 
 

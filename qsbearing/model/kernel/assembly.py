@@ -97,8 +97,8 @@ def assemble(case: recarray, work: recarray, balls: ndarray) -> tuple[float, flo
     Returns:
         (residual, the largest of each ball or channel beside its own load). The residual is the largest imbalance over
         the largest force: applied, inertial, or of a contact where a displacement is prescribed or balls are wedged
-        or unequal, since then contacts make the reaction. It is infinite where something is not a number, and where no
-        force at all acts at speed: a root of the equations where no ball orbits.
+        or unequal, or grooves out of round, since then contacts make the reaction. It is infinite where something is
+        not a number, and where no force at all acts at speed: a root of the equations where no ball orbits.
     """
     worst, worst_own, total, inertial, contact = assemble_balls(case, work, balls)
     return assembled_residual(case, work, worst, worst_own, total, inertial, contact)
@@ -125,7 +125,7 @@ def assembled_residual(
         largest_force = least
         if worst <= least:
             worst = 0.0
-    if any_displacement_given(case) or case.interference > 0.0 or case.unequal_balls:
+    if any_displacement_given(case) or case.interference > 0.0 or case.unequal_balls or case.out_of_round:
         largest_force = max(largest_force, contact)
     work.largest_force = largest_force
     work.regularisation = least_stiffness(case, largest_force)

@@ -1,4 +1,7 @@
-"""The size of each ball: its diameter in the case's unit, the bearing's ball diameter, and what follows from it."""
+"""The size of each ball: its diameter in the case's unit, the bearing's ball diameter, and what follows from it.
+
+Beside it stands the lobe of grooves out of round.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +12,16 @@ from qsbearing.model.kernel.case import BALL_INERTIA, BALL_MASS
 
 
 @kernel
-def set_diameters(case: recarray, count: int, balls: ndarray, own: ndarray) -> None:
-    """Give every ball its diameter, and unequal ones their contacts' stiffness."""
+def set_sizes(case: recarray, count: int, balls: ndarray, own: ndarray) -> None:
+    """Give every ball its diameter, unequal ones their contacts' stiffness; the lobe of grooves out of round."""
     for n in range(count):
         ball = balls[n]
         ball.diameter = 1.0
         if case.unequal_balls:
             ball.diameter = own[n].diameter
             ball.inner_stiffness, ball.outer_stiffness = own[n].inner_stiffness, own[n].outer_stiffness
+        if case.out_of_round:
+            ball.lobe = own[n].lobe
 
 
 @inlined

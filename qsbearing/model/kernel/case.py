@@ -26,6 +26,7 @@ CASE = record(
     ("cos_free", np.float64),
     ("unequal_balls", np.bool_),  # each has a diameter of its own
     ("elastic_rings", np.bool_),  # grooves part under the balls' loads
+    ("out_of_round", np.bool_),  # grooves stand nearer at some azimuths than at others, before any load
     ("interference", np.float64),  # how much less room, radially, the grooves leave than the balls need
     ("tilt_lever", np.float64),
     ("hertz_cosine", np.float64),  # of the angle at which curvatures are taken, where it is not each ball's own
@@ -62,8 +63,12 @@ OWN_BALL = record(
     ("outer_stiffness", np.float64),
     ("outer_compliance", np.float64),  # of elastic rings, for the harmonic of the ball's number
     ("inner_compliance", np.float64),
+    (
+        "lobe",
+        np.float64,
+    ),  # of grooves out of round: by how much farther the inner one stands out there than the outer one
 )
-"""One ball of a case with unequal balls; one harmonic of a case with elastic rings."""
+"""One ball of a case with unequal balls or grooves out of round; one harmonic of a case with elastic rings."""
 
 RESULT = record(
     ("displacement", np.float64, (5,)),  # of the ring; at first the start, where one is given

@@ -177,7 +177,7 @@ def solve_by_fallback(case: recarray, work: recarray, balls: ndarray, tolerance:
                 outcome = REFUSED
             elif not is_far(work):
                 work.speed_factor, work.residual = 1.0, residual
-    notes = remarks(case, outcome)
+    notes = remarks(case, work, balls, outcome)
     if outcome >= CONTRADICTED:
         return CONVERGED, notes
     if outcome == REFUSED:

@@ -64,12 +64,12 @@ BALL_LANES = record(
 
 _CHOICES = (
     "centrifugal", "gyroscopic", "shares", "form", "actual_angle", "displaced_orbit", "unequal_balls", "elastic_rings",
-    "common_motion", "common_orbit", "common_radial_rotation",
+    "out_of_round", "common_motion", "common_orbit", "common_radial_rotation",
 )  # fmt: skip
 _Case = _tuple_of("_Case", *_OF_CASE, *_CHOICES)
 _Work = _tuple_of("_Work", "speed_factor", "friction_bound", "regularisation")
 _EQUAL = ("diameter", "control", "cosine", "sine", "inner_spin", "outer_spin", "inner_stiffness", "outer_stiffness")
-_Ball = _tuple_of("_Ball", *_EQUAL, "deflection", *_OF_BALL)
+_Ball = _tuple_of("_Ball", *_EQUAL, "deflection", "lobe", *_OF_BALL)
 
 
 @inlined
@@ -80,7 +80,7 @@ def case_in(ring: recarray, lane: int, gyroscopic: bool = True, shares: int = 0)
         ring.pitch_diameter[lane], ring.inner_coefficient[lane], ring.outer_coefficient[lane], ring.sin_free[lane],
         ring.cos_free[lane], ring.interference[lane], ring.tilt_lever[lane], ring.inner_stiffness[lane],
         ring.outer_stiffness[lane], ring.series_stiffness[lane], ring.inner_speed[lane], ring.outer_speed[lane],
-        True, gyroscopic, shares, 0, False, False, False, False, False, 0.0, 0.0,
+        True, gyroscopic, shares, 0, False, False, False, False, False, False, 0.0, 0.0,
     )  # fmt: skip
 
 
@@ -98,7 +98,7 @@ def ball_in(
     """A lane's ball, at this azimuth (which, read from the record in a loop over lanes, would forbid to pack it); its
     control and spin constants matter to `evaluated` alone."""
     return _Ball(
-        1.0, control, cosine, sine, inner_spin, outer_spin, 0.0, 0.0, 0.0,
+        1.0, control, cosine, sine, inner_spin, outer_spin, 0.0, 0.0, 0.0, 0.0,
         ball.outer_sine[lane], ball.outer_cosine[lane], ball.outer_approach[lane],
         ball.inner_sine[lane], ball.inner_cosine[lane], ball.inner_approach[lane],
         ball.outer_inverse[lane], ball.inner_inverse[lane], ball.closure1[lane], ball.closure2[lane],

@@ -57,7 +57,7 @@ from qsbearing.model.kernel.workspace import FOUND, GIVEN
 
 NONE = -1
 """In place of the number of a lane's case."""
-LEFT_OUT = ("displaced_orbit", "common_motion", "actual_angle", "unequal_balls", "elastic_rings")
+LEFT_OUT = ("displaced_orbit", "common_motion", "actual_angle", "unequal_balls", "elastic_rings", "out_of_round")
 """What of a case lanes do not know."""
 WAITING = 4
 """A case's code before it has entered a lane."""

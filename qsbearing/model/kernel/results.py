@@ -13,7 +13,7 @@ from qsbearing.model.contact.hertz import INNER_SIDE, OUTER_SIDE
 from qsbearing.model.kernel.admissibility import CONVERGED
 from qsbearing.model.kernel.ball import evaluate_ball
 from qsbearing.model.kernel.ball_inertia import axis_where_it_is, friction_asked, inertia_of, is_moving, is_rolled
-from qsbearing.model.kernel.ball_size import set_diameters
+from qsbearing.model.kernel.ball_size import set_sizes
 from qsbearing.model.kernel.contact_line import contact_load
 from qsbearing.model.kernel.kinematics import orbital_speed, rolling_terms, rotation_per_axis_length
 from qsbearing.model.kernel.loop_closure import close_loaded, load_position
@@ -48,7 +48,7 @@ LEAST_STIFFNESS = 1e-30
 def set_full_scale(case: recarray, work: recarray, balls: ndarray, own: ndarray) -> None:
     """The case as it was asked for: all loads and speeds, its own bound on friction and balls."""
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, case.friction_coefficient
-    set_diameters(case, case.ball_count, balls, own)
+    set_sizes(case, case.ball_count, balls, own)
     set_spin_constants(case, case.ball_count, balls)
     work.regularisation = LEAST_STIFFNESS * case.series_stiffness
     if case.elastic_rings:

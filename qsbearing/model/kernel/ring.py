@@ -51,17 +51,16 @@ def find_distinct_balls(case: recarray, work: recarray, balls: ndarray) -> None:
 
     Pure thrust: all balls are equal and one stands for them. Loads in the x-y or the x-z plane: mirror images are
     equal, and what points out of the plane vanishes. A zero load and a zero displacement are equally symmetric. Balls
-    of unequal diameters are all solved.
+    of unequal diameters, or between grooves out of round, are all solved.
     """
     count = case.ball_count
+    differ = case.unequal_balls or case.out_of_round
     prescribed = case.prescribed
     in_xy = prescribed[2] == 0.0 and prescribed[3] == 0.0
     in_xz = prescribed[1] == 0.0 and prescribed[4] == 0.0
-    is_thrust = (
-        in_xy and in_xz and count >= 2 and not case.unequal_balls
-    )  # two equal balls balance in every channel; one does not
+    is_thrust = in_xy and in_xz and count >= 2 and not differ  # two equal balls balance in every channel; one does not
     mirror = -1
-    if case.unequal_balls:
+    if differ:
         mirror = -1
     elif not is_thrust and in_xy:
         mirror = _mirror_sum(case, 0.0)
@@ -127,13 +126,15 @@ def couple_channels(case: recarray, work: recarray, balls: ndarray) -> None:
 def inner_groove_centre(case: recarray, displacement: Vector, ball: recarray) -> tuple[float, float]:
     """A ball's inner groove centre at this displacement of the ring, from where the ball touches at the free angle.
 
-    Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4). Elastic
-    rings deflect.
+    Where the rings wedge the balls they cannot touch without load: there the interference adds to (19.4), and so does
+    the lobe of grooves out of round (`effects.seats_out_of_round`). Elastic rings deflect.
     """
     a1, a2 = inner_groove_step(case, displacement, ball.cosine, ball.sine)
     a2 += case.interference
     if case.elastic_rings:
         a2 -= ball.deflection
+    if case.out_of_round:
+        a2 += ball.lobe
     if case.unequal_balls:
         return from_own_touching(a1, a2, ball.diameter - 1.0, case.sin_free, case.cos_free)
     return a1, a2

@@ -28,7 +28,7 @@ from qsbearing.model.kernel.admissibility import (
 from qsbearing.model.kernel.assembly import REGULARISATION, any_displacement_given, close_loops
 from qsbearing.model.kernel.ball import evaluate_ball
 from qsbearing.model.kernel.ball_inertia import control_of, is_carried_round, is_moving
-from qsbearing.model.kernel.ball_size import set_diameters
+from qsbearing.model.kernel.ball_size import set_sizes
 from qsbearing.model.kernel.initial_guess import (
     guess_closed_form,
     guess_from_rest,
@@ -84,7 +84,7 @@ def prepare(
     """Choose balls and channels to solve, and put ring and balls at the start given, if one is."""
     set_azimuths(case, work, balls)
     find_distinct_balls(case, work, balls)
-    set_diameters(case, work.ball_count, balls, own)
+    set_sizes(case, work.ball_count, balls, own)
     if case.elastic_rings:
         set_compliances(case, work, own)
     work.load_factor, work.speed_factor, work.friction_bound = 1.0, 1.0, NO_BOUND
@@ -237,9 +237,9 @@ def search_at_speed(case: recarray, work: recarray, balls: ndarray, tolerance: f
 
 
 @kernel
-def remarks(case: recarray, outcome: int) -> int:
+def remarks(case: recarray, work: recarray, balls: ndarray, outcome: int) -> int:
     """What is to be said of a case that converged, as bits."""
-    bits = UNLOADED_RING if is_unloaded(case) else 0
+    bits = UNLOADED_RING if is_unloaded(case, work, balls) else 0
     return bits | NO_CONSISTENT_CONTROL if outcome == CONTRADICTED else bits
 
 
@@ -293,7 +293,7 @@ def deliver_solved(
 ) -> None:
     """Write the equilibrium found, and what there is to say of it."""
     result.iterations, result.residual, result.reached = work.iterations, work.residual, 1.0
-    result.notes, result.status = remarks(case, outcome), CONVERGED
+    result.notes, result.status = remarks(case, work, balls, outcome), CONVERGED
     deliver(case, work, balls, result, position, control)
 
 
@@ -323,9 +323,10 @@ def solve_cases(
     """Solve cases one by one, each on its own: no case sees another's state, so any split over threads agrees.
 
     results (case), positions (case, ball, 3) and controls (case, ball) hold the start if is_warm, and the result in the
-    case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls, and is empty where
-    there are none. A case that has taken `budget` iterations is not taken further. An unfinished case keeps its start
-    or, noted as NO_ORBIT, holds an equilibrium in which balls stand. Returns how many are unfinished.
+    case's units. workspaces (1) and balls are working memory; own (case, ball) tells unequal balls and lobes, and
+    is empty where there are none. A case that has taken `budget` iterations is not taken further. An unfinished
+    case keeps its start or, noted as NO_ORBIT, holds an equilibrium in which balls stand. Returns how many are
+    unfinished.
     """
     work = workspaces[0]
     work.budget = budget

@@ -132,7 +132,7 @@ def put_at_azimuth(case: recarray, ball: recarray, j: int) -> None:
     """Make a ball that of this number."""
     azimuth = case.first_azimuth + 2.0 * pi * j / case.ball_count
     ball.cosine, ball.sine = cos(azimuth), sin(azimuth)
-    ball.diameter, ball.deflection = 1.0, 0.0
+    ball.diameter, ball.deflection, ball.lobe = 1.0, 0.0, 0.0
     for k in range(6):
         ball.rate[k] = 0.0
 

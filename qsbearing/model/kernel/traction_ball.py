@@ -61,8 +61,9 @@ RING_FORCES = 4  # axial, radial, along y, torque
 MOVED_BALL = record(
     ("cosine", np.float64),  # of its azimuth
     ("sine", np.float64),
-    ("diameter", np.float64),  # as that of balls elsewhere: 1, and no deflection
+    ("diameter", np.float64),  # as that of balls elsewhere: 1, and no deflection nor lobe
     ("deflection", np.float64),
+    ("lobe", np.float64),
     ("unknown", np.float64, (6,)),
     ("rate", np.float64, (6,)),  # of wx, wy, wz and omega_m along the orbit
     ("before", np.float64, (6,)),

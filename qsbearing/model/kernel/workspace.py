@@ -77,6 +77,7 @@ BALL = record(
     # Elastic rings: by how much their grooves part at it, radially, and the step of that; its radial force on the outer
     # ring, likewise condensed, and the stiffness of that.
     ("deflection", np.float64),
+    ("lobe", np.float64),  # where grooves are out of round
     ("deflection_step", np.float64),
     ("outer_force", np.float64),
     ("outer_condensed", np.float64),
@@ -147,6 +148,6 @@ working_memory = Memory(WORKSPACE, BALL)
 """(workspace, balls) for bearings of up to this many balls."""
 
 GIVEN = array_of(CASE), *working_memory.kinds, array_of(OWN_BALL, 2)
-"""The kinds of what the kernel is given of cases: their records, working memory, unequal balls (case, ball)."""
+"""The kinds of what the kernel is given of cases: their records, working memory, `OWN_BALL` (case, ball)."""
 FOUND = array_of(RESULT), array_of(float, 3), array_of(np.int8, 2)
 """Of what it finds: results, positions (case, ball, 3 or 4), controls (case, ball)."""

@@ -79,7 +79,7 @@ def unknown_to_friction(scene: Any) -> list[ErrorDetail]:
     inner, outer = np.asarray(operation.speed, float), np.asarray(outer, float)
     if np.any((inner == outer) & (inner != 0.0)):
         errors.append(ErrorDetail("operation.speed", "is the outer ring's too, so that nothing rolls", operation.speed))
-    for effect in (scene.elastic_rings, scene.ball_diameter_deviations):
+    for effect in (scene.elastic_rings, scene.ball_diameter_deviations, scene.seats_out_of_round):
         if scene.ring_effects and effect is not None:
             cause = "Leave it out, or choose a hypothesis of raceway control"
             errors.append(ErrorDetail(effect.name, "is not known to balls that friction moves", cause=cause))

@@ -25,6 +25,7 @@ from qsbearing.model.effects import (
     GyroscopicMoment,
     RingEffect,
     RingExpansion,
+    SeatsOutOfRound,
     as_fitted,
     as_made,
     types_in,
@@ -199,6 +200,11 @@ class Scene(InNotebooks):
     def ball_diameter_deviations(self) -> BallDiameterDeviations | None:
         """The effect, where the scene names it."""
         return next((effect for effect in self.ring_effects if isinstance(effect, BallDiameterDeviations)), None)
+
+    @property
+    def seats_out_of_round(self) -> SeatsOutOfRound | None:
+        """The effect, where the scene names it."""
+        return next((effect for effect in self.ring_effects if isinstance(effect, SeatsOutOfRound)), None)
 
     @property
     def centrifugal_force(self) -> CentrifugalForce | None:

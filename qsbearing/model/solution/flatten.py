@@ -20,6 +20,7 @@ from qsbearing.model.effects.gyroscopic_moment import NO_BOUND, SHARES_CODES
 from qsbearing.model.effects.hertz_angle import HertzAngle
 from qsbearing.model.effects.orbit_radius import OrbitRadius
 from qsbearing.model.effects.raceway_control import CONTROL_CODES
+from qsbearing.model.effects.seats_out_of_round import SeatsOutOfRound
 from qsbearing.model.effects.tilt_lever import TiltLever
 from qsbearing.model.kernel.case import CASE, OWN_BALL
 from qsbearing.model.kernel.workspace import MOST_WAVES
@@ -178,6 +179,7 @@ class CaseMaker:
         deviations = scene.ball_diameter_deviations if scene.ring_effects else None
         self._deviations = None if deviations is None else deviations.array
         self._rings = scene.elastic_rings if scene.ring_effects else None
+        self._seats = scene.seats_out_of_round if scene.ring_effects else None
         self._arrays = _varying(self._values)
         self.shape = self._common_shape()
         """The leading case axes: all array fields broadcast together."""
@@ -238,7 +240,8 @@ class CaseMaker:
     def make(self, start: int = 0, stop: int | None = None, into: NDArray | None = None) -> NDArray:
         """Case records of the flattened cases [start, stop), in an array of their own or in this one."""
         stop = self.count if stop is None else stop
-        numbers = self._numbers(self._stretch(start, stop), self.has_unequal_balls(start, stop))
+        v = self._stretch(start, stop)
+        numbers = self._numbers(v, self.has_unequal_balls(start, stop), self._is_out_of_round(v))
         cases = np.empty(stop - start, CASE) if into is None else into
         if not self.shape and self._deviations is None:
             cases[0] = numbers  # at once: a third of the time that the fields take one by one
@@ -251,7 +254,9 @@ class CaseMaker:
                 cases[name] = number
         return cases
 
-    def _numbers(self, v: dict[str, Any], unequal_balls: NDArray | bool) -> tuple[Any, ...]:
+    def _numbers(
+        self, v: dict[str, Any], unequal_balls: NDArray | bool, out_of_round: NDArray | bool
+    ) -> tuple[Any, ...]:
         """A case's fields in their order, numbers or arrays over these cases, from the scene's fields."""
         scene = self.scene
         diameter = v["ball_diameter"]
@@ -279,6 +284,7 @@ class CaseMaker:
             cos_free,
             unequal_balls,
             self._rings is not None,
+            out_of_round,
             interference,
             groove_centre_radius(pitch, inner_f, 1.0, cos_free, interference) if is_exact else 0.5 * pitch,
             hertz_cosine,
@@ -308,6 +314,24 @@ class CaseMaker:
         """Which of the flattened cases [start, stop) do; False where the scene names no unequal balls."""
         return False if self._deviations is None else (self._deviations_of(start, stop) != 0.0).any(axis=-1)
 
+    def _is_out_of_round(self, v: dict[str, Any]) -> NDArray | bool:
+        """Which of the cases with these fields are; False where the scene names no seats out of round."""
+        return False if self._seats is None else self._lobes(v).is_out_of_round
+
+    def _lobes(self, v: dict[str, Any]) -> SeatsOutOfRound:
+        """The seats of the cases with these fields."""
+        assert self._seats is not None
+        if not self._arrays:
+            return self._seats
+        given = {name: v[f"{self._seats.name}.{name}"] for name in vars(self._seats)}
+        lobes: SeatsOutOfRound = with_found(self._seats, given)
+        return lobes
+
+    def has_uneven_balls(self, start: int, stop: int) -> NDArray | bool:
+        """Which of the flattened cases [start, stop) have balls that make nothing symmetric."""
+        unequal = self.has_unequal_balls(start, stop)
+        return unequal if self._seats is None else unequal | self._is_out_of_round(self._stretch(start, stop))
+
     def _deviations_of(self, start: int, stop: int) -> NDArray:
         """Of the balls' diameters (case, ball) [m]."""
         assert self._deviations is not None
@@ -319,9 +343,10 @@ class CaseMaker:
     def own_balls(self, cases: NDArray, start: int = 0) -> NDArray:
         """Records (case, ball) of the balls of these case records, the first of which is this flattened case.
 
-        Empty but for its first axis where the scene names neither unequal balls nor elastic rings.
+        Empty but for its first axis where the scene names neither unequal balls nor elastic rings nor seats out of
+        round.
         """
-        is_empty = self._deviations is None and self._rings is None
+        is_empty = self._deviations is None and self._rings is None and self._seats is None
         own = np.empty((cases.size, 0 if is_empty else self.ball_axis), OWN_BALL)
         stop = start + cases.size
         if self._rings is not None:
@@ -331,6 +356,10 @@ class CaseMaker:
             # Balls that have grown by heat differ by as much more: the ratio to the bearing's diameter stays.
             own["diameter"] = 1.0 + self._deviations_of(start, stop) / nominal[..., None]
             _own_stiffness(FORM_CODES[self.scene.hertz_form], cases, own)
+        if self._seats is not None:
+            count, first = cases["ball_count"][:, None], cases["first_azimuth"][:, None]
+            azimuth = first + 2.0 * np.pi * np.arange(self.ball_axis) / count
+            own["lobe"] = self._lobes(self._stretch(start, stop)).apart(azimuth) / cases["length"][:, None]
         return own
 
     def _fill_compliances(self, cases: NDArray, own: NDArray, rings: ElasticRings, v: dict[str, Any]) -> None:

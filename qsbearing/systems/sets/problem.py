@@ -159,7 +159,7 @@ class Problem:
         given = (self.load[:, 1:5] != 0.0) | (self._place[:, 1:5] != 0.0)  # y, z, tilt y, tilt z
         out_of_xy, out_of_xz = given[:, 1] | given[:, 2], given[:, 0] | given[:, 3]
         around = self.structure
-        skew = self._has_unequal_balls | around.bends_askew
+        skew = self._has_uneven_balls | around.bends_askew
         out_of_xy, out_of_xz = out_of_xy | skew | around.bends_in(2), out_of_xz | skew | around.bends_in(1)
         is_thrust = ~out_of_xy & ~out_of_xz & np.all(np.array(self._of_rows(lambda row: row.bearing.ball_count)) >= 2)
         in_xy, in_xz = ~out_of_xy & self._mirrors(0.0), ~out_of_xz & self._mirrors(0.5 * np.pi)
@@ -167,10 +167,10 @@ class Problem:
             self.held[:, [*PLANES[plane], *self.structure.unknowns_in(plane)]] |= vanish[:, None]
 
     @property
-    def _has_unequal_balls(self) -> NDArray:
+    def _has_uneven_balls(self) -> NDArray:
         """Where some row has balls that make nothing symmetric."""
-        is_unequal = [maker.has_unequal_balls(0, self.count) for maker in self.makers.values()]
-        return np.any([np.broadcast_to(each, self.count) for each in is_unequal], axis=0)
+        is_uneven = [maker.has_uneven_balls(0, self.count) for maker in self.makers.values()]
+        return np.any([np.broadcast_to(each, self.count) for each in is_uneven], axis=0)
 
     def _mirrors(self, azimuth: float) -> NDArray:
         """Where the plane at this azimuth is one of symmetry of every row's balls, as the kernel has it."""
@@ -243,7 +243,7 @@ class Problem:
                 codes[failed & (codes != NO_EQUILIBRIUM)] = NOT_CONVERGED
 
     def _own_balls(self, cases: NDArray, begin: int) -> NDArray:
-        """Records (row, case, ball) of unequal balls; empty but for two axes where no row has them."""
+        """Records (row, case, ball) of unequal balls and the like; empty but for two axes where no row has them."""
         each = {number: maker.own_balls(cases[number], begin) for number, maker in self.makers.items()}
         together = np.zeros((*cases.shape, max(own.shape[1] for own in each.values())), OWN_BALL)
         for whole, number in zip(together, self.of.alike, strict=True):

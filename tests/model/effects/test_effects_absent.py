@@ -48,8 +48,8 @@ def test_each_effect_is_evaluated_where_it_is_named_and_nowhere_else(calls: dict
         "raceway_stiffness.spin_constant",
     )
     slip, slopes = "solve_case.bound_friction", "inertia_slopes.directional"
-    own = "unequal_balls.from_own_touching"
-    watched = {force, moment, rotation, criterion, radius, weight, spin, slip, slopes, own}
+    own, form = "unequal_balls.from_own_touching", "seats_out_of_round.radial_form"
+    watched = {force, moment, rotation, criterion, radius, weight, spin, slip, slopes, own, form}
     both = {force, moment, rotation}
     expected = {
         "centrifugal": {force},
@@ -57,6 +57,7 @@ def test_each_effect_is_evaluated_where_it_is_named_and_nowhere_else(calls: dict
         "both": both,
         "inner control": both,
         "unequal balls": both | {own},
+        "seats out of round": both | {form},
         "by each ball": both | {criterion, spin},
         "friction coefficient": {moment, rotation, slip},
         "own orbits": both | {radius, slopes},

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
-from tests.qsbearing.mechanics import ball_diameters, contact_stiffness, ring_load, vectors
-from tests.qsbearing.scenes import general_scenes, grown_scenes, lever, solved, unequal_scenes
+from tests.qsbearing.mechanics import ball_diameters, contact_stiffness, lobe, ring_load, vectors
+from tests.qsbearing.scenes import general_scenes, grown_scenes, lever, lobed_scenes, solved, unequal_scenes
 from tests.verification.hard_cases import scenes as hard
 from tests.verification.hard_cases.cases import NO_EQUILIBRIUM
 
-GENERAL = general_scenes() | grown_scenes() | unequal_scenes()
+GENERAL = general_scenes() | grown_scenes() | unequal_scenes() | lobed_scenes()
 NAMES = [*GENERAL, *(name for name, case in hard.BY_NAME.items() if case["expected"] != NO_EQUILIBRIUM)]
 # The solver stops at a force imbalance of 1e-12 of the largest force; sums over twenty balls add a digit.
 BALANCED = 1e-11
@@ -74,7 +74,7 @@ def test_contacts_are_hertz_between_the_groove_centres(name: str) -> None:
     tilt = lever(solution.scene) * (d[3] * np.sin(psi) - d[4] * np.cos(psi))
     axial = offset + d[0] + tilt
     apart = float(bearing.inner_groove_centre_radius - bearing.outer_groove_centre_radius)
-    radial = apart + d[1] * np.cos(psi) + d[2] * np.sin(psi)
+    radial = apart + d[1] * np.cos(psi) + d[2] * np.sin(psi) + lobe(solution)
     # The position of an unloaded ball at rest is undetermined. Lengths of half a ball, differences of rounding.
     placed = ~np.isnan(reach[0])
     assert placed.all() or not solution.scene.ball_effects

@@ -23,13 +23,14 @@ from tests.qsbearing.scenes import (
     grown_scenes,
     held_at,
     lever,
+    lobed_scenes,
     resting,
     solved,
     turning,
     unequal_scenes,
 )
 
-SCENES = general_scenes() | grown_scenes() | unequal_scenes()
+SCENES = general_scenes() | grown_scenes() | unequal_scenes() | lobed_scenes()
 every_scene = pytest.mark.parametrize("name", list(SCENES))
 
 

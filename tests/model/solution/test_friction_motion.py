@@ -407,6 +407,7 @@ def test_contacts_outside_their_grooves_are_no_equilibrium() -> None:
             "orbit_radius",
         ),
         ({"ring_effects": (qs.BallDiameterDeviations(np.full(16, 1e-6)),)}, "unequal_balls"),
+        ({"ring_effects": (qs.SeatsOutOfRound(outer_two_lobe_amplitude=1e-6),)}, "seats_out_of_round"),
     ],
 )
 def test_what_is_not_known_is_refused_by_name(changed: dict[str, Any], field: str) -> None:

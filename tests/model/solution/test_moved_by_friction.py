@@ -199,6 +199,7 @@ def test_skidding_is_told_and_no_solution() -> None:
         ({"operation": qs.Operation(**THRUST, radial_load_y=1e3, moment_z=0.0, tilt_y=0.0)}, "operation.tilt_z"),
         ({"operation": qs.Operation(**THRUST, moment_y=1.0)}, "operation.tilt_y"),
         ({"ring_effects": (qs.BallDiameterDeviations(np.full(16, 1e-6)),)}, "unequal_balls"),
+        ({"ring_effects": (qs.SeatsOutOfRound(outer_two_lobe_amplitude=1e-6),)}, "seats_out_of_round"),
         (
             {"ring_effects": (qs.ElasticRings(outside_diameter=0.16, outer_width=0.03, housing="free"),)},
             "elastic_rings",

@@ -12,7 +12,7 @@ import qsbearing as qs
 from qsbearing.model.effects import EFFECTS, OperatingPoint
 from qsbearing.model.solution.comparison import by_quantity
 from qsbearing.model.solution.judgement import judge
-from tests.qsbearing.scenes import B218, solved, turning, unequal_balls
+from tests.qsbearing.scenes import B218, lobes, solved, turning, unequal_balls
 
 ENTRY = {entry.name: entry for entry in EFFECTS}
 STEEL = replace(qs.STEEL, thermal_expansion=12e-6)
@@ -121,17 +121,19 @@ def test_expansion_of_a_preloaded_spindle_at_speed_within_a_factor_of_two(force:
     ],
     ids=["thrust at rest", "at rest", "held", "turning", "fast"],
 )
-def test_unequal_balls_within_a_factor_of_three(rpm: float, operation: dict[str, float]) -> None:
+@pytest.mark.parametrize("effect", [unequal_balls(spread=0.5e-6), lobes(0.2e-6)], ids=lambda one: one.name)
+def test_uneven_balls_within_a_factor_of_three(effect: Any, rpm: float, operation: dict[str, float]) -> None:
     """At rest within a tenth: the prediction is the first order of the equations."""
-    full = replace(turning(rpm, BEARING, **operation), ring_effects=(unequal_balls(spread=0.5e-6),))
-    found = ratios("unequal_balls", full)
+    full = replace(turning(rpm, BEARING, **operation), ring_effects=(effect,))
+    found = ratios(effect.name, full)
     for name in {"load", "pressure"} & set(found):
         assert 1.0 / 3.0 < found[name] < 3.0, name
         assert rpm > 0.0 or found[name] == pytest.approx(1.0, abs=0.1), name
 
 
-def test_unequal_balls_that_are_not_named_predict_nothing() -> None:
-    errors = ENTRY["unequal_balls"].errors(OperatingPoint(solved(turning(5000.0, **THRUST))))
+@pytest.mark.parametrize("name", ["unequal_balls", "seats_out_of_round"])
+def test_what_is_not_named_predicts_nothing(name: str) -> None:
+    errors = ENTRY[name].errors(OperatingPoint(solved(turning(5000.0, **THRUST))))
     assert all(error == 0.0 for error in errors.values())
 
 

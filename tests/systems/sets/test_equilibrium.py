@@ -22,6 +22,7 @@ from tests.qsbearing.scenes import (
     MINIMUM_DISSIPATION,
     OUTER,
     PER_BALL,
+    lobes,
     unequal_balls,
 )
 from tests.systems.sets.arrangements import DISTANCE, ROWS, S6210C, S6210E, pair, rows, solved, with_load
@@ -114,6 +115,26 @@ def test_rows_have_balls_of_their_own() -> None:
     np.testing.assert_allclose(still.axial_loads, [720.0, 720.0], rtol=1e-9)
     equal = solved(qs.BearingSet(rows("DB"), preload=preload))
     assert still.rows[0].displacement[0] < equal.rows[0].displacement[0] - 5e-6, "touched earlier, by 3 um/sin(15 deg)"
+
+
+def test_rows_have_seats_of_their_own() -> None:
+    """One row, again as alone; a pair of which one housing is oval, under loads in a plane that it leaves."""
+    operation = qs.Operation(10_000 * qs.rpm, axial_load=8000.0, radial_load_y=4000.0, moment_z=20.0)
+    plane = (B218.inner_groove_radius - 0.5 * B218.ball_diameter) * np.sin(B218.free_contact_angle)  # type: ignore[operator]
+    row = qs.Row(B218, ring_effects=(lobes(),))
+    found = solved(qs.BearingSet((row,), operation, reference_position=plane, ball_effects=BOTH, raceway_control=OUTER))
+    alone = qs.solve(qs.Scene(B218, operation, BOTH, OUTER, ring_effects=(lobes(),)))
+    np.testing.assert_allclose(found.rows[0].inner.load, alone.inner.load, rtol=1e-9)
+    np.testing.assert_allclose(found.stiffness, alone.stiffness, rtol=1e-7, atol=1e-9 * np.abs(alone.stiffness).max())
+    oval = qs.SeatsOutOfRound(outer_two_lobe_amplitude=2e-6, outer_two_lobe_phase=0.4)
+    first, second = rows("DB")
+    pressed = qs.Operation(radial_load_y=300.0, moment_z=0.0)
+    of = qs.BearingSet((replace(first, ring_effects=(oval,)), second), pressed, qs.Preload(rigid=720.0))
+    one = solved(of)
+    assert abs(one.displacement[2]) > 1e-9, "the oval makes the ring leave the plane"
+    assert np.abs(one.row_loads.sum(axis=0) - one.load)[:3].max() < 1e-6
+    for each in one.rows:
+        np.testing.assert_allclose(each.inner.load, qs.solve(each.scene).inner.load, rtol=1e-8)
 
 
 def test_a_pair_under_no_load_is_symmetric() -> None:

@@ -43,6 +43,16 @@ def operation_numbers(case: Case) -> dict[str, float]:
     return numbers
 
 
+def seat_numbers(case: Case) -> dict[str, float]:
+    """The fields of seats out of round (m, rad); 0 where a case has no such lobes, so that all have the same."""
+    names = [f"{ring}_{word}_lobe" for ring in ("inner", "outer") for word in ("two", "three")]
+    numbers = {f"{name}_{what}": 0.0 for name in names for what in ("amplitude", "phase")}
+    for ring, lobes, amplitude, phase in case["seat_lobes"]:
+        name = f"{ring}_{'two' if lobes == '2' else 'three'}_lobe"
+        numbers |= {f"{name}_amplitude": float(amplitude), f"{name}_phase": float(phase) * qs.deg}
+    return numbers
+
+
 def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
     """One scene of cases that make the same choices: numbers for one case, arrays in every field for several.
 
@@ -71,6 +81,8 @@ def scene_of(*cases: Case, stacked: bool = False) -> qs.Scene:
     if "ball_diameter_deviations" in first:
         deviations = np.array([case["ball_diameter_deviations"] for case in cases], float)
         balls = (qs.BallDiameterDeviations(deviations if len(cases) > 1 or stacked else deviations[0]),)
+    if "seat_lobes" in first:
+        balls += (qs.SeatsOutOfRound(**gather([seat_numbers(case) for case in cases])),)
     return qs.Scene(
         bearing,
         qs.Operation(**gather([operation_numbers(case) for case in cases])),

@@ -60,6 +60,8 @@ axes tell the third; shares of the gyroscopic moment follow the weights, see `sh
 *Unequal balls*, where a case gives each a deviation from D, lie between grooves that stay where they are: a ball's own
 D makes its L_i and L_o, its Hertz constants, m, J and g.
 
+*Seats out of round* have grooves of the form r = a cos n(psi - phase) each, outwards, which adds r_i - r_o to A2.
+
 *The orbit* is the pitch circle, or the circle through the ball's own centre: then R = dm/2 + X2 - L_o cos alpha0
 takes the place of dm/2, and g = D/(2 R), in all that follows from the ball's motion.
 
@@ -206,6 +208,7 @@ class Scene:
     mu: Number | None  # friction that a contact carries at most, over its load
     own_orbit: bool  # balls go round on their own circles
     unequal: tuple[Scene, ...] | None = None  # per ball: the scene with that ball's diameter, mass and Hertz constants
+    nearer: tuple[Number, ...] | None = None  # per ball: what lobes of the grooves add to A2
 
     @property
     def Lo(self) -> Number:
@@ -252,6 +255,7 @@ class Scene:
         values["mu"] = None if self.mu is None else float(self.mu)
         values["psi"] = tuple((float(c), float(s)) for c, s in self.psi)
         values["unequal"] = None if self.unequal is None else tuple(ball.in_floats() for ball in self.unequal)
+        values["nearer"] = None if self.nearer is None else tuple(float(each) for each in self.nearer)
         values["loads"] = tuple(None if v is None else float(v) for v in self.loads)
         values["held"] = tuple(None if v is None else float(v) for v in self.held)
         return replace(self, gyroscopic=float(self.gyroscopic), actual_angle=False, **values)
@@ -293,7 +297,18 @@ def read_case(case: dict[str, Any]) -> Scene:
     if "ball_diameter_deviations" in case:
         diameters = [D + mp.mpf(deviation) for deviation in case["ball_diameter_deviations"]]
         scene = replace(scene, unequal=tuple(with_balls_of(scene, diameter) for diameter in diameters))
+    if "seat_lobes" in case:
+        scene = replace(scene, nearer=tuple(lobes_at(case["seat_lobes"], mp.mpf(2 * j) / count) for j in range(count)))
     return replace(scene, Ki=inner_contact(scene, scene.cos0).stiffness, Ko=outer_contact(scene, scene.cos0).stiffness)
+
+
+def lobes_at(seats: Sequence[Sequence[str]], half_turns: Number) -> Number:
+    """r_i - r_o at an azimuth, of forms [ring, lobes, amplitude in m, phase in degrees]."""
+    total = mp.mpf(0)
+    for ring, lobes, amplitude, phase in seats:
+        form = mp.mpf(amplitude) * mp.cospi(int(lobes) * (half_turns - mp.mpf(phase) / 180))
+        total += form if ring == "inner" else -form
+    return total
 
 
 def with_balls_of(scene: Scene, diameter: Number) -> Scene:
@@ -328,6 +343,8 @@ def groove_centre(scene: Scene, ball: int, d: Sequence[Number]) -> tuple[Number,
     c, s = scene.psi[ball]
     A1 = scene.BD * scene.sin0 + d[0] + scene.Ri * (d[3] * s - d[4] * c)
     A2 = scene.BD * scene.cos0 + d[1] * c + d[2] * s
+    if scene.nearer is not None:
+        A2 += scene.nearer[ball]
     return A1, A2
 
 

@@ -3,8 +3,9 @@
 A case is a dictionary in SI units and radians, except where a key names its unit; numbers are decimal strings, so that
 every program reads exactly the same case.  Each channel of `channels` is ["load", N or N m] or
 ["displacement", m or rad].  `hertz_angle` tells whether the Hertz constants belong to the free contact angle or to
-each ball's actual one.  `ball_diameter_deviations`, m, one for each ball, makes balls unequal.  `control` "per_ball"
-leaves the choice to Jones's criterion, ball by ball; the result tells what was chosen.
+each ball's actual one.  `ball_diameter_deviations`, m, one for each ball, makes balls unequal; `seat_lobes`, each
+[ring, lobes, amplitude in m, azimuth of a crest in degrees], puts rings out of round.  `control` "per_ball" leaves the
+choice to Jones's criterion, ball by ball; the result tells what was chosen.
 """
 
 from __future__ import annotations
@@ -54,6 +55,13 @@ UNEQUAL = [
     *("-0.6e-6", "0.5e-6", "-1.1e-6", "1.6e-6", "0", "0.7e-6", "-2.3e-6", "0.1e-6"),
 ]
 """Deviations of sixteen ball diameters, m; no pattern."""
+
+
+LOBES = [
+    ["inner", "2", "0.8e-6", "23"], ["inner", "3", "0.5e-6", "-71"], ["outer", "2", "1.7e-6", "104"],
+    ["outer", "3", "1.1e-6", "38"],
+]  # fmt: skip
+"""Both forms of both rings, none of which points at another's crest or at a ball."""
 
 
 def load(x: str = "0", y: str = "0", z: str = "0", tilt_y: str = "0", tilt_z: str = "0") -> dict[str, list[str]]:
@@ -321,5 +329,32 @@ SCENES: list[Case] = [
         "Jones's criterion for balls of unequal diameters",
         B218, load("20000", "9000", "2000", "0", "-250"), "2600", control="per_ball",
         ball_diameter_deviations=UNEQUAL[::-1],
+    ),
+    turning(
+        "b218_seats_out_of_round",
+        "two and three lobes of both rings, at speed, with all five loads",
+        B218, load("12000", "3000", "-1500", "40", "-60"), "8000", seat_lobes=LOBES,
+    ),
+    at_rest(
+        "b218_oval_seat_at_rest",
+        "thrust alone in an oval housing: the ring stays where it is, the balls at the flats carry more",
+        B218, load("2000"),
+    ) | {"seat_lobes": [["outer", "2", "3e-6", "90"]]},
+    at_rest(
+        "deep_groove_wedged_at_three_places",
+        "no clearance, and three lobes of the outer ring that wedge some of the seven balls beside the radial load",
+        DEEP_GROOVE, hold(load(y="60"), x="0", tilt_y="0", tilt_z="0"),
+    ) | {"seat_lobes": [["outer", "3", "2e-6", "10"]]},
+    turning(
+        "spindle_seats_out_of_round_and_all_else",
+        "lobes and unequal balls where everything follows the ball: its angle, orbit, weights of its raceways and slip",
+        SPINDLE, load("600", "200", "150", "2", "-3"), "24000", control="minimum_dissipation", shares="harris",
+        friction_coefficient="0.015", orbit_radius="displaced", hertz_angle="actual", seat_lobes=LOBES,
+        ball_diameter_deviations=[*UNEQUAL, "1e-7", "-4e-7", "0", "9e-7"],
+    ),
+    turning(
+        "b218_seats_out_of_round_by_each",
+        "Jones's criterion for balls between lobes",
+        B218, load("20000", "9000", "2000", "0", "-250"), "2600", control="per_ball", seat_lobes=LOBES[::-1],
     ),
 ]  # fmt: skip

@@ -29,7 +29,8 @@ def structure(case: dict[str, Any]) -> tuple:
     held = tuple(case["channels"][key][0] for key in CHANNELS)
     effects = case["centrifugal_force"], case["gyroscopic_moment"]
     choices = case["control"], case["shares"], case["hertz_angle"], case.get("orbit_radius")
-    return held, effects, *choices, "friction_coefficient" in case, "ball_diameter_deviations" in case
+    optional = ("friction_coefficient", "ball_diameter_deviations", "seat_lobes")
+    return held, effects, *choices, *(name in case for name in optional)
 
 
 BATCHES: dict[tuple, list[str]] = defaultdict(list)
