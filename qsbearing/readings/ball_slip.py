@@ -154,8 +154,17 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
         oil: the lubricant at its temperature; without one 870 kg/m^3.
         minimum_load_factor: a maker's A, the least axial load at 1000 rpm [N].
 
+    Returns:
+        What each contact is asked for, over what it can carry.
+
     Raises:
         SceneError: numbers out of range; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> slip = qs.readings.ball_slip(solution, 0.07)
+        >>> print(f"{slip.inner.friction_used[0]:.2f}")
+        0.00
     """
     solution.read_at_once(*NEEDS)
     mu = np.asarray(given.friction_coefficient, float)

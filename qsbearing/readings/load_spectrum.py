@@ -47,8 +47,18 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
         time_share: q, one for each point; they add up to one.
         axis: the case axis of the points.
 
+    Returns:
+        Life of the spectrum, and each point's share of the damage.
+
     Raises:
         SceneError: shares that are negative, do not add up to one, or are not as many as the points.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> operation = dataclasses.replace(scene.operation, axial_load=np.array([10e3, 20e3]))
+        >>> solution = qs.solve(dataclasses.replace(scene, operation=operation))
+        >>> print(f"{qs.readings.spectrum_life(qs.readings.life(solution), [0.7, 0.3]).duration / 3600:.0f} h")
+        4957 h
     """
     shares = np.atleast_1d(np.asarray(time_share, float))
     each = life.reference_rating_life

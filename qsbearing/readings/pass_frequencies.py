@@ -65,7 +65,16 @@ class Frequencies:
 
 
 def frequencies(solution: Solution) -> Frequencies:
-    """Frequencies of every case from the solved contact angles, and the textbook's."""
+    """Frequencies of every case from the solved contact angles, and the textbook's.
+
+    Returns:
+        Frequencies [Hz] from the solved angles, and the textbook's.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.frequencies(solution).solved.ball_pass_outer:.1f} Hz")
+        1212.8 Hz
+    """
     check_solution("frequencies", solution)
     numbers = BearingNumbers(solution.scene.bearing)
     inner, outer = ring_speeds(solution)

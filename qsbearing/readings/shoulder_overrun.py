@@ -117,8 +117,18 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
             None: as high as the first.
         edge_radius: of the edges, tangent to the grooves where they end [m]; None: not known, no pressure at the edge.
 
+    Returns:
+        Distances of ellipse and edge; negative where it runs over.
+
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> shoulders = {"inner_shoulder_diameter": 116 * qs.mm, "outer_shoulder_diameter": 135 * qs.mm}
+        >>> found = qs.readings.overrun(solution, **shoulders)
+        >>> print(f"{found.inner.edge_distance[0] * 1e3:.2f} mm")
+        0.93 mm
     """
     raceways: list[RacewayOverrun | None] = []
     said: list[Holding] = []
