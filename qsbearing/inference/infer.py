@@ -78,7 +78,7 @@ class InferredBearing:
     set_number: NDArray
     """Which cases have the same balls; from 0."""
     misfit: NDArray
-    """How badly its ratings fit: a sum of squares over usual deviations. Not a probability."""
+    """How badly its ratings fit: a sum of squares over usual deviations [-]. Not a probability."""
     practice: NDArray
     """What C and C0 were read as."""
     sheet: DataSheet

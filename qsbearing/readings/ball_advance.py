@@ -73,14 +73,14 @@ class BallAdvance(Remarked):
     lag: NDArray
     """Largest lag behind the mean place, on the arc of the pitch circle [m]."""
     excursion: NDArray
-    """Lead and lag together."""
+    """Lead and lag together [m]."""
     advance: NDArray
-    """Of the balls where they are; shape (*cases, ball)."""
+    """Of the balls where they are [m]; shape (*cases, ball)."""
     pocket_use: NDArray | None
-    """Excursion over the pockets' clearance; None where it is not given."""
+    """Excursion over the pockets' clearance [-]; None where it is not given."""
     momentum_gap: NDArray | None
-    """Radial force that loads only one ring, over the radial load; NaN without one; None without centrifugal force, or
-    with balls of unlike diameters."""
+    """Radial force that loads only one ring, over the radial load [-]; NaN without one; None without centrifugal
+    force, or with balls of unlike diameters."""
     outer_radial_load: NDArray | None
     """What the outer ring takes [N]; None where `momentum_gap` is."""
     remarks: Remarks

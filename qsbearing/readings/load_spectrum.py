@@ -27,11 +27,11 @@ class SpectrumLife:
     """Life under all operating points together; the axis of the points is gone from its arrays."""
 
     life: NDArray
-    """Revolutions of one ring against the other, as mixed as the spectrum."""
+    """Revolutions of one ring against the other, as mixed as the spectrum [rev]."""
     duration: NDArray
     """The same as time [s]."""
     damage_share: NDArray
-    """The part of the damage that each operating point does; with the axis of the points."""
+    """The part of the damage that each operating point does [-]; with the axis of the points."""
 
 
 def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> SpectrumLife:

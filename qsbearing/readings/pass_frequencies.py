@@ -43,13 +43,13 @@ class FrequencySet:
     """Frequencies of each case; arrays of shape (*cases) [Hz]."""
 
     cage: NDArray
-    """Of the cage about the bearing axis: the mean of the balls' orbits."""
+    """Of the cage about the bearing axis: the mean of the balls' orbits [Hz]."""
     ball_pass_inner: NDArray
-    """Balls passing a point of the inner raceway (BPFI)."""
+    """Balls passing a point of the inner raceway (BPFI) [Hz]."""
     ball_pass_outer: NDArray
-    """Balls passing a point of the outer raceway (BPFO)."""
+    """Balls passing a point of the outer raceway (BPFO) [Hz]."""
     ball_spin: NDArray
-    """The ball's rolling turns; a defect of the ball strikes both raceways once a turn, that is at twice this (BSF)."""
+    """The ball's rolling turns [Hz]; its defect strikes both raceways once a turn, that is at twice this (BSF)."""
 
 
 @dataclass(frozen=True)

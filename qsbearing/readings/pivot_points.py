@@ -44,9 +44,9 @@ class RacewayPivots:
     """
 
     near: NDArray
-    """The one nearer to the centre; about it the contact spins."""
+    """The one nearer to the centre [m]; about it the contact spins."""
     far: NDArray
-    """The other one."""
+    """The other one [m]."""
 
 
 @dataclass(frozen=True)

@@ -122,9 +122,9 @@ class Life(Remarked):
     reference_load: NDArray
     """P_ref = C/(L10r/10^6)^(1/3) [N]."""
     reliability_factor: NDArray
-    """a1."""
+    """a1 [-]."""
     life_modification_factor: NDArray | None
-    """aISO at the reference load; None unless a viscosity ratio and a contamination factor are given."""
+    """aISO at the reference load [-]; None unless a viscosity ratio and a contamination factor are given."""
     fatigue_load_limit: NDArray | None
     """Cu [N]; None where aISO is."""
     modified_reference_rating_life: NDArray | None

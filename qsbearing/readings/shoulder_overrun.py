@@ -59,14 +59,14 @@ class RacewayOverrun:
     overrun_load: NDArray
     """Ball load at which the ellipse reaches the edge at this contact angle [N]; zero where its centre is past it."""
     share_beyond: NDArray
-    """Part of the ellipse's major axis beyond the edge: 0 where it is not cut off, 1 where nothing is left."""
+    """Part of the ellipse's major axis beyond the edge: 0 where it is not cut off, 1 where nothing is left [-]."""
     load_loss: NDArray
-    """By what part the contact carries less than the solution's, at the same approach; NaN where more than half of the
-    axis is beyond the edge, as the next two."""
+    """By what part the contact carries less than the solution's, at the same approach [-]; NaN where more than half of
+    the axis is beyond the edge, as the next two."""
     load_turn: NDArray
     """Of the load, away from the edge, as its resultant moves along the groove [rad]."""
     edge_intensity: NDArray
-    """K of the pressure near a sharp edge, K p0 sqrt(b/distance)."""
+    """K of the pressure near a sharp edge, K p0 sqrt(b/distance) [-]."""
     edge_pressure: NDArray | None
     """Largest pressure at an edge of the given radius [Pa]; `STATIC_PRESSURE` stands for all above it, where the edge
     yields. None: no radius is given, and at a sharp edge it is infinite."""
