@@ -38,7 +38,16 @@ MAIN_OF_SET = 8
 
 def html_of(shown: Any) -> str | None:
     """The tables of a scene, set, solution or study as HTML, which notebooks show; None where there are none, or what
-    makes them is not installed."""
+    makes them is not installed.
+
+    Returns:
+        HTML; None where there is none.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print("<table" in qs.html_of(solution))
+        True
+    """
     if importlib.util.find_spec("jinja2") is None:
         return None
     try:
@@ -109,9 +118,17 @@ def plot(shown: Solution | SetSolution | Study, *chosen: Any, **named: Any) -> A
     case. Of a study, which is solved for it: the arguments of `qsbearing.pictures.study.picture`, such as
     y=["inner_load"].
 
+    Returns:
+        A figure of matplotlib.
+
     Raises:
         ValueError: there is no such picture.
         TypeError: it is none of them.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(len(qs.plot(solution).axes))
+        2
     """
     check_kind("plot", shown, "Solution", "SetSolution", "Study")
     if isinstance(shown, Study):

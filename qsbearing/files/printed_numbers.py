@@ -33,6 +33,14 @@ def catalogue_numbers(bearing: BallBearing) -> dict[str, float]:
             bore_diameter=p["bore_diameter"], inner_width=p["width"], shaft="free",
             inner_shoulder_diameter=p.get("inner_shoulder_diameter"),
         )
+
+    Returns:
+        The numbers that are printed of it, by their names, in SI; empty where none is known.
+
+    Examples:
+        >>> numbers = qs.catalogue_numbers(qs.load_scene("7210C").bearing)
+        >>> print(sorted(numbers)[:3])
+        ['bore_diameter', 'dynamic_load_rating', 'inner_shoulder_diameter']
     """
     printed = _printed(bearing)
     return {key.field: key.si(printed[key.name]) for key in PRINTED if key.name in printed}

@@ -61,8 +61,16 @@ def load_scene(source: str | os.PathLike[str]) -> Scene:
             standard input. From a result of `qsbearing run --json` (.json) or `qsbearing sweep` (.nc), the input that
             it holds is read. A bearing given by its data sheet is a case for each set that it allows.
 
+    Returns:
+        The scene.
+
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> print(scene.bearing.ball_count, scene.operation.axial_load)
+        16.0 17800.0
     """
     return scene_of(*document_of(source), may_infer=True)
 

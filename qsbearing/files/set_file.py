@@ -59,8 +59,21 @@ def load_set(source: str | os.PathLike[str]) -> BearingSet:
 
     Of a bearing that is given by its data sheet or number the ball set that fits best is taken, with a UserWarning.
 
+    Returns:
+        The set.
+
     Raises:
         SceneFileError: everything that is wrong with the file, at once.
+
+    Examples:
+        >>> from pathlib import Path
+        >>> file = Path("pair.toml")
+        >>> lines = file.write_text('''bearing = { name = "7210C" }
+        ... rows = [ { position_mm = 0, carries = "+x" }, { position_mm = 20, carries = "-x" } ]
+        ... operation = { speed_rpm = 0 }
+        ... preload = { rigid_N = 720 }''')
+        >>> print(len(qs.load_set(file).rows))
+        2
     """
     document, file, label = document_of(source)
     of = set_of(document, file, label)

@@ -80,14 +80,17 @@ class DataSheet:
     """
 
     bore_diameter: float = field(metadata=given_in("mm"))
+    """Of the bearing [m]."""
     outside_diameter: float = field(metadata=given_in("mm"))
+    """Of the bearing [m]."""
     dynamic_load_rating: float | None = field(default=None, metadata=given_in("N"))
     """C of one row [N]; None where the balls are known without it, or guessed by proportions."""
     static_load_rating: float | None = field(default=None, metadata=given_in("N"))
     """C0 of one row [N]; likewise."""
     free_contact_angle: float | None = field(default=None, metadata=given_in("deg"))
+    """As printed [rad]."""
     diametral_clearance: float | None = field(default=None, metadata=given_in("mm"))
-    """In place of the free contact angle; of a deep groove bearing."""
+    """In place of the free contact angle [m]; of a deep groove bearing."""
     clearance_class: ClearanceClass | None = field(default=None, metadata=one_of(ClearanceClass))
     """In place of both, of a deep groove bearing: the clearance of ISO 5753-1 by its bore, usual, least and largest."""
     kind: BearingKind = field(default=BearingKind.ANGULAR_CONTACT, metadata=one_of(BearingKind))
@@ -95,9 +98,9 @@ class DataSheet:
     rating_practice: RatingPractice | None = field(default=None, metadata=one_of(RatingPractice))
     """What C and C0 mean; None: as the maker is known to use them, or unknown."""
     dynamic_rating_factor: float | None = field(default=None, metadata=given_in())
-    """C printed over that of ISO 281, of a series."""
+    """C printed over that of ISO 281, of a series [-]."""
     static_rating_factor: float | None = field(default=None, metadata=given_in())
-    """C0 printed over that of ISO 76, of a series."""
+    """C0 printed over that of ISO 76, of a series [-]."""
     f0: float | None = field(default=None, metadata=given_in())
     """Of ISO 76, as printed [-]."""
     pair_rigidity: float | None = field(default=None, metadata=given_in("N/um"))
@@ -115,10 +118,11 @@ class DataSheet:
     """How often a ball turns about itself, or twice that, as makers print it [-]; a check."""
     ball_count: int | None = field(default=None, metadata=given_in("balls"))
     ball_diameter: float | None = field(default=None, metadata=given_in("mm"))
+    """Where it is known [m]."""
     pitch_diameter: float | None = field(default=None, metadata=given_in("mm"))
-    """Of the circle of ball centres; None: halfway between bore and outside diameter."""
+    """Of the circle of ball centres [m]; None: halfway between bore and outside diameter."""
     groove_radius_coefficient: float | None = field(default=None, metadata=given_in())
-    """f = r/D of both grooves."""
+    """f = r/D of both grooves [-]."""
     size_steps: SizeSteps | None = field(default=None, metadata=one_of(SizeSteps))
     """None: in inches, as nearly all are; of deep groove bearings of dimension series 18 in millimetres too."""
     ball_material: Material = STEEL

@@ -79,7 +79,7 @@ class InferredBearing:
     set_number: NDArray
     """Which cases have the same balls; from 0."""
     misfit: NDArray
-    """How badly its ratings fit: a sum of squares over usual deviations. Not a probability."""
+    """How badly its ratings fit: a sum of squares over usual deviations [-]. Not a probability."""
     practice: NDArray
     """What C and C0 were read as."""
     sheet: DataSheet
@@ -125,14 +125,7 @@ class InferredBearing:
 def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
     """The ball sets and groove radii that a row of a catalogue allows: always a list.
 
-        inferred = qs.infer_bearing(
-            bore_diameter=50 * qs.mm, outside_diameter=80 * qs.mm, free_contact_angle=15 * qs.deg,
-            dynamic_load_rating=26_900, static_load_rating=23_100, maker="NTN",
-        )
-        solution = qs.solve(qs.Scene(inferred.bearing, qs.Operation(axial_load=300.0)))
-        inferred.range_of(solution.stiffness[..., 0, 0])
-
-    C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
+        C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
     `rating_practice`. A known `ball_count`, `ball_diameter`, `pitch_diameter`, `f0`, `groove_radius_coefficient` or a
     `pair_rigidity` at its `pair_preload` shortens the list or its ranges. `outer_ball_pass` and `inner_ball_pass` tell
     the ball set without any rating.
@@ -149,6 +142,14 @@ def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
 
     Sources: ISO 281:2007, ISO 76:2006; what makers do with them was measured on rows of five catalogues (guide page
     data_sheet).
+
+    Examples:
+        >>> inferred = qs.infer_bearing(
+        ...     bore_diameter=50 * qs.mm, outside_diameter=80 * qs.mm, free_contact_angle=15 * qs.deg,
+        ...     dynamic_load_rating=26_900, static_load_rating=23_100, maker="NTN",
+        ... )
+        >>> print(inferred.bearing.ball_count)
+        [20. 20. 20.]
     """
     remarks: list[Warned] = []
     completed = [_checked(replace(sheet, **numbers), remarks) for sheet in sheets or (DataSheet(**numbers),)]

@@ -80,17 +80,26 @@ class Operation:
     outer_speed: ArrayLike | None = field(default=None, metadata=given_in("rpm", SPEEDS))
     """Outer ring about +x [rad/s]; None: it stands still."""
     axial_load: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    """On the inner ring along +x; or `axial_displacement`; broadcasts with the other fields to the case axes [N]."""
     axial_displacement: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
     """From where the free contact angle is just reached at rest and cold [m]; ring effects do not move that place. It
     is the displacement in operation: heat does not change it."""
     radial_load_y: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    """On the inner ring along +y; or `radial_displacement_y` [N]."""
     radial_displacement_y: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
+    """Of the inner ring along +y [m]."""
     radial_load_z: ArrayLike | None = field(default=None, metadata=given_in("N", LOADS))
+    """On the inner ring along +z; or `radial_displacement_z` [N]."""
     radial_displacement_z: ArrayLike | None = field(default=None, metadata=given_in("um", DISPLACEMENTS))
+    """Of the inner ring along +z [m]."""
     moment_y: ArrayLike | None = field(default=None, metadata=given_in("N m", LOADS))
+    """On the inner ring about +y; or `tilt_y` [N m]."""
     tilt_y: ArrayLike | None = field(default=None, metadata=given_in("mrad", TILTS))
+    """Of the inner ring about +y [rad]."""
     moment_z: ArrayLike | None = field(default=None, metadata=given_in("N m", LOADS))
+    """On the inner ring about +z; or `tilt_z` [N m]."""
     tilt_z: ArrayLike | None = field(default=None, metadata=given_in("mrad", TILTS))
+    """Of the inner ring about +z [rad]."""
     first_ball_azimuth: ArrayLike = field(default=0.0, metadata=given_in("deg", AZIMUTHS))
     """Azimuth of ball 0 from +y towards +z [rad]; the others follow evenly."""
 

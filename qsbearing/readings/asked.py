@@ -109,8 +109,16 @@ def requested_errors(
 def take_asked(solution: Solution) -> dict[str, Any]:
     """Every reading that the solution's scene asks for, by its name.
 
+    Returns:
+        By the name of the reading, what it gives.
+
     Raises:
         SceneError: arguments that are out of range; everything, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(qs.readings.take_asked(solution))
+        {}
     """
     check_kind("take_asked", solution, "Solution")
     requested = solution.scene.readings
@@ -173,6 +181,15 @@ def reading_columns(solution: Solution, readings: Mapping[str, Any]) -> dict[str
 
     Args:
         readings: results by the name of their reading, as `take_asked` gives them.
+
+    Returns:
+        Columns by their names, each with a value for a ball of a case.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> columns = qs.readings.reading_columns(solution, {"life": qs.readings.life(solution)})
+        >>> print(len(columns) > 0)
+        True
     """
     check_kind("reading_columns", solution, "Solution")
     exists = np.isfinite(solution.azimuth)

@@ -73,14 +73,14 @@ class BallAdvance(Remarked):
     lag: NDArray
     """Largest lag behind the mean place, on the arc of the pitch circle [m]."""
     excursion: NDArray
-    """Lead and lag together."""
+    """Lead and lag together [m]."""
     advance: NDArray
-    """Of the balls where they are; shape (*cases, ball)."""
+    """Of the balls where they are [m]; shape (*cases, ball)."""
     pocket_use: NDArray | None
-    """Excursion over the pockets' clearance; None where it is not given."""
+    """Excursion over the pockets' clearance [-]; None where it is not given."""
     momentum_gap: NDArray | None
-    """Radial force that loads only one ring, over the radial load; NaN without one; None without centrifugal force, or
-    with balls of unlike diameters."""
+    """Radial force that loads only one ring, over the radial load [-]; NaN without one; None without centrifugal
+    force, or with balls of unlike diameters."""
     outer_radial_load: NDArray | None
     """What the outer ring takes [N]; None where `momentum_gap` is."""
     remarks: Remarks
@@ -112,8 +112,18 @@ def ball_advance(solution: Solution, given: PocketClearance) -> BallAdvance:
         pocket_clearance: of the cage's pockets along the pitch circle, by how much longer they are than a ball's
             diameter [m]; None: not compared.
 
+    Returns:
+        Excursion, lead and lag of the balls.
+
     Raises:
         SceneError: a clearance that is none.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> operation = dataclasses.replace(scene.operation, radial_load_y=8e3, tilt_z=0.0)
+        >>> solution = qs.solve(dataclasses.replace(scene, operation=operation))
+        >>> print(f"{qs.readings.ball_advance(solution).excursion * 1e3:.2f} mm")
+        11.13 mm
     """
     numbers = BearingNumbers(solution.scene.operating_bearing)
     radius = np.asarray(0.5 * numbers.pitch_diameter)

@@ -81,7 +81,16 @@ class BallMotion(Remarked):
 
 
 def kinematics(solution: Solution) -> BallMotion:
-    """Rolling, spin and sliding in every contact."""
+    """Rolling, spin and sliding in every contact.
+
+    Returns:
+        Rolling, spin and sliding of every contact.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.kinematics(solution).inner.spin_speed[0]:.0f} rad/s")
+        -1658 rad/s
+    """
     check_solution("kinematics", solution)
     solution.read_at_once(*NEEDS)
     motion = motion_arrays(solution)

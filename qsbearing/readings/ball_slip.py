@@ -75,7 +75,7 @@ class RacewaySlip:
     """At the contacts of one raceway."""
 
     friction_used: NDArray | None
-    """Friction for the gyroscopic moment over mu Q; shape (*cases, ball); None without the moment."""
+    """Friction for the gyroscopic moment over mu Q [-]; shape (*cases, ball); None without the moment."""
 
 
 @dataclass(frozen=True)
@@ -85,19 +85,19 @@ class BallSlip(Remarked):
     inner: RacewaySlip
     outer: RacewaySlip
     axis_moment_used: NDArray | None
-    """Of the ball that uses most; None without the gyroscopic moment."""
+    """Of the ball that uses most [-]; None without the gyroscopic moment."""
     least_drag_used: NDArray | None
-    """By the least share of oil; None without shares, NaN where no ball touches the inner ring."""
+    """By the least share of oil [-]; None without shares, NaN where no ball touches the inner ring."""
     most_drag_used: NDArray | None
-    """By the most."""
+    """By the most [-]."""
     least_axial_load: NDArray | None
     """Against drag by the most oil [N]."""
     maker_axial_load: NDArray | None
     """A (n/1000 rpm)^2 [N]; None where A is not given."""
     maker_load_used: NDArray | None
-    """That over the axial load on the ring."""
+    """That over the axial load on the ring [-]."""
     friction_coefficient: NDArray
-    """mu, as given."""
+    """mu, as given [-]."""
     remarks: Remarks
 
 
@@ -154,8 +154,17 @@ def ball_slip(solution: Solution, given: SlipArguments) -> BallSlip:
         oil: the lubricant at its temperature; without one 870 kg/m^3.
         minimum_load_factor: a maker's A, the least axial load at 1000 rpm [N].
 
+    Returns:
+        What each contact is asked for, over what it can carry.
+
     Raises:
         SceneError: numbers out of range; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> slip = qs.readings.ball_slip(solution, 0.07)
+        >>> print(f"{slip.inner.friction_used[0]:.2f}")
+        0.00
     """
     solution.read_at_once(*NEEDS)
     mu = np.asarray(given.friction_coefficient, float)

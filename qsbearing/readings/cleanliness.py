@@ -76,6 +76,14 @@ def contamination_factor(cleanliness: Cleanliness, viscosity_ratio: ArrayLike, p
     Args:
         viscosity_ratio: kappa.
         pitch_diameter: dm [m].
+
+    Returns:
+        eC, between 0 and 1.
+
+    Examples:
+        >>> cleanliness = qs.readings.Cleanliness.FILTER_12
+        >>> print(f"{qs.readings.contamination_factor(cleanliness, 2.0, 70 * qs.mm):.2f}")
+        0.54
     """
     dm = np.asarray(pitch_diameter, float) / mm
     constants = _CONSTANTS[Cleanliness(cleanliness)]

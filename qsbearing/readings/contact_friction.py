@@ -142,8 +142,16 @@ def friction(solution: Solution, given: FrictionArguments) -> Friction:
         drag_coefficient: cd of a ball between its neighbours, and
         fluid_density: rho of the mixture of oil and air [kg/m^3], both or neither.
 
+    Returns:
+        Heat and torque of all contacts.
+
     Raises:
         SceneError: coefficients out of range; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.friction(solution, 0.07).power:.0f} W")
+        2221 W
     """
     solution.read_at_once(*NEEDS)
     inner, outer = (

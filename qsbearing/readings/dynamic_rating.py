@@ -147,6 +147,14 @@ def dynamic_load_rating(
 
     Range: rings and balls of bearing steel. Ceramic balls keep the rating of steel ones (DIN ISO 281 Beiblatt 5,
     since replaced by ISO 20056-1): smaller ellipses lower it, smaller shear at the surface makes up for that.
+
+    Returns:
+        C, (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.dynamic_load_rating(bearing) / 1e3:.1f} kN")
+        99.8 kN
     """
     numbers = BearingNumbers(bearing)
     gamma = numbers.nominal_gamma
@@ -168,6 +176,14 @@ def axial_load_rating(bearing: BallBearing, dynamic_load_rating: ArrayLike) -> N
 
     Args:
         dynamic_load_rating: C, its radial rating [N].
+
+    Returns:
+        Ca, (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.axial_load_rating(bearing, 50e3) / 1e3:.1f} kN")
+        63.0 kN
     """
     numbers = BearingNumbers(bearing)
     angle = numbers.nominal_angle
@@ -185,6 +201,14 @@ def element_load_ratings(bearing: BallBearing, dynamic_load_rating: ArrayLike) -
     with the nominal angle in g and cos(alpha), and the bearing's own groove radii. The exponent 0.7 stands so in
     published implementations of the standard, whose text was not at hand. Lundberg and Palmgren's C is proportional to
     Qc cos(alpha): by them it would be 1, and the ratings 8 % higher at 40 degrees (`contact_load_rating`).
+
+    Returns:
+        Qci and Qce, each (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print([f"{each / 1e3:.2f} kN" for each in qs.readings.element_load_ratings(bearing, 100e3)])
+        ['19.74 kN', '31.67 kN']
     """
     numbers = BearingNumbers(bearing)
     factor = np.where(numbers.is_thrust, 1.0, 1.044)

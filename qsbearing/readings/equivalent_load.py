@@ -47,6 +47,11 @@ def equivalent_load(bearing: BallBearing, radial_load: ArrayLike, axial_load: Ar
     Returns:
         NaN for thrust bearings at Fa/Fr <= e. Linear between the table's angles and loads; beyond its loads its last
         values.
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.equivalent_load(bearing, 1e3, 2e3):.0f} N")
+        1490 N
     """
     numbers = BearingNumbers(bearing)
     angle = numbers.nominal_angle

@@ -154,8 +154,17 @@ def film(solution: Solution, given: FilmArguments) -> Film:
         oil: at its operating temperature; `Lubricant.at` makes one, with the numbers of a mineral oil's heating.
         ball_roughness, raceway_roughness: Rq of the surfaces, root mean square [m]; both, or no film parameter.
 
+    Returns:
+        Film thickness of every contact.
+
     Raises:
         SceneError: every number that is out of range, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> oil = qs.readings.Lubricant.from_grade(46).at(70 + qs.zero_celsius)
+        >>> print(f"{qs.readings.film(solution, oil).inner.minimum_thickness[0] / qs.um:.2f} µm")
+        0.93 µm
     """
     oil, rough = given.oil, given.combined_roughness
     solution.read_at_once(*NEEDS)

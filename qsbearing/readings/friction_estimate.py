@@ -169,7 +169,17 @@ def _arguments(oil: OilState, bore_diameter: Any, outside_diameter: Any, **given
 
 @with_arguments(EstimateArguments)
 def friction_estimates(solution: Solution, given: EstimateArguments) -> FrictionEstimates:
-    """SKF's estimate; Palmgren's too where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`."""
+    """SKF's estimate; Palmgren's too where C0 and f0 are given. Arguments: `skf_torque`, `palmgren_torque`.
+
+    Returns:
+        The estimates that the numbers given allow.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> estimates = qs.readings.friction_estimates(solution, 90 * qs.mm, 160 * qs.mm, 20e-6)
+        >>> print(f"{estimates.skf.torque:.2f} N m")
+        6.52 N m
+    """
     whole = {name: getattr(given, name) for name in ("bore_diameter", "outside_diameter", "kinematic_viscosity")}
     rating, palmgren = given.static_load_rating, None
     skf = skf_torque(solution, **whole, series=given.series, static_load_rating=rating, speed_rating=given.speed_rating)
@@ -204,8 +214,19 @@ def skf_torque(
         replenishment: Krs: 3e-8 low oil bath or oil jet, 6e-8 grease or oil spot.
         speed_rating: of the bearing, as its catalogue prints it [rad/s]: the model holds below it, and warns above it.
 
+    Returns:
+        The torque and its parts [N m].
+
     Raises:
         SceneError: numbers out of range, or what a deep-groove bearing needs missing; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> found = qs.readings.skf_torque(
+        ...     solution, bore_diameter=90 * qs.mm, outside_diameter=160 * qs.mm, kinematic_viscosity=20e-6
+        ... )
+        >>> print(f"{found.torque:.2f} N m")
+        6.52 N m
     """
     check_solution("skf_torque", solution)
     bearing = solution.scene.bearing
@@ -285,8 +306,20 @@ def palmgren_torque(
     f1 = 0.001 (P0/C0)^0.33 for angular contact and 0.0009 (P0/C0)^0.5 for deep groove; P1 = Fa - 0.1 Fr and 3.3 Fa -
     0.1 Fr, at least Fr. Thrust bearings, of nominal angles above 45 degrees: f1 = 0.0012 (Fa/C0)^0.33 and P1 = Fa.
 
+    Returns:
+        The torque and its parts [N m].
+
     Raises:
         SceneError: numbers out of range; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> found = qs.readings.palmgren_torque(
+        ...     solution, bore_diameter=90 * qs.mm, outside_diameter=160 * qs.mm, kinematic_viscosity=20e-6,
+        ...     static_load_rating=90e3, lubrication_factor=2.0,
+        ... )
+        >>> print(f"{found.torque:.2f} N m")
+        2.17 N m
     """
     check_solution("palmgren_torque", solution)
     size = bore_diameter, outside_diameter, kinematic_viscosity

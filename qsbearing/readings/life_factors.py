@@ -22,6 +22,13 @@ def reliability_factor(reliability: ArrayLike) -> NDArray:
     """a1 = 0.95 (ln(1/S)/ln(1/0.9))^(2/3) + 0.05 for a survival probability S.
 
     The three-parameter Weibull distribution of ISO/TR 1281-2, which rounds to ISO 281's table from 90 to 99.95 %.
+
+    Returns:
+        a1.
+
+    Examples:
+        >>> print(f"{qs.readings.reliability_factor(0.99):.2f}")
+        0.25
     """
     S = np.asarray(reliability, float)
     return np.asarray(0.95 * (np.log(S) / np.log(0.9)) ** (2.0 / 3.0) + 0.05)
@@ -48,6 +55,13 @@ def viscosity_ratio(kinematic_viscosity: ArrayLike, speed: ArrayLike, pitch_diam
         pitch_diameter: dm [m].
 
     A maker's diagram of nu1 may differ from the formula by a fifth.
+
+    Returns:
+        kappa.
+
+    Examples:
+        >>> print(f"{qs.readings.viscosity_ratio(20e-6, 1000.0, 70 * qs.mm):.2f}")
+        3.63
     """
     return np.asarray(np.asarray(kinematic_viscosity, float) / reference_viscosity(speed, pitch_diameter))
 
@@ -80,6 +94,10 @@ def life_modification_factor(
 
     Returns:
         At most 50, which is also the value where the bracket is no longer positive (a load below the fatigue limit).
+
+    Examples:
+        >>> print(f"{qs.readings.life_modification_factor(2.0, 0.5, 2e3, 10e3):.2f}")
+        4.20
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         relative = np.asarray(contamination_factor, float) * np.asarray(fatigue_load_limit, float)

@@ -27,11 +27,11 @@ class SpectrumLife:
     """Life under all operating points together; the axis of the points is gone from its arrays."""
 
     life: NDArray
-    """Revolutions of one ring against the other, as mixed as the spectrum."""
+    """Revolutions of one ring against the other, as mixed as the spectrum [rev]."""
     duration: NDArray
     """The same as time [s]."""
     damage_share: NDArray
-    """The part of the damage that each operating point does; with the axis of the points."""
+    """The part of the damage that each operating point does [-]; with the axis of the points."""
 
 
 def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> SpectrumLife:
@@ -47,8 +47,18 @@ def spectrum_life(life: Life, time_share: ArrayLike, axis: int = -1) -> Spectrum
         time_share: q, one for each point; they add up to one.
         axis: the case axis of the points.
 
+    Returns:
+        Life of the spectrum, and each point's share of the damage.
+
     Raises:
         SceneError: shares that are negative, do not add up to one, or are not as many as the points.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> operation = dataclasses.replace(scene.operation, axial_load=np.array([10e3, 20e3]))
+        >>> solution = qs.solve(dataclasses.replace(scene, operation=operation))
+        >>> print(f"{qs.readings.spectrum_life(qs.readings.life(solution), [0.7, 0.3]).duration / 3600:.0f} h")
+        4957 h
     """
     shares = np.atleast_1d(np.asarray(time_share, float))
     each = life.reference_rating_life

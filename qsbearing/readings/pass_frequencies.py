@@ -43,13 +43,13 @@ class FrequencySet:
     """Frequencies of each case; arrays of shape (*cases) [Hz]."""
 
     cage: NDArray
-    """Of the cage about the bearing axis: the mean of the balls' orbits."""
+    """Of the cage about the bearing axis: the mean of the balls' orbits [Hz]."""
     ball_pass_inner: NDArray
-    """Balls passing a point of the inner raceway (BPFI)."""
+    """Balls passing a point of the inner raceway (BPFI) [Hz]."""
     ball_pass_outer: NDArray
-    """Balls passing a point of the outer raceway (BPFO)."""
+    """Balls passing a point of the outer raceway (BPFO) [Hz]."""
     ball_spin: NDArray
-    """The ball's rolling turns; a defect of the ball strikes both raceways once a turn, that is at twice this (BSF)."""
+    """The ball's rolling turns [Hz]; its defect strikes both raceways once a turn, that is at twice this (BSF)."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,16 @@ class Frequencies:
 
 
 def frequencies(solution: Solution) -> Frequencies:
-    """Frequencies of every case from the solved contact angles, and the textbook's."""
+    """Frequencies of every case from the solved contact angles, and the textbook's.
+
+    Returns:
+        Frequencies [Hz] from the solved angles, and the textbook's.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.frequencies(solution).solved.ball_pass_outer:.1f} Hz")
+        1212.8 Hz
+    """
     check_solution("frequencies", solution)
     numbers = BearingNumbers(solution.scene.bearing)
     inner, outer = ring_speeds(solution)

@@ -44,9 +44,9 @@ class RacewayPivots:
     """
 
     near: NDArray
-    """The one nearer to the centre; about it the contact spins."""
+    """The one nearer to the centre [m]; about it the contact spins."""
     far: NDArray
-    """The other one."""
+    """The other one [m]."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,16 @@ class PivotPoints(Remarked):
 
 
 def pivot_points(solution: Solution) -> PivotPoints:
-    """Where nothing slides, in every contact."""
+    """Where nothing slides, in every contact.
+
+    Returns:
+        Of every contact, where nothing slides.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(qs.readings.pivot_points(solution).inner.near[0] * 1e3)
+        0.001959152994555767
+    """
     check_solution("pivot_points", solution)
     return _of_motion(solution, kinematics(solution))
 

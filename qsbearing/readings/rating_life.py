@@ -122,9 +122,9 @@ class Life(Remarked):
     reference_load: NDArray
     """P_ref = C/(L10r/10^6)^(1/3) [N]."""
     reliability_factor: NDArray
-    """a1."""
+    """a1 [-]."""
     life_modification_factor: NDArray | None
-    """aISO at the reference load; None unless a viscosity ratio and a contamination factor are given."""
+    """aISO at the reference load [-]; None unless a viscosity ratio and a contamination factor are given."""
     fatigue_load_limit: NDArray | None
     """Cu [N]; None where aISO is."""
     modified_reference_rating_life: NDArray | None
@@ -268,8 +268,16 @@ def life(solution: Solution, given: LifeArguments) -> Life:
         cleanliness: of the lubricant, by its class, which gives the contamination factor.
         oil: at its operating temperature; kappa follows from it where it is asked for and not given.
 
+    Returns:
+        Life in revolutions and hours, and the factors asked for.
+
     Raises:
         SceneError: every argument that is out of range, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.life(solution).basic_duration / 3600:.0f} h")
+        2839 h
     """
     rating, capacity = Rating(given.rating), Capacity(given.capacity)
     bearing, shape = solution.scene.bearing, solution.shape

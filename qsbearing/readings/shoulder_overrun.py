@@ -59,14 +59,14 @@ class RacewayOverrun:
     overrun_load: NDArray
     """Ball load at which the ellipse reaches the edge at this contact angle [N]; zero where its centre is past it."""
     share_beyond: NDArray
-    """Part of the ellipse's major axis beyond the edge: 0 where it is not cut off, 1 where nothing is left."""
+    """Part of the ellipse's major axis beyond the edge: 0 where it is not cut off, 1 where nothing is left [-]."""
     load_loss: NDArray
-    """By what part the contact carries less than the solution's, at the same approach; NaN where more than half of the
-    axis is beyond the edge, as the next two."""
+    """By what part the contact carries less than the solution's, at the same approach [-]; NaN where more than half of
+    the axis is beyond the edge, as the next two."""
     load_turn: NDArray
     """Of the load, away from the edge, as its resultant moves along the groove [rad]."""
     edge_intensity: NDArray
-    """K of the pressure near a sharp edge, K p0 sqrt(b/distance)."""
+    """K of the pressure near a sharp edge, K p0 sqrt(b/distance) [-]."""
     edge_pressure: NDArray | None
     """Largest pressure at an edge of the given radius [Pa]; `STATIC_PRESSURE` stands for all above it, where the edge
     yields. None: no radius is given, and at a sharp edge it is infinite."""
@@ -117,8 +117,18 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
             None: as high as the first.
         edge_radius: of the edges, tangent to the grooves where they end [m]; None: not known, no pressure at the edge.
 
+    Returns:
+        Distances of ellipse and edge; negative where it runs over.
+
     Raises:
         SceneError: no shoulder at all, or one that makes no groove; every error, at once.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> shoulders = {"inner_shoulder_diameter": 116 * qs.mm, "outer_shoulder_diameter": 135 * qs.mm}
+        >>> found = qs.readings.overrun(solution, **shoulders)
+        >>> print(f"{found.inner.edge_distance[0] * 1e3:.2f} mm")
+        0.93 mm
     """
     raceways: list[RacewayOverrun | None] = []
     said: list[Holding] = []

@@ -100,6 +100,14 @@ def static_load_rating(bearing: BallBearing) -> NDArray:
 
     Q is the smaller of the two raceways' loads; ISO 76 writes f0 Z D^2 cos(alpha), f0 = Q/(5 D^2). Above a nominal
     contact angle of 45 degrees the axial one, C0a = Z sin(alpha) Q = f0 Z D^2 sin(alpha), f0 = Q/D^2.
+
+    Returns:
+        C0, (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.static_load_rating(bearing) / 1e3:.1f} kN")
+        85.0 kN
     """
     numbers = BearingNumbers(bearing)
     largest, angle = numbers.ball_count * _weaker_contact(bearing, STATIC_PRESSURE), numbers.nominal_angle
@@ -113,6 +121,14 @@ def axial_static_load_rating(bearing: BallBearing, static_load_rating: ArrayLike
 
     Args:
         static_load_rating: C0, its radial rating [N].
+
+    Returns:
+        C0a, (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.axial_static_load_rating(bearing, 60e3) / 1e3:.1f} kN")
+        161.5 kN
     """
     numbers = BearingNumbers(bearing)
     axial = 0.7 * np.asarray(static_load_rating, float) / _axial_factor(bearing)
@@ -129,6 +145,14 @@ def fatigue_load_limit(
 
     Args:
         static_rating: C0 [N] where it does not follow from the geometry.
+
+    Returns:
+        Cu, (*cases,) [N].
+
+    Examples:
+        >>> bearing = qs.load_scene("b218").bearing
+        >>> print(f"{qs.readings.fatigue_load_limit(bearing):.0f} N")
+        3956 N
     """
     numbers = BearingNumbers(bearing)
     if FatigueLimit(by) is FatigueLimit.STATIC_RATING:
@@ -199,8 +223,16 @@ def static_safety(solution: Solution, given: StaticSafetyArguments) -> StaticSaf
     Args:
         static_load_rating: C0 [N], as a catalogue prints it; None: from the geometry.
 
+    Returns:
+        S0 by the standard, and by the solved pressures.
+
     Raises:
         SceneError: a rating out of range.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.static_safety(solution).static_safety:.1f}")
+        18.4
     """
     bearing, rating = solution.scene.bearing, given.static_load_rating
     rating = np.asarray(static_load_rating(bearing) if rating is None else rating, float)

@@ -83,7 +83,16 @@ class Stress(Remarked):
 
 
 def stress(solution: Solution) -> Stress:
-    """Shear stresses and dents of every contact."""
+    """Shear stresses and dents of every contact.
+
+    Returns:
+        Stresses below every contact, and dents.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{qs.readings.stress(solution).inner.max_shear[0] / qs.MPa:.0f} MPa")
+        462 MPa
+    """
     check_solution("stress", solution)
     solution.read_at_once(*NEEDS)
     inner, outer = (_raceway(solution, *side) for side in ((solution.inner, INNER), (solution.outer, OUTER)))

@@ -68,8 +68,16 @@ def message(solution: SolutionOfCases, index: Index = None) -> str:
     Args:
         index: the case, along the solution's case axes; negative numbers count from the end.
 
+    Returns:
+        A sentence; empty for a case that is solved.
+
     Raises:
         ValueError: the index does not name one case of this solution.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(repr(qs.message(solution)))
+        'Balls and ring are in equilibrium: largest imbalance 1.1e-17 of the largest force, after 4 iterations.'
     """
     check_kind("message", solution, "Solution", "SetSolution")
     if index is None and solution.shape:
@@ -90,8 +98,16 @@ def warnings(solution: SolutionOfCases, index: Index = None) -> list[Warned]:
     Args:
         index: the case, along the solution's case axes; negative numbers count from the end.
 
+    Returns:
+        Remarks, in the order in which they are printed; a list for all cases or those of `index`.
+
     Raises:
         ValueError: the index does not name one case of this solution.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(qs.warnings(solution)[0].remark.code)
+        effect_data_missing
     """
     check_kind("warnings", solution, "Solution", "SetSolution")
     none: Any = {} if isinstance(solution, Solution) else [{} for _ in solution.rows]  # type: ignore[attr-defined]

@@ -68,8 +68,16 @@ def requirements(solution: Solution | SetSolution) -> list[Answer]:
     Of several cases the worst counts. Readings that a requirement names must be asked for, which files do by
     themselves; else it is open.
 
+    Returns:
+        An answer for each requirement of the scene, in its order.
+
     Raises:
         SceneError: a requirement on what is no result.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(qs.requirements(solution))
+        []
     """
     check_kind("requirements", solution, "Solution", "SetSolution")
     return required_answers(solution, all_taken(solution))

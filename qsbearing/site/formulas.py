@@ -11,9 +11,7 @@ from markdown.preprocessors import Preprocessor
 from qsbearing.documents.formula import forms, split
 
 CODE = r"^(?P<fence>`{3,}|~{3,})[^\n]*\n.*?^(?P=fence)[ \t]*$|(?P<ticks>`+)[^`].*?(?P=ticks)"
-FORMULA = re.compile(
-    rf"{CODE}|\$\$(?P<block>.+?)\$\$|(?<![\\$])\$(?P<line>[^$\n]+?)\$", re.DOTALL | re.MULTILINE
-)
+FORMULA = re.compile(rf"{CODE}|\$\$(?P<block>.+?)\$\$|(?<![\\$])\$(?P<line>[^$\n]+?)\$", re.DOTALL | re.MULTILINE)
 
 
 class Formulas(Preprocessor):

@@ -58,6 +58,13 @@ def sobol_indices(study: Study, count: int = 1024) -> xarray.Dataset:
     Raises:
         SceneFileError: nothing varies at random, a key has listed values, or the study is wrong; every error at once.
         ImportError: xarray is not installed (the `studies` extra).
+
+    Examples:
+        >>> spread = {"axial_load_N": {"normal": [17e3, 1e3]}, "speed_rpm": {"uniform": [9e3, 11e3]}}
+        >>> study = qs.Study.of("b218", spread)
+        >>> indices = qs.sobol_indices(study, 64)
+        >>> print(dict(indices.sizes))
+        {'result': 10, 'key': 2}
     """
     import xarray
 

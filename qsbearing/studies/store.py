@@ -265,8 +265,18 @@ class Store:
 def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
     """The results of a sweep, read from the disk each time they are used; `.load()` keeps them in memory.
 
+    Returns:
+        The dataset, read as it is used: close it, or use `with`.
+
     Raises:
         SceneFileError: no file, or none that this version reads.
+
+    Examples:
+        >>> results = qs.sweep(qs.Study.of("b218", {"speed_rpm": [0, 10_000]}), out="speeds.nc")
+        >>> results.close()
+        >>> with qs.open_results("speeds.nc") as again:
+        ...     print(dict(again.sizes)["speed_rpm"])
+        2
     """
     import xarray
 

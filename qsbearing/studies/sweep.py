@@ -66,6 +66,11 @@ def sweep(
             run is using it.
         TimeoutError: a Dask cluster has had no worker for a minute.
         ImportError: xarray is not installed (the `studies` extra).
+
+    Examples:
+        >>> results = qs.sweep(qs.Study.of("b218", {"speed_rpm": [0, 10_000]}))
+        >>> print(results["ring_displacement_axial"].values.round(2))
+        [35.87 14.76]
     """
     check_kind("sweep", study, "Study")
     scene = check(study)

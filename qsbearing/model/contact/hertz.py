@@ -208,10 +208,18 @@ def point_contact(
         effective_modulus: E' [Pa], see `effective_modulus`.
         form: exact, or one of the two published fits.
 
+    Returns:
+        The ellipse, its largest pressure, and the approach of the bodies.
+
     Raises:
         ValueError: load, a curvature or the modulus is not positive and finite.
 
     Range: half-spaces, so an ellipse small beside the bodies; elastic; frictionless.
+
+    Examples:
+        >>> contact = qs.point_contact(1e3, 5.0, 150.0, 114e9)
+        >>> print(f"{contact.max_pressure / qs.MPa:.0f} MPa, {contact.approach / qs.um:.2f} µm")
+        1003 MPa, 14.58 µm
     """
     for name, value in (
         ("load", load),
@@ -252,8 +260,16 @@ def subsurface_shear(ellipticity: float, poisson_ratio: float = 0.3) -> Subsurfa
         ellipticity: k = a/b >= 1.
         poisson_ratio: of the body looked into.
 
+    Returns:
+        The largest shear stresses over the largest pressure, and their depths over b.
+
     Raises:
         ValueError: ellipticity below 1, or Poisson's ratio outside [0, 0.5].
+
+    Examples:
+        >>> shear = qs.subsurface_shear(8.0)
+        >>> print(f"{shear.stress:.3f} of the pressure, {shear.depth:.3f} b deep")
+        0.317 of the pressure, 0.764 b deep
     """
     from scipy.optimize import minimize_scalar
     from scipy.special import elliprd

@@ -110,6 +110,7 @@ class ElasticRings:
     housing_elastic_modulus: ArrayLike | None = field(default=None, metadata=given_in("GPa", part=HOUSING))
     """[Pa]; None, as for the rest of the material: as the rings."""
     housing_poisson_ratio: ArrayLike | None = field(default=None, metadata=given_in(part=HOUSING))
+    """Of the housing; with its modulus [-]."""
     outer_compliance: tuple[float, ...] | None = field(
         default=None, metadata=given_in("um/N", part=HOUSING, is_list=True)
     )
@@ -119,6 +120,7 @@ class ElasticRings:
     inner_width: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed="width"))
     """[m]"""
     inner_shoulder_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER, printed=True))
+    """Of the inner ring's shoulder [m]."""
     inner_open_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=INNER))
     """Of the inner ring, as `outer_open_diameter` of the outer [m]."""
     shaft: str | None = None
@@ -126,7 +128,9 @@ class ElasticRings:
     shaft_bore_diameter: ArrayLike | None = field(default=None, metadata=given_in("mm", part=SHAFT))
     """[m]"""
     shaft_elastic_modulus: ArrayLike | None = field(default=None, metadata=given_in("GPa", part=SHAFT))
+    """Of a hollow shaft; None: as the rings [Pa]."""
     shaft_poisson_ratio: ArrayLike | None = field(default=None, metadata=given_in(part=SHAFT))
+    """Likewise [-]."""
     inner_compliance: tuple[float, ...] | None = field(
         default=None, metadata=given_in("um/N", part=SHAFT, is_list=True)
     )

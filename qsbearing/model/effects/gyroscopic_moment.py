@@ -57,7 +57,7 @@ class GyroscopicMoment:
 
     moment_shares: MomentShares = MomentShares.CONTROLLING
     friction_coefficient: ArrayLike | None = field(default=None, metadata=given_in())
-    """The most friction that a contact carries, over its load; it may span cases. None: whatever is asked."""
+    """The most friction that a contact carries, over its load [-]; it may span cases. None: whatever is asked."""
     name: ClassVar[str] = "gyroscopic_moment"
 
     def __post_init__(self) -> None:

@@ -131,6 +131,7 @@ class RingExpansion:
     inner_ring_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None, as for the outer ring: the reference temperature."""
     outer_ring_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
+    """None: the reference temperature [K]."""
     housing_interference: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Outside diameter less housing bore, at rest and the reference temperature [m]; None: no housing is regarded."""
     housing_outside_diameter: ArrayLike | None = field(

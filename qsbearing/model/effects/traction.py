@@ -75,7 +75,7 @@ class Traction:
     friction_range: tuple[float, float] | None = field(
         default=None, metadata=given_in(range=COEFFICIENTS, is_list=True)
     )
-    """The least and the largest mu that the contacts may have: the band of results between them is told."""
+    """The least and the largest mu that the contacts may have: the band of results between them is told [-]."""
     radial_points: int = field(default=RADII, metadata=given_in(range=(1.0, MOST_RADII)))
     """Of each contact, along a radius."""
     points_around: int = field(default=ANGLES, metadata=given_in(range=(4.0, MOST_ANGLES)))
@@ -134,7 +134,7 @@ class Traction:
 
     @property
     def coefficient(self) -> ArrayLike:
-        """mu, which is assumed where it is not given."""
+        """mu, which is assumed where it is not given [-]."""
         return FRICTION_COEFFICIENT if self.friction_coefficient is None else self.friction_coefficient
 
     @property

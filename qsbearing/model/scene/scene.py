@@ -85,7 +85,7 @@ class Scene(InNotebooks):
     """What is to be read off the solution: by name, with arguments (`qsbearing.readings.take_asked`). No solve looks
     at it."""
     tolerance: float | None = None
-    """With one, `solve` chooses the effects, to this relative error of reported results: effects = "auto" of a file."""
+    """With one, `solve` chooses the effects, to this relative error of results [-]: effects = "auto" of a file."""
     orbit_radius: OrbitRadius = field(default=OrbitRadius.PITCH_CIRCLE, metadata=one_of(OrbitRadius))
     """Of the balls, for their motion; only the ball effects ask for it."""
     ball_motion: MotionOfBalls = field(default=MotionOfBalls.OWN, metadata=one_of(MotionOfBalls))

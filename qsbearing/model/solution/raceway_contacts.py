@@ -79,7 +79,7 @@ class RacewayContacts:
     semi_minor_axis = Lazy[NDArray]("Of the ellipse, b [m]; zero without load.")
     max_pressure = Lazy[NDArray]("Hertz's p0 at the centre of the ellipse [Pa]; zero without load.")
     required_friction = Lazy[NDArray | None](
-        """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q); None without that effect.
+        """Coefficient of friction that the gyroscopic moment demands here, lambda |Mg|/(D Q) [-]; None without it.
 
         Above what the contact offers (0.06 to 0.1 is typical) the ball slips and raceway control no longer holds.
         """

@@ -173,8 +173,16 @@ def unfound_errors(effects: Iterable[Any]) -> list[ErrorDetail]:
 def stiffness(scene: Scene, solution: Solution) -> NDArray:
     """`solution.stiffness`, after a check that the solution belongs to this scene.
 
+    Returns:
+        Stiffness matrix, (*cases, 5, 5) [N/m, N/rad, N m/m, N m/rad].
+
     Raises:
         ValueError: the solution belongs to another scene.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> print(f"{qs.stiffness(scene, qs.solve(scene))[0, 0] * qs.um:.1f} N/µm")
+        289.2 N/µm
     """
     check_kind("stiffness", scene, "Scene")
     check_kind("stiffness", solution, "Solution")

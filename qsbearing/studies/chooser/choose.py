@@ -82,6 +82,11 @@ def solve(
         ValueError: array fields that do not broadcast, a start of other axes, a tolerance, accuracy or thread count out
             of range, an accuracy without effects to choose.
         TypeError: not a scene.
+
+    Examples:
+        >>> solution = qs.solve(qs.load_scene("b218"))
+        >>> print(f"{solution.inner.angle[0] / qs.deg:.2f} {solution.outer.angle[0] / qs.deg:.2f}")
+        49.94 31.34
     """
     check_kind("solve", scene, "Scene")
     check_readings(scene.readings)

@@ -54,6 +54,14 @@ def solve_set(
 
     Raises:
         ValueError: array fields that do not broadcast, a tolerance, accuracy or thread count out of range.
+
+    Examples:
+        >>> bearing = qs.load_scene("7210C").bearing
+        >>> rows = qs.Row(bearing, 0.0, "+x"), qs.Row(bearing, 20 * qs.mm, "-x")
+        >>> operation = qs.Operation(speed=1047.0, radial_load_y=500.0, moment_z=0.0)
+        >>> pair = qs.BearingSet(rows, operation, qs.Preload(rigid=720.0))
+        >>> print(f"{qs.solve_set(pair).preload_in_operation[0]:.0f} N")
+        720 N
     """
     check_kind("solve_set", of, "BearingSet")
     for readings in (of.readings, *(row.readings or {} for row in of.rows)):

@@ -134,8 +134,16 @@ def compare(sources: Sequence[Source], at: Source | None = None) -> Comparison:
             bearings, its own bearing left out; None: the first source. If it is a set, each bearing in turn is that of
             its rows.
 
+    Returns:
+        Comparison: the results of each, side by side.
+
     Raises:
         SceneFileError: everything that is wrong with any of them, at once.
+
+    Examples:
+        >>> found = qs.compare(["7210C", "71914C"], at="b218")
+        >>> print(found.labels)
+        ('7210C', '71914C')
     """
     return solved(job_of(sources, at))
 

@@ -116,6 +116,14 @@ def find(
 
     Raises:
         SceneError: everything that is wrong with what is asked for, at once.
+
+    Examples:
+        >>> found = qs.find(
+        ...     "b218", {"axial_load_N": (1e3, 40e3)}, limits=["outer.max_pressure_MPa<=1500"],
+        ...     maximise="ring_load_axial_N", points=64,
+        ... )
+        >>> print(found.is_feasible)
+        True
     """
     return searched(prepared(source, vary, goals, limits, minimise, maximise), points, seed, progress)
 

@@ -90,9 +90,9 @@ class Thermal:
     friction: str = "contacts"
     """Which model makes the heat, with the arguments of its reading: contacts, skf or palmgren."""
     heat_to_rings: float = field(default=0.5, metadata=given_in())
-    """Part of a contact's heat that goes into its ring; the rest goes into the ball."""
+    """Part of a contact's heat that goes into its ring [-]; the rest goes into the ball."""
     heat_at_inner: float = field(default=0.5, metadata=given_in())
-    """Part of a whole bearing's friction that is made at the inner contacts, where the model does not say it."""
+    """Part of a whole bearing's friction that is made at the inner contacts, where the model does not say it [-]."""
     heats: Mapping[str, float] = field(default_factory=dict)
     """What else heats a node [W], such as a motor the shaft; of a row's node, in each row."""
     heat_capacities: Mapping[str, float] = field(default_factory=dict)

@@ -81,8 +81,18 @@ def stiffness_over_frequency(solution: Solution, frequency: ArrayLike) -> Stiffn
         frequency: angular, (n,) or (*cases, n) [rad/s]; across the axis positive where the displacement turns about
             +x, as a shaft of positive speed does.
 
+    Returns:
+        The complex stiffness at each frequency.
+
     Raises:
         SceneError: another raceway control; a radial load or displacement, which makes balls unlike.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> scene = dataclasses.replace(scene, raceway_control="friction", traction=qs.Traction(0.07))
+        >>> found = qs.stiffness_over_frequency(qs.solve(scene), [0.0, 1000.0])
+        >>> print(f"{found.radial[0] / 1e6:.0f} N/µm")
+        228 N/µm
     """
     check_kind("stiffness_over_frequency", solution, "Solution")
     raise_if_any(_errors(solution))

@@ -150,6 +150,9 @@ def ross_element(solution: SolutionOfCases, n: int, index: Any = None, **argumen
     Args:
         index: which cases, as numpy's arrays take it, such as (0, slice(None)); None: all.
 
+    Returns:
+        As `to_ross`.
+
     Raises:
         SceneError: as `to_ross`; and cases that are not solved, with status and reason.
     """

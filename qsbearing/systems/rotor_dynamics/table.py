@@ -65,6 +65,17 @@ def stiffness_table(solution: Solution, *, mirrored: bool = False) -> pandas.Dat
 
     Args:
         mirrored: the bearing is mounted the other way round: it carries a thrust on the shaft in -z.
+
+    Returns:
+        A row for each speed, its entries in SI.
+
+    Examples:
+        >>> scene = qs.load_scene("b218")
+        >>> speeds = np.array([0.0, 5e3, 10e3]) * qs.rpm
+        >>> operation = dataclasses.replace(scene.operation, speed=speeds)
+        >>> table = qs.stiffness_table(qs.solve(dataclasses.replace(scene, operation=operation)))
+        >>> print(table.shape[0])
+        3
     """
     import pandas
 

@@ -99,7 +99,7 @@ class BearingSet(InNotebooks):
     spacers: tuple[Spacer, ...] = ()
     floating: tuple[FloatingGroup, ...] = ()
     tolerance: float | None = None
-    """As `Scene.tolerance`: `qs.solve_set` chooses the effects."""
+    """As `Scene.tolerance`: `qs.solve_set` chooses the effects [-]."""
     require: tuple[Requirement, ...] = field(default=(), compare=False)
     """As `Scene.require`."""
 

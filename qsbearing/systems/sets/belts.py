@@ -52,7 +52,7 @@ class Belt:
     pretension: ArrayLike | None = field(default=None, metadata=given_in("N"))
     """Of each strand, while nothing is transmitted [N]; or"""
     tension_ratio: ArrayLike | None = field(default=None, metadata=given_in(words="tight strand over slack strand"))
-    """the tension of the tight strand over that of the slack one."""
+    """the tension of the tight strand over that of the slack one [-]."""
     wrap_angle: ArrayLike | None = field(default=None, metadata=given_in("deg"))
     """Over which the belt touches this pulley [rad]: below 180 degrees on the smaller one. None: strands are assumed to
     be parallel."""

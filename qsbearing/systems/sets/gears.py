@@ -91,6 +91,7 @@ class Gear:
     """Of the circle that rolls on its mate's [m]; of a bevel gear at the middle of the face width. None: of the
     teeth and the module."""
     teeth: float | None = field(default=None, metadata=given_in(words="number of teeth"))
+    """Of the gear on this shaft [-]."""
     normal_module: float | None = field(default=None, metadata=given_in("mm"))
     """Pitch diameter of a spur gear over its number of teeth; of a helical one times the cosine of the helix angle
     [m]."""

@@ -57,6 +57,14 @@ def preload_speeds(of: BearingSet, highest_speed: float, *, threads: int | None 
 
     Raises:
         SceneError: a highest speed that is not positive, arrays in the set, or rows that all carry in one direction.
+
+    Examples:
+        >>> bearing = qs.load_scene("7210C").bearing
+        >>> rows = qs.Row(bearing, 0.0, "+x"), qs.Row(bearing, 20 * qs.mm, "-x")
+        >>> operation = qs.Operation(speed=1047.0, radial_load_y=500.0, moment_z=0.0)
+        >>> pair = qs.BearingSet(rows, operation, qs.Preload(rigid=720.0))
+        >>> print(qs.preload_speeds(pair, 2000.0))
+        []
     """
     check_kind("preload_speeds", of, "BearingSet")
     first_changes = firsts(speed_changes(of, highest_speed, threads))
@@ -118,6 +126,15 @@ def preload_loads(of: BearingSet, highest: float = MOST, *, threads: int | None 
     Raises:
         SceneError: a highest multiple that is not positive, arrays in the set, no load, or rows that all carry in one
             direction.
+
+    Examples:
+        >>> bearing = qs.load_scene("7210C").bearing
+        >>> rows = qs.Row(bearing, 0.0, "+x"), qs.Row(bearing, 20 * qs.mm, "-x")
+        >>> operation = qs.Operation(speed=1047.0, radial_load_y=500.0, moment_z=0.0)
+        >>> pair = qs.BearingSet(rows, operation, qs.Preload(rigid=720.0))
+        >>> lost = qs.preload_loads(pair, 20.0)
+        >>> print([f"{each.multiple:.1f}" for each in lost])
+        []
     """
     check_kind("preload_loads", of, "BearingSet")
     first_changes = firsts(load_changes(of, highest, threads))

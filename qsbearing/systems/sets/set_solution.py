@@ -180,8 +180,8 @@ class SetSolution(SolutionOfCases):
 
     @cached_property
     def load(self) -> NDArray:
-        """On the shaft at the reference position: what was prescribed, or the reaction to a prescribed displacement;
-        shape (*cases, 5). Loads of the shaft's own, elsewhere, are not in it."""
+        """On the shaft at the reference position, shape (*cases, 5) [N, N m]: what was prescribed, or the reaction to a
+        prescribed displacement. Loads of the shaft's own, elsewhere, are not in it."""
         beside = -self._structure.load[:, :5]
         if self._structure.elasticity.size:
             beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self.outcome.q)
@@ -353,7 +353,7 @@ class SetSolution(SolutionOfCases):
 
     @property
     def preload_at_rest(self) -> NDArray | None:
-        """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other."""
+        """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other [N]."""
         return self.preload_mounted if self._is_given_mounted else self.preload_unmounted
 
     @cached_property

@@ -47,15 +47,16 @@ class ShaftSection:
     """A length of shaft between two steps, a cylinder or a cone; SI units, plain numbers."""
 
     length: float = field(metadata=given_in("mm"))
+    """Along the shaft [m]."""
     outer_diameter: float = field(metadata=given_in("mm"))
-    """Of a cone, where it begins."""
+    """Of a cone, where it begins [m]."""
     inner_diameter: float = field(default=0.0, metadata=given_in("mm"))
-    """Of the bore; of a cone, where it begins."""
+    """Of the bore [m]; of a cone, where it begins."""
     material: Material = field(default=STEEL, metadata=A_MATERIAL)
     end_outer_diameter: float | None = field(default=None, metadata=given_in("mm"))
-    """Where it ends; None: a cylinder."""
+    """Where it ends [m]; None: a cylinder."""
     end_inner_diameter: float | None = field(default=None, metadata=given_in("mm"))
-    """Of the bore, where it ends; None: a cylinder."""
+    """Of the bore, where it ends [m]; None: a cylinder."""
 
     @property
     def is_conical(self) -> bool:
@@ -64,13 +65,13 @@ class ShaftSection:
 
     @property
     def outer_diameters(self) -> tuple[float, float]:
-        """Where it begins and ends."""
+        """Where it begins and ends [m]."""
         end = self.end_outer_diameter
         return self.outer_diameter, self.outer_diameter if end is None else end
 
     @property
     def inner_diameters(self) -> tuple[float, float]:
-        """Likewise."""
+        """Likewise [m]."""
         end = self.end_inner_diameter
         return self.inner_diameter, self.inner_diameter if end is None else end
 
@@ -80,15 +81,21 @@ class ShaftLoad:
     """A load on the shaft at a position [m]; forces [N] and moments [N m], which may be arrays that span cases."""
 
     position: float = field(metadata=given_in("mm"))
+    """Along the shaft [m]."""
     axial: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    """Along +x [N]."""
     radial_y: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    """Along +y [N]."""
     radial_z: ArrayLike = field(default=0.0, metadata=given_in("N"))
+    """Along +z [N]."""
     moment_y: ArrayLike = field(default=0.0, metadata=given_in("N m"))
+    """About +y [N m]."""
     moment_z: ArrayLike = field(default=0.0, metadata=given_in("N m"))
+    """About +z [N m]."""
 
     @property
     def values(self) -> tuple[ArrayLike, ...]:
-        """In the order of the channels."""
+        """In the order of the channels [N, N m]."""
         return tuple(getattr(self, name) for name, _ in LOADS)
 
 
@@ -97,6 +104,7 @@ class ShaftMass:
     """A body fixed to the shaft, as a point at a position [m]; SI units. Its inertia is that about its own centre."""
 
     position: float = field(metadata=given_in("mm"))
+    """Along the shaft [m]."""
     mass: ArrayLike = field(metadata=given_in("kg"))
     """[kg]; may be an array that spans cases."""
     polar_inertia: float = field(default=0.0, metadata=given_in("kg m2"))
@@ -111,15 +119,21 @@ class ShaftSupport:
     numbers [N/m, N m/rad]."""
 
     position: float = field(metadata=given_in("mm"))
+    """Along the shaft [m]."""
     axial: float = field(default=0.0, metadata=given_in("N/um"))
+    """Against a displacement along x [N/m]."""
     radial_y: float = field(default=0.0, metadata=given_in("N/um"))
+    """Against a displacement along y [N/m]."""
     radial_z: float = field(default=0.0, metadata=given_in("N/um"))
+    """Against a displacement along z [N/m]."""
     tilt_y: float = field(default=0.0, metadata=given_in("kN m/rad"))
+    """Against a tilt about y [N m/rad]."""
     tilt_z: float = field(default=0.0, metadata=given_in("kN m/rad"))
+    """Against a tilt about z [N m/rad]."""
 
     @property
     def stiffness(self) -> NDArray:
-        """Shape (5, 5)."""
+        """Shape (5, 5) [N/m, N m/rad]."""
         return np.diag([float(getattr(self, name)) for name, _ in SPRINGS])
 
 
@@ -139,14 +153,14 @@ class HousingStiffness:
     tilt: float | None = field(default=None, metadata=given_in("kN m/rad"))
     """[N m/rad]"""
     matrix: ArrayLike | None = field(default=None, metadata=given_in("SI", is_list=True))
-    """In place of the three, shape (5, 5), in the order x, y, z, tilt y, tilt z of the shaft's axes."""
+    """In place of the three, shape (5, 5), in the order x, y, z, tilt y, tilt z of the shaft's axes [SI]."""
 
     def __post_init__(self) -> None:
         raise_if_any(_housing_errors(self))
 
     @property
     def compliance(self) -> NDArray:
-        """Shape (5, 5); SI."""
+        """Shape (5, 5) [SI]; SI."""
         if self.matrix is not None:
             return np.linalg.inv(np.asarray(self.matrix, float))
         each = (self.axial, self.radial, self.radial, self.tilt, self.tilt)
@@ -186,6 +200,7 @@ class Housing:
     """[K]; None: the reference temperature."""
     material: Material = field(default=STEEL, metadata=A_MATERIAL)
     reference_temperature: float = field(default=REFERENCE_TEMPERATURE, metadata=given_in("C"))
+    """At which its dimensions hold [K]."""
 
     def __post_init__(self) -> None:
         errors = material_errors("housing.material", self.material) + _temperatures("housing", self)
@@ -197,7 +212,7 @@ class Housing:
 
     @property
     def strain(self) -> NDArray:
-        """alpha dT."""
+        """alpha dT [-]."""
         if self.temperature is None:
             return np.zeros(())
         warmer = np.asarray(self.temperature, float) - self.reference_temperature
@@ -308,7 +323,7 @@ class Shaft:
 
     @cached_property
     def strains(self) -> NDArray:
-        """alpha dT of each section; shape (..., section)."""
+        """alpha dT of each section [-]; shape (..., section)."""
         if self.temperature is None:
             return np.zeros(len(self.sections))
         warmer = np.asarray(self.temperature, float) - self.reference_temperature

@@ -21,6 +21,13 @@ def system_life(lives: Iterable[ArrayLike]) -> NDArray:
     """Life that all rows survive together with the reliability that each has alone; shape of the lives broadcast.
 
     In the lives' unit: times, or revolutions where all rows turn alike. Never above the weakest row's.
+
+    Returns:
+        Life of all together, in the unit of the lives.
+
+    Examples:
+        >>> print(f"{qs.system_life([10_000.0, 10_000.0]):.0f}")
+        5359
     """
     each = np.stack(np.broadcast_arrays(*(np.asarray(life, float) for life in lives)))
     weakest = each.min(axis=0)
