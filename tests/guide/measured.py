@@ -22,6 +22,7 @@ STATED = {
         "0.1 ms": RECORD,
         "4 to 10 µs": RECORD,
     },
+    "agreement.md": {"about a minute": CHECK},
     "data_sheet.md": {"2 of 5": "a name as the command on the page gives it, which a test runs"},
     "design.md": {"28 s": ONCE},
     "finite_elements.md": {
