@@ -94,6 +94,7 @@ def test_the_coarser_meshes_are_on_record_and_printed(series):
             if row["quantity"] in READ:
                 assert meshes[-1][row["quantity"]] == pytest.approx(row["found"], rel=1e-12)
                 assert 0.0 < abs(meshes[0][row["quantity"]] / row["reference"] - 1.0) < 0.05
+                assert len({each[row["quantity"]] for each in meshes}) == 3
     lines = [line for line in shown.mesh_table(record).rows if not isinstance(line, RowGroup)]
     assert len(lines) == 3, "similar contacts are printed once"
 
@@ -110,15 +111,16 @@ def test_true_bodies_stand_beside_half_spaces(series, tmp_path):
     entry = json.loads(json.dumps(record))
     for contact in entry["contacts"]:
         contact["true_case"] = f"{contact['case']}, true"
-        own = next(row for row in entry["rows"] if row["case"] == contact["case"] and row["quantity"] == "approach")
-        entry["rows"].append(
-            own | {"case": contact["true_case"], "deviation_percent": -1.5, "uncertainty_percent": 0.2}
-        )
+        for name, deviation in (("approach", -1.5), ("max_pressure", 0.7)):
+            own = next(row for row in entry["rows"] if row["case"] == contact["case"] and row["quantity"] == name)
+            judged = {"deviation_percent": deviation, "uncertainty_percent": 0.2}
+            entry["rows"].append(own | {"case": contact["true_case"], **judged})
         contact["true_on_each_mesh"] = contact["on_each_mesh"]
     table = shown.agreement_table(entry)
     assert table.headings == shown.BOTH_HEADINGS
     told = [line for line in table.rows if not isinstance(line, RowGroup)]
     assert [line[4] for line in told if line[0].startswith("approach")] == ["-1.50 ± 0.20"] * len(LOADS)
+    assert [line[4] for line in told if line[0].startswith("pressure")] == ["+0.70 ± 0.20"] * len(LOADS)
     assert all(line[3] == line[4] == "" for line in told if line[0].startswith("depth"))
     header, first, *_ = csv.reader(files.csv_of(entry).decode().splitlines())
     beside = dict(zip(header, first, strict=True))
