@@ -93,9 +93,9 @@ def bodies_strain(solved: TrueContactStudy) -> float:
 
     In a ratio on the same bodies it does not cancel: the exact gap is steeper at its ends than the parabola, and gives
     way less. In a groove of 0.505 D at 40 degrees and 30 kN the bodies shorten the parabola's ellipse by 1.28 %, the
-    exact gap's by 0.99 %: by elements the ratio is 0.30 % larger than that of half-spaces (9 and 10 per semi-axis; 0.25 %
-    where the shoulder is 4 degrees higher), by half-spaces with this curvature 0.30 %. On B218 at 5 kN it is 0.018 % of a and 0.006 % of p0, which the example's
-    rows leave out.
+    exact gap's by 0.99 %: by elements the ratio is 0.30 % larger than that of half-spaces (9 and 10 per semi-axis; 0.25
+    % where the shoulder is 4 degrees higher), by half-spaces with this curvature 0.30 %. On B218 at 5 kN it is 0.018 %
+    of a and 0.006 % of p0, which the example's rows leave out.
     """
     return references.curvature_of_length(solved.groove.problem(solved.load), solved.parabola[-1]["semi_major_axis"])
 
