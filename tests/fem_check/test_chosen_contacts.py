@@ -133,7 +133,7 @@ def test_both_ways_are_one_record(monkeypatch):
     half = run.SolvedContacts(
         Findings([], {"elements_per_semi_axis": 8, "dofs": 1, "file": "half"}, "rslab"),
         {"bearing": {}, "elements": [4, 6, 8], "contacts": [{"case": "half", "on_each_mesh": []}]},
-        lambda: [{"map": "half"}], lambda: [("half", None)],
+        lambda: [{"contact": {"name": "B218 inner"}}], lambda: [("half", None)],
     )  # fmt: skip
     true = run.SolvedContacts(
         Findings([], {"elements_per_semi_axis": 8, "dofs": 2, "file": "true"}, "rslab", notes=["a note"]),
@@ -141,7 +141,7 @@ def test_both_ways_are_one_record(monkeypatch):
             "bearing": {}, "elements": [4, 6, 8], "undecided": ["a row"],
             "contacts": [{"case": "true", "mesh": {"dofs": 2}, "on_each_mesh": [{"elements": 4}]}],
         },
-        lambda: [{"map": "true"}], lambda: [("true", None)],
+        lambda: [{"contact": {"name": "B218 inner"}}], lambda: [("true", None)],
     )  # fmt: skip
     monkeypatch.setattr(run, "of_half_spaces", lambda *given: half)
     monkeypatch.setattr(run, "of_true_bodies", lambda *given: true)
@@ -149,7 +149,8 @@ def test_both_ways_are_one_record(monkeypatch):
     (entry,) = outcome.known["contacts"]
     assert entry["case"] == "half" and entry["true_case"] == "true" and entry["true_on_each_mesh"] == [{"elements": 4}]
     assert outcome.known["undecided"] == ["a row"] and outcome.findings.mesh["true_dofs"] == 2
-    assert [each["map"] for each in outcome.maps()] == ["half", "true"]
+    names = [each["contact"]["name"] for each in outcome.maps()]
+    assert names == ["B218 inner, half-spaces", "B218 inner, true bodies"]
     assert [name for name, _ in outcome.fields()] == ["half", "true"]
 
 
