@@ -62,9 +62,14 @@ def of_both(contacts: Sequence[Chosen], sequence: tuple[int, ...], elements: int
     return SolvedContacts(
         findings,
         record.of_both(half.known, true.known),
-        lambda: [*half.maps(), *true.maps()],
+        lambda: [*_named("half-spaces", half.maps()), *_named("true bodies", true.maps())],
         lambda: [*half.fields(), *true.fields()],
     )
+
+
+def _named(what: str, maps: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Maps that say what they are of."""
+    return [{**each, "contact": {**each["contact"], "name": f"{each['contact']['name']}, {what}"}} for each in maps]
 
 
 def of_true_bodies(contacts: Sequence[Chosen], elements: int, progress: Progress) -> SolvedContacts:

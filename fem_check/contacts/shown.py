@@ -26,9 +26,9 @@ MODELS = {
     "parabolic": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: deviations are errors.",
     "true": "Ball and ring with their real shapes, where Hertz is an approximation: deviations are findings.",
     "both": "Half-spaces with Hertz's parabolic gap, where Hertz is exact: their deviations are errors. Ball and ring "
-    "with their real shapes, where Hertz is an approximation: true bodies - Hertz is a finding.",
+    "with their real shapes, where Hertz is an approximation: true bodies − Hertz is a finding.",
 }
-BOTH_HEADINGS = ("", "Hertz", "half-spaces\n- Hertz, %", "true\nbodies", "true bodies\n- Hertz, %", "half-\nspaces")
+BOTH_HEADINGS = ("", "Hertz", "half-spaces\n− Hertz, %", "true\nbodies", "true bodies\n− Hertz, %", "half-\nspaces")
 
 
 def agreement_rows(entry: ContactsRecord) -> dict[str, list[RowRecord]]:

@@ -90,6 +90,23 @@ _FITS: dict[str, tuple[Callable[[float], float], ...]] = {
 """k, the elliptic integrals of the first and of the second kind, of curvature_y/curvature_x >= 1."""
 
 
+def curvature_of_length(problem: ContactProblem, ratio: float) -> float:
+    """By how much the curvature across the groove must be larger for a semi-major axis of `ratio` times its size [1/m].
+
+    Args:
+        problem: the contact.
+        ratio: near 1.
+    """
+    usual = ellipse(problem).semi_major_axis
+
+    def misfit(change: float) -> float:
+        return (
+            ellipse(replace(problem, curvature_x=(1.0 + change) * problem.curvature_x)).semi_major_axis / usual - ratio
+        )
+
+    return float(brentq(misfit, -0.5, 1.0, xtol=1e-10)) * problem.curvature_x
+
+
 def second_kind(curvature_ratio: float, form: str = "exact") -> float:
     """Complete elliptic integral of the second kind of Hertz's ellipse, for curvature_x/curvature_y in (0, 1]."""
     if form != "exact":

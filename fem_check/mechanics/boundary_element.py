@@ -65,7 +65,7 @@ class BoundaryElementRatios:
 
 @lru_cache(maxsize=256)
 def over_hertz(
-    groove: BallInGroove, load: float, follows_surface: bool = False, inclined: bool = False
+    groove: BallInGroove, load: float, follows_surface: bool = False, inclined: bool = False, strain: float = 0.0
 ) -> BoundaryElementRatios:
     """A ball in its groove with the exact gap; about a second.
 
@@ -74,6 +74,8 @@ def over_hertz(
         load: normal load [N].
         follows_surface: pressure along the normals of the surface that the bodies share, not along the contact's axis.
         inclined: the torus as it stands; otherwise with its axis parallel to the tangent plane.
+        strain: curvature across the groove that the strain of the whole bodies adds, to the exact gap and to the
+            parabola that it is compared with alike [1/m].
 
     Raises:
         ContactError: the contact fills the grid, or the iteration did not converge.
@@ -81,24 +83,24 @@ def over_hertz(
     problem = groove.problem(load)
     slope = groove.shared_slope if follows_surface else None
     gap = groove.inclined_gap if inclined else groove.gap
-    coarse, fine = (_over_parabola(problem, gap, slope, points, inclined) for points in GRIDS)
+    coarse, fine = (_over_parabola(problem, gap, slope, points, inclined, strain) for points in GRIDS)
     return BoundaryElementRatios(fine, {name: 100.0 * abs(fine[name] - coarse[name]) for name in QUANTITIES})
 
 
 def _over_parabola(
-    problem: ContactProblem, gap: GapFunction, slope: GapFunction | None, points: int, turns: bool
+    problem: ContactProblem, gap: GapFunction, slope: GapFunction | None, points: int, turns: bool, strain: float
 ) -> dict[str, float]:
-    true = quantities(problem, gap, points, slope, turns)
-    parabola = _parabola(problem.curvature_x / problem.curvature_y, points)
+    true = quantities(problem, lambda x, y: gap(x, y) + 0.5 * strain * x**2, points, slope, turns)
+    parabola = _parabola(problem.curvature_x / problem.curvature_y, points, strain / problem.curvature_y)
     return {name: true[name] / parabola[name] for name in QUANTITIES}
 
 
 @lru_cache(maxsize=64)
-def _parabola(curvature_ratio: float, points: int) -> dict[str, float]:
+def _parabola(curvature_ratio: float, points: int, strain: float) -> dict[str, float]:
     # Hertz's contacts of one shape are similar: a unit one serves every load.
     rigid = ElasticConstants(float("inf"), 0.0)
     unit = ContactProblem("unit", curvature_ratio, 1.0, ElasticConstants(1.0, 0.0), rigid, 1.0)
-    return quantities(unit, unit.parabolic_gap, points)
+    return quantities(unit, lambda x, y: unit.parabolic_gap(x, y) + 0.5 * strain * x**2, points)
 
 
 def quantities(

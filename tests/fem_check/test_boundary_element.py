@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
+from fem_check.independent import references
 from fem_check.mechanics import boundary_element
 from fem_check.mechanics.contact import ContactError
 from fem_check.product.scenes import groove_contact
@@ -79,6 +80,21 @@ def test_a_body_moves_along_the_groove_until_no_force_is_left():
     again, same = boundary_element.balanced(gap + 0.02 * along, 0.5, spacing, along)
     np.testing.assert_allclose(again, pressure, atol=1e-5 * pressure.max())
     assert same == pytest.approx(approach, rel=1e-6)
+
+
+def test_a_strained_parabola_is_a_parabola_and_the_exact_gap_gives_way_less():
+    groove = groove_contact("b218", "inner")
+    problem = groove.problem(5000.0)
+    strain = references.curvature_of_length(problem, 0.99)
+    changed = references.ellipse(replace(problem, curvature_x=problem.curvature_x + strain))
+    assert changed.semi_major_axis == pytest.approx(0.99 * references.ellipse(problem).semi_major_axis, rel=1e-9)
+    # By the parabola that it is: both sides over their own Hertz.
+    usual, strained = (boundary_element.over_hertz(groove, 5000.0, strain=each).ratio for each in (0.0, strain))
+    exact = boundary_element.quantities(problem, lambda x, y: groove.gap(x, y) + 0.5 * strain * x**2, 65)
+    assert strained["semi_major_axis"] == pytest.approx(exact["semi_major_axis"] / 0.99, rel=2e-4)
+    # The exact gap shrinks by less than the parabola's 1 %, so that the ratio grows, by a part of what it is off.
+    grown = strained["semi_major_axis"] / usual["semi_major_axis"] - 1.0
+    assert 0.0 < grown < 0.2 * 0.01
 
 
 def test_parabola_is_hertz():

@@ -94,6 +94,7 @@ def test_the_coarser_meshes_are_on_record_and_printed(series):
             if row["quantity"] in READ:
                 assert meshes[-1][row["quantity"]] == pytest.approx(row["found"], rel=1e-12)
                 assert 0.0 < abs(meshes[0][row["quantity"]] / row["reference"] - 1.0) < 0.05
+                assert len({each[row["quantity"]] for each in meshes}) == 3
     lines = [line for line in shown.mesh_table(record).rows if not isinstance(line, RowGroup)]
     assert len(lines) == 3, "similar contacts are printed once"
 
@@ -110,15 +111,16 @@ def test_true_bodies_stand_beside_half_spaces(series, tmp_path):
     entry = json.loads(json.dumps(record))
     for contact in entry["contacts"]:
         contact["true_case"] = f"{contact['case']}, true"
-        own = next(row for row in entry["rows"] if row["case"] == contact["case"] and row["quantity"] == "approach")
-        entry["rows"].append(
-            own | {"case": contact["true_case"], "deviation_percent": -1.5, "uncertainty_percent": 0.2}
-        )
+        for name, deviation in (("approach", -1.5), ("max_pressure", 0.7)):
+            own = next(row for row in entry["rows"] if row["case"] == contact["case"] and row["quantity"] == name)
+            judged = {"deviation_percent": deviation, "uncertainty_percent": 0.2}
+            entry["rows"].append(own | {"case": contact["true_case"], **judged})
         contact["true_on_each_mesh"] = contact["on_each_mesh"]
     table = shown.agreement_table(entry)
     assert table.headings == shown.BOTH_HEADINGS
     told = [line for line in table.rows if not isinstance(line, RowGroup)]
     assert [line[4] for line in told if line[0].startswith("approach")] == ["-1.50 ± 0.20"] * len(LOADS)
+    assert [line[4] for line in told if line[0].startswith("pressure")] == ["+0.70 ± 0.20"] * len(LOADS)
     assert all(line[3] == line[4] == "" for line in told if line[0].startswith("depth"))
     header, first, *_ = csv.reader(files.csv_of(entry).decode().splitlines())
     beside = dict(zip(header, first, strict=True))
@@ -131,7 +133,7 @@ def test_both_ways_are_one_record(monkeypatch):
     half = run.SolvedContacts(
         Findings([], {"elements_per_semi_axis": 8, "dofs": 1, "file": "half"}, "rslab"),
         {"bearing": {}, "elements": [4, 6, 8], "contacts": [{"case": "half", "on_each_mesh": []}]},
-        lambda: [{"map": "half"}], lambda: [("half", None)],
+        lambda: [{"contact": {"name": "B218 inner"}}], lambda: [("half", None)],
     )  # fmt: skip
     true = run.SolvedContacts(
         Findings([], {"elements_per_semi_axis": 8, "dofs": 2, "file": "true"}, "rslab", notes=["a note"]),
@@ -139,7 +141,7 @@ def test_both_ways_are_one_record(monkeypatch):
             "bearing": {}, "elements": [4, 6, 8], "undecided": ["a row"],
             "contacts": [{"case": "true", "mesh": {"dofs": 2}, "on_each_mesh": [{"elements": 4}]}],
         },
-        lambda: [{"map": "true"}], lambda: [("true", None)],
+        lambda: [{"contact": {"name": "B218 inner"}}], lambda: [("true", None)],
     )  # fmt: skip
     monkeypatch.setattr(run, "of_half_spaces", lambda *given: half)
     monkeypatch.setattr(run, "of_true_bodies", lambda *given: true)
@@ -147,7 +149,8 @@ def test_both_ways_are_one_record(monkeypatch):
     (entry,) = outcome.known["contacts"]
     assert entry["case"] == "half" and entry["true_case"] == "true" and entry["true_on_each_mesh"] == [{"elements": 4}]
     assert outcome.known["undecided"] == ["a row"] and outcome.findings.mesh["true_dofs"] == 2
-    assert [each["map"] for each in outcome.maps()] == ["half", "true"]
+    names = [each["contact"]["name"] for each in outcome.maps()]
+    assert names == ["B218 inner, half-spaces", "B218 inner, true bodies"]
     assert [name for name, _ in outcome.fields()] == ["half", "true"]
 
 

@@ -17,7 +17,7 @@ from tests.guide.pages import GUIDE
 
 PAGE, PICTURE = GUIDE / "agreement.md", GUIDE / "agreement.svg"
 WIDTH = 120
-NOTE = "made by tests/guide/agreement.py"
+START, END = "<!-- agreement: made by tests/guide/agreement.py -->", "<!-- end of agreement -->"
 
 
 def record() -> dict[str, Any]:
@@ -40,7 +40,7 @@ def page(of: dict[str, Any]) -> str:
     )
     parts = [
         f"# {QUESTION}",
-        f"<!-- {NOTE} -->",
+        START,
         f"Approach, ellipse and pressure of {contacts[0].bearing}'s contacts at {loads} N on both raceways: Hertz's "
         "formulas, which `qsbearing` uses, beside finite elements that know nothing of them.",
         "\n".join(
@@ -58,8 +58,9 @@ def page(of: dict[str, Any]) -> str:
         "- *half-spaces*: the same contact with Hertz's parabolic gap, for which he is exact: deviations are errors.\n"
         "- *true bodies*: half a ball and one pitch of the ring with their real surfaces. The approach counts from the "
         "ball's equator to the ring's rigid seat, so it holds the compliance of both bodies.",
-        f"{agreement.made_by(of)} Record of {made['date'][:10]}, commit `{made['commit'][:12]}`. All of it again:",
-        "<!-- minutes long -->\n```sh\n.venv/bin/fem-check run true_geometry --level release --out my_results\n```",
+        f"{agreement.made_by(of)} Record of {made['date'][:10]}, commit `{made['commit'][:12]}`. "
+        f"All of it again: `{made['command']} --out my_results`.",
+        END,
         "Contacts of your own bearing at loads of your choice, about a minute each:",
         "<!-- minutes long -->\n```sh\n.venv/bin/fem-check contact --scene b218 --race inner --load-N 2000 "
         "--angle loaded --geometry both\n```",

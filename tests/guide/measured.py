@@ -21,6 +21,7 @@ STATED = {
         "0.1 ms": RECORD,
         "4 to 10 µs": RECORD,
     },
+    "agreement.md": {"about a minute": CHECK},
     "data_sheet.md": {"2 of 5": "a name as the command on the page gives it, which a test runs"},
     "decisions.md": {"56 of 60 random": "as the table of alternatives in timing.md has it from the record"},
     "design.md": {"28 s": ONCE},
