@@ -107,7 +107,8 @@ def test_the_commented_tables_of_a_printed_scene_are_good_when_taken_in(tmp_path
     assert qs.load_scene(file).traction is not None
     file.write_text(before + rest)
     scene = qs.load_scene(file)
-    assert [effect.name for effect in scene.ring_effects] == ["ring_expansion", "ball_expansion", "elastic_rings"]
+    names = ["ring_expansion", "ball_expansion", "elastic_rings", "seats_out_of_round"]
+    assert [effect.name for effect in scene.ring_effects] == names
     assert set(scene.readings) == set(reading_tables())
     effects, _, _ = tables.partition("# [readings]")
     keys = [line.lstrip("# ").partition(" = ")[0] for line in effects.splitlines()[1:] if " = " in line]
