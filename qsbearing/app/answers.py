@@ -97,7 +97,7 @@ def put_way(document: Tables, channel: str, way: str, value: float | None = None
     """The tables with another way for a channel or the preload, as `channels.with_way` makes them."""
     try:
         return shown(channels.with_way(document, channel, way, value))
-    except (KeyError, AttributeError):
+    except (KeyError, AttributeError, TypeError):
         raise SceneFileError("page", [FileErrorDetail("", "no such channel, or no such way of one")]) from None
 
 

@@ -60,7 +60,8 @@ def channel_of(path: tuple[str | int, ...]) -> str:
 
 
 def _channel(channel: Channel, document: Tables) -> Channels:
-    table, name = document.get("operation", {}), channel.label
+    table, name = document.get("operation"), channel.label
+    table = table if isinstance(table, dict) else {}
     given = {way: table[key.name] for way, key in KEYS[name].items() if key.name in table}
     way = next((way for way, value in given.items() if way == PLACE or value != 0.0), FREE)
     held_by = PRELOADED if name == AXIAL and _holds_axially(document) else ""

@@ -63,7 +63,8 @@ def field(name: str) -> str:
 
 def ready(browser: Browser) -> None:
     """What was done is done, and what is shown is of it."""
-    wait(browser, f"{SOLVED} && JSON.stringify(workbench.page.now) === JSON.stringify(workbench.page.shown)")
+    now = "JSON.stringify(workbench.page.now)"
+    wait(browser, f"{SOLVED} && {now} === JSON.stringify(workbench.page.shown) && {now} === workbench.page.settled")
 
 
 def keys(browser: Browser, text: str) -> None:
@@ -193,7 +194,7 @@ def test_a_second_state_is_compared_and_saved(page: Browser, address: str, tmp_p
     balls = saved(page, "table", tmp_path, "7210c.csv").read_text().splitlines()
     CliRunner().invoke(cli, ["run", str(file), "--csv", str(tmp_path / "own.csv")], catch_exceptions=False)
     assert balls[0] == (tmp_path / "own.csv").read_text().splitlines()[0] and len(balls) == 16
-    key, link = page.value(KEY), page.value("location.href")
+    key, link = page.value(KEY), page.value("workbench.remember().then(() => location.href)")  # once it is there
     visit(page, link)
     wait(page, f"{SOLVED} && workbench.page.pins.length === 1 && {KEY}.includes('\\nA ')")
     assert page.value(KEY) == key and page.value(f"{field('operation.speed_rpm')}.value") == "12000"

@@ -1,6 +1,6 @@
 // Fields of the scene, as the server describes them.
 import {channelOf} from "./channels.js";
-import {$, at, make, put} from "./dom.js";
+import {$, at, make, put, tell} from "./dom.js";
 import {requirements} from "./requirements.js";
 import {renew, settle} from "./scene.js";
 import {solve} from "./solving.js";
@@ -27,6 +27,7 @@ export function show(told) {
   $("add").onchange = () => addedKey(told.addable[$("add").value]);
   addedKey();
   requirements();
+  tell("shown", told);
   solve();
 }
 

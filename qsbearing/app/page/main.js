@@ -1,5 +1,5 @@
 // The page begins here.
-import {unpacked} from "./address.js";
+import {remember, unpacked} from "./address.js";
 import {TOKEN, ask} from "./ask.js";
 import {$, make} from "./dom.js";
 import {wireFiles} from "./files.js";
@@ -10,7 +10,7 @@ import {refused} from "./solving.js";
 import {page} from "./state.js";
 import {pinAll, wireStates} from "./states.js";
 
-globalThis.workbench = {page, take};  // for whoever looks from the browser's console
+globalThis.workbench = {page, take, remember};  // for whoever looks from the browser's console
 
 const FOLDED = matchMedia("(max-width: 60rem)");  // as in the style
 

@@ -1,6 +1,6 @@
 // Results of the last input that was solved: key results, those of one row of a set among them, beside the last pinned.
 import {remember} from "./address.js";
-import {$, kept, make} from "./dom.js";
+import {$, kept, make, tell} from "./dom.js";
 import {switchOf} from "./effects.js";
 import {requirements} from "./requirements.js";
 import {MAIN, PICTURES, SLOW, fresh, rest} from "./solving.js";
@@ -25,6 +25,7 @@ export function results() {
   $("missing").hidden = true;
   page.row = Math.min(page.row, Math.max(found.rows.length - 1, 0));
   keyResults();
+  tell("solved", {input: page.shown, found});
 }
 
 export function keyResults() {

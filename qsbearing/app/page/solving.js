@@ -1,6 +1,6 @@
 // The scene is solved while it changes; what is of another input than the fields have is grey, and is said to be.
 import {ask} from "./ask.js";
-import {$, kept, make} from "./dom.js";
+import {$, kept, make, tell} from "./dom.js";
 import {effects} from "./effects.js";
 import {results} from "./results.js";
 import {differences, page} from "./state.js";
@@ -26,6 +26,7 @@ export function complain(errors) {
   }
   $("errors").replaceChildren(...elsewhere.map(lineOf));
   if (errors.length) grey("Not solved.");
+  tell("refused", errors);
 }
 
 // What is wrong with a file that is not taken over: it is none of the fields' faults, and the scene stays as it is.
@@ -54,6 +55,7 @@ export async function solve() {
   page.turn += 1;
   page.late.abort();  // nobody waits for what is to be read of the input before
   grey("Solving ...");
+  tell("changed", page.now);
   if (page.busy) return;
   page.busy = true;
   while (page.again) {
