@@ -103,10 +103,10 @@ def figure_of(found: NaturalFrequencies, own: float, name: str) -> Figure:
         )  # fmt: skip
     axes.set_xlabel("speed of the shaft, rpm; grey line: as solved", fontsize=9)
     axes.set_ylabel("natural frequency, Hz", fontsize=9)
-    axes.set_title(_words(found, critical), fontsize=10)
+    axes.set_title(f"{_words(found, critical)}\nundamped; rows with their stiffness at each speed", fontsize=10)
     plain(axes)
     legend(figure, axes)
-    write_above(figure, f"{name}, Campbell diagram, undamped, stiffness of the rows at each speed")
+    write_above(figure, f"Campbell diagram of {name}")
     return figure
 
 

@@ -226,7 +226,8 @@ def _put(
             documents[each] = (read.document, read.file, read.label)
             changes += [(read.file, change) for change in own]
         except SceneFileError as error:
-            errors += [replace(detail, key=f"{error.file}: {detail.key}") for detail in error.errors]  # type: ignore[type-var]
+            own_errors = (detail for detail in error.errors if isinstance(detail, FileErrorDetail))
+            errors += [replace(detail, key=f"{error.file}: {detail.key}") for detail in own_errors]
     return changes
 
 
