@@ -77,7 +77,7 @@ def test_tables_of_a_page_stand_beside_each_other_as_far_as_they_fit() -> None:
     """Two small ones in a line of text, a wide one below; so in PDF, by measured widths."""
     pypdf = pytest.importorskip("pypdf")
     small = [Table(("", "value"), [(name, "1")], "lr", f"{name} of all") for name in ("first", "second")]
-    wide = Table([f"column {n}" for n in range(9)], [["12345.678"] * 9], "r" * 9, "wide of all")
+    wide = Table([f"column {n}" for n in range(9)], [["12,345,678.912345"] * 9], "r" * 9, "wide of all")
     made = pdf(Document("page", "kind", [Section("Results", side_by_side([*small, wide]))], has_front_page=True))
     pages = [page.extract_text(extraction_mode="layout") for page in pypdf.PdfReader(BytesIO(made)).pages]
     lines = [line for page in pages for line in page.splitlines() if " of all" in line]
