@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.case_index import Index
 from qsbearing.model.units import rpm
 from qsbearing.pictures.style import CHANNEL_LINES, GREY, RED, figure_of_size, legend, name_of, plain, write_above
 from qsbearing.systems.rotor_dynamics.natural_frequencies import NaturalFrequencies, natural_frequencies
@@ -36,19 +37,20 @@ LINES = {
 }
 
 
-def campbell(solution: SetSolution) -> Figure:
+def campbell(solution: SetSolution, index: Index = None) -> Figure:
     """Natural frequencies of a set's shaft on its rows from rest to one and a half times its speed, the line on which
     the shaft turns as fast as a mode whirls, and the critical speeds, where that line meets a forward whirl.
 
     Args:
         solution: of a single case, at a speed.
+        index: none, as it has no case axes.
 
     Raises:
         ValueError: several cases, a shaft that stands still, or none of low speed that has a solution.
         SceneError: the set has no shaft of its own.
         ImportError: ROSS is not installed.
     """
-    if solution.shape:
+    if solution.shape or index is not None:
         raise ValueError("a Campbell diagram is of a single case: solve it by itself")
     own = abs(float(np.asarray(solution.set.operation.speed)))
     if own == 0.0:
@@ -101,10 +103,10 @@ def figure_of(found: NaturalFrequencies, own: float, name: str) -> Figure:
         )  # fmt: skip
     axes.set_xlabel("speed of the shaft, rpm; grey line: as solved", fontsize=9)
     axes.set_ylabel("natural frequency, Hz", fontsize=9)
-    axes.set_title(_words(found, critical), fontsize=10)
+    axes.set_title(f"{_words(found, critical)}\nundamped; rows with their stiffness at each speed", fontsize=10)
     plain(axes)
     legend(figure, axes)
-    write_above(figure, f"{name}, Campbell diagram, undamped, stiffness of the rows at each speed")
+    write_above(figure, f"Campbell diagram of {name}")
     return figure
 
 

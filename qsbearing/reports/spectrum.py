@@ -56,7 +56,7 @@ def document(
     part = f"{plain(100.0 * damage[worst], '.3g')} % of the damage" + (" of a row" if len(readings) > 1 else "")
     which = f"All that follows is of point {worst + 1}, which does {part}, more than any other point."
     lives = [Callout(each.text) for each in blocks if isinstance(each, Paragraph) and each.is_apart]
-    points = [each for each in blocks if isinstance(each, Table)]
+    points = [replace(each, stack=True) for each in blocks if isinstance(each, Table)]
     warned = [each for each in blocks if isinstance(each, Callout)]
     of_all = OfAllPoints(required_first(required, solution), [*lives, *points, Paragraph(which)], warned)
     whole = (

@@ -12,6 +12,7 @@ import pytest
 from qsbearing.documents.model import Bar, Block, Columns, Document, Facts, Paragraph, Picture, Section, Table
 from qsbearing.documents.pdf import pdf
 from qsbearing.files.scene_or_set import scene_or_set_of
+from qsbearing.reports.layout import side_by_side
 from qsbearing.reports.of_any import document_of_any
 from qsbearing.studies.chooser.choose_set import solve_any
 from tests.drawing import drawing
@@ -70,6 +71,20 @@ def pages_of(name: str, more: str = "") -> list[str]:
     with drawing():
         made = pdf(report_of(name, more, is_drawn=True))
     return [page.extract_text() for page in pypdf.PdfReader(BytesIO(made)).pages]
+
+
+def test_tables_of_a_page_stand_beside_each_other_as_far_as_they_fit() -> None:
+    """Two small ones in a line of text, a wide one below; so in PDF, by measured widths."""
+    pypdf = pytest.importorskip("pypdf")
+    small = [Table(("", "value"), [(name, "1")], "lr", f"{name} of all") for name in ("first", "second")]
+    wide = Table([f"column {n}" for n in range(9)], [["12,345,678.912345"] * 9], "r" * 9, "wide of all")
+    made = pdf(Document("page", "kind", [Section("Results", side_by_side([*small, wide]))], has_front_page=True))
+    pages = [page.extract_text(extraction_mode="layout") for page in pypdf.PdfReader(BytesIO(made)).pages]
+    lines = [line for page in pages for line in page.splitlines() if " of all" in line]
+    assert [[each for each in ("first", "second", "wide") if each in line] for line in lines] == [
+        ["first", "second"],
+        ["wide"],
+    ]
 
 
 def walked(found: Sequence[Block]) -> Iterator[Block]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import chain
@@ -234,7 +234,7 @@ def _put(
             documents[each] = (read.document, read.file, read.label)
             changes += [(read.file, change) for change in own]
         except SceneFileError as error:
-            errors += [replace(detail, key=f"{error.file}: {detail.key}") for detail in error.errors]  # type: ignore[type-var]
+            errors += _of_file(error)
     return changes
 
 
@@ -288,10 +288,15 @@ def _read(source: Source, errors: list[FileErrorDetail]) -> tuple[dict[str, Any]
     try:
         return document_of(source)
     except SceneFileError as error:
-        for each in error.errors:
-            assert isinstance(each, FileErrorDetail)
-            errors.append(FileErrorDetail(**{**vars(each), "key": f"{error.file}: {each.key}".removesuffix(": ")}))
+        errors += _of_file(error)
         return {}, str(source), ""
+
+
+def _of_file(error: SceneFileError) -> Iterator[FileErrorDetail]:
+    """Errors of one of several files, with its name."""
+    for each in error.errors:
+        assert isinstance(each, FileErrorDetail)
+        yield FileErrorDetail(**{**vars(each), "key": f"{error.file}: {each.key}".removesuffix(": ")})
 
 
 def _with_bearing(job: dict[str, Any], document: dict[str, Any], file: str, label: str) -> Scene | BearingSet:
