@@ -347,7 +347,7 @@ PLANTED = {
         "fem_check/rows/convergence.py",
         "return SAFE_FACTOR * max(steps)",
         "return 0.0 * max(steps)",
-        GROOVE,
+        "convergence_order",
     ),
     "mesh uncertainty returns 0, load series": (
         "fem_check/rows/convergence.py",

@@ -298,6 +298,20 @@ def test_ball_and_ring_are_each_of_their_own_material(contact, monkeypatch):
     assert hybrid.frame.ball_share == pytest.approx(compliances[0] / sum(compliances), rel=1e-12)
 
 
+@pytest.mark.parametrize("count", [2, 3])
+def test_of_two_meshes_only_the_gap_s_part_of_the_approach_is_no_judgement(contact, count):
+    """Its uncertainty is a scatter, and Student's t of one degree of freedom is 12.7."""
+    plain, scattered = dict.fromkeys(true_contact.READ, 1.0), [0.999, 1.001, 1.0]
+    gaps = [dict.fromkeys(true_contact.READ, value) for value in scattered[:count]]
+    solved = TrueContactStudy(
+        contact.groove, LOAD, [plain] * count, gaps, gaps, [(1.0, 1.0)] * count, [(0.0, 0.0)] * count, 0, ""
+    )
+    judged = {row.quantity.removesuffix(" over Hertz"): row.tolerance_percent for row in true_geometry.gap_rows(solved)}
+    limits = {name: judged[name] for name in true_contact.READ}
+    assert limits == true_geometry.GAP_TOLERANCES | ({"approach": None} if count == 2 else {})
+    assert all(len(true_geometry.MESHES[level]) >= (3 if level is MeshLevel.RELEASE else 2) for level in MeshLevel)
+
+
 def test_the_whole_seat_is_held(contact):
     ring = TetrahedralBody(contact.mesh("ring"), contact.groove.race)
     fixed, _ = contact._segment(ring)

@@ -295,6 +295,21 @@ def test_what_is_said_of_a_preload_at_rest_does_not_speak_of_speed() -> None:
     assert excessive.sentence.endswith("exceeds 3 times its given value already at rest, under these loads.")
 
 
+@pytest.mark.parametrize(
+    ("rpm", "load", "kept"),
+    [
+        (0.0, 0.0, None),
+        (0.0, 20.0, "up to 10 times the loads"),
+        (2000.0, 0.0, "up to 3000 rpm (1.5 times the speed)"),
+        (2000.0, 20.0, "up to 3000 rpm (1.5 times the speed) and up to 10 times the loads"),
+    ],
+)
+def test_up_to_where_a_preload_is_kept_is_said_of_what_varies(rpm: float, load: float, kept: str | None) -> None:
+    said = preload_summary(solved(pair("DB", 720.0, speed=rpm * qs.rpm, axial_load=load)))
+    expected = [] if kept is None else [f"All rows keep their preload {kept}."]
+    assert [each for each in said if each.startswith("All rows keep")] == expected
+
+
 def test_how_much_of_a_maintained_preload_is_left_is_said() -> None:
     """Where a load relieves a row: what it leaves, and how its stiffness fell; the share is that without the load."""
     found = solved(pair("DB", 720.0, axial_load=1300.0))
