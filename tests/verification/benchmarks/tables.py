@@ -18,7 +18,7 @@ from fem_check.report import evidence
 from fem_check.report import random_scenes as random_scenes_of
 from fem_check.report.evidence import Kept
 from fem_check.report.figures import sector as sector_figures
-from fem_check.report.rows import as_read, quantity, used
+from fem_check.report.rows import as_read, difference, quantity, used
 from fem_check.rows import row_text
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
@@ -289,17 +289,13 @@ def hard_cases() -> str:
 
 def free_ball() -> str:
     """Every row of the ball that only Newton's and Euler's laws move."""
-    record = records_store.read_all()["free_ball"]
     rows = []
-    for row in record["rows"]:
+    for row in records_store.read_all()["free_ball"]["rows"]:
         told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
-        limit = row_text.number(row["tolerance_percent"], 2) if row["tolerance_percent"] else ""
-        size = f"{100.0 * used(row):.0f} %"
         numbers = (row_text.with_unit(each, unit if unit != "1" else "") for each in (told.reference, told.found))
-        rows.append(
-            [as_read(row["case"]), quantity(row["quantity"]), *numbers, told.deviation or told.found, limit, size]
-        )
-    headings = ["case", "", "by Newton's laws", "qsbearing", "difference, %", "limit, %", "of the limit"]
+        share = f"{100.0 * used(row):.0f} %"
+        rows.append([as_read(row["case"]), quantity(row["quantity"]), *numbers, difference(row), told.tolerance, share])
+    headings = ["case", "", "by Newton's laws", "qsbearing", "difference", "limit", "of the limit"]
     return markdown(headings, rows)
 
 
