@@ -33,6 +33,7 @@ def all_of(evidence: Evidence) -> list[Question]:
         _relations(evidence),
         _elements(evidence),
         _contacts(evidence),
+        _motion(evidence),
         _rigid_seat(evidence),
         _free_ring(evidence),
         _elastic_rings(evidence),
@@ -84,7 +85,8 @@ def _relations(evidence: Evidence) -> Question:
 
 
 OF_PRODUCT = ("solution_contacts", "solution_parts")
-"""Checks of solutions; the others of their kind are of the elements themselves."""
+OF_MOTION = ("free_ball",)
+"""Checks of solutions, and of the balls' motion; the others of their kind are of the elements themselves."""
 
 
 def of_limit(share: float) -> str:
@@ -98,13 +100,27 @@ def in_short(row: RowRecord) -> str:
 
 
 def _elements(evidence: Evidence) -> Question:
-    names = [name for name, kept in _verifying(evidence) if name not in OF_PRODUCT]
+    names = [name for name, kept in _verifying(evidence) if name not in OF_PRODUCT + OF_MOTION]
     return _compared(evidence, "Do finite elements give Hertz's contact?", names, "half_space_contacts")
 
 
 def _contacts(evidence: Evidence) -> Question:
     names = [name for name, kept in _verifying(evidence) if name in OF_PRODUCT]
-    return _compared(evidence, "Are a solution's contacts those of elements?", names, "solution_contacts")
+    return _compared(evidence, "Are a solution's contacts right?", names, "solution_contacts")
+
+
+def _motion(evidence: Evidence) -> Question:
+    records = [evidence.checks[name] for name in OF_MOTION if name in evidence.checks]
+    question, missed = Question("Do balls move by Newton's laws so?", "check-free-ball", records), _failing(records)
+    rows = [row for row in _rows(evidence.checks, *OF_MOTION) if row["tolerance_percent"] and row["reference"]]
+    if not rows:
+        return question._replace(see="hertz")
+    worst, cases = max(rows, key=used), len({row["case"].partition(":")[0] for row in rows})
+    return question._replace(
+        answer=f"{cases} bearings; proves the gyroscopic moment, not raceway control",
+        worst=f"{difference(worst)}, {of_limit(used(worst))}", limit=row_text.of_row(worst).tolerance,
+        basis=in_short(worst), verdict=judged(not missed), missed=missed,
+    )  # fmt: skip
 
 
 def _verifying(evidence: Evidence) -> list[tuple[str, Kept]]:
@@ -212,9 +228,9 @@ def _elastic_rings(evidence: Evidence) -> Question:
 
 
 PUBLISHED = {
-    EvidenceKind.CATALOGUE: ("What catalogues, standards and textbooks print?", "ratings, rating life and film "
+    EvidenceKind.CATALOGUE: ("Catalogues and standards?", "ratings, rating life and film "
                              "thickness by published formulas"),
-    EvidenceKind.OTHER_CODE: ("What other programs computed?", ""),
+    EvidenceKind.OTHER_CODE: ("Other programs?", ""),
 }  # fmt: skip
 """By what a published number is: the question, and what may be used where it is met."""
 

@@ -10,7 +10,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from fem_check.independent import quasi_static, references
+from fem_check.independent import references
 from fem_check.independent.ball_runs import (
     LAST,
     LAST_STEP,
@@ -22,9 +22,9 @@ from fem_check.independent.ball_runs import (
     run,
     settled,
 )
+from fem_check.independent.ball_starts import begun, controlled
 from fem_check.independent.contact_problem import ElasticConstants
 from fem_check.independent.drawing import BearingDrawing
-from fem_check.independent.equilibrium import BalanceTerms, BallRow
 from fem_check.independent.free_ball import RING, YZ, FreeBallCase, FreeBalls
 from fem_check.independent.slip_friction import Coulomb, Linear, at_centre, over_ellipse
 
@@ -49,30 +49,6 @@ def on_pitch_circle(of, outer_angle, outer_load):
     reach = of.outer_groove_radius - 0.5 * of.ball_diameter + approach
     orbit = of.outer_groove_centre_radius + reach * np.cos(np.radians(outer_angle))
     return replace(of, pitch_diameter=2.0 * (of.pitch_diameter - orbit))
-
-
-def controlled(case, control, thrust=None, gyroscopic=True):
-    """The balance under raceway control, one ball."""
-    model = BalanceTerms(True, gyroscopic, control, displaced_orbit=True)
-    offset = case.drawing.touching_offset
-    row = BallRow(case.drawing, model, np.zeros(1), inner_speed=case.speed, touching_offset=offset)
-    load = np.eye(6)[0] * (case.thrust if thrust is None else thrust)
-    problem = quasi_static.BalanceProblem(
-        (quasi_static.Placed(row, quasi_static.alone()),), load, ~np.eye(6, dtype=bool)[0], np.zeros(6)
-    )
-    return quasi_static.at_speed(problem, [np.array([control])])
-
-
-def begun(balls, balances):
-    """The balls as these balances have them."""
-    states = [each.states[0] for each in balances]
-    places = [
-        complex(*each.positions[0][0]) + 1j * each.problem.rows[0].row.drawing.outer_groove_centre_radius
-        for each in balances
-    ]
-    rotations = np.array([complex(*each.rotation[0]) for each in states])
-    orbits = np.array([each.orbit[0] for each in states])
-    return balls.start(np.array(places), orbits, rotations, np.array([each.shaft[0] for each in balances]))
 
 
 def rubbing(*coefficients, slip_speed=0.1):

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -18,6 +17,8 @@ from fem_check.report import evidence
 from fem_check.report import random_scenes as random_scenes_of
 from fem_check.report.evidence import Kept
 from fem_check.report.figures import sector as sector_figures
+from fem_check.report.rows import as_read, difference, quantity, used
+from fem_check.rows import row_text
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
 from qsbearing.model.solution.point_errors import CREEP, HELD
@@ -216,12 +217,14 @@ def campaigns_of(names: dict[MeshLevel, dict[str, int]]) -> list[Any]:
 
 
 def random_scenes() -> str:
-    """What the README says of each campaign, as page 1 of the validation report counts it."""
-    each = [random_scenes_of.scenes(kept) for kept in evidence.read().random_scenes]
-    wrong = sum(one.wrong for one in each)
-    lost = [f"{one.not_converged.partition(' ')[0]} of {one.count:,} {one.name}" for one in each]
-    said = f"Random scenes that did not converge: {', '.join(lost)}; {'none' if wrong == 0 else wrong} is wrong"
-    return f"{textwrap.fill(said, 110)}\n([hard cases](qsbearing/guide/hard_cases.md))."
+    """What the README says of single bearings, each envelope by itself, as page 1 of the validation report counts it;
+    and whether any campaign has a wrong result."""
+    all_of = evidence.read()
+    single = [random_scenes_of.scenes(kept) for kept in all_of.campaigns]
+    lost = ", ".join(f"{one.not_converged.partition(' ')[0]} of {one.count:,} {one.name}" for one in single)
+    wrong = sum(random_scenes_of.scenes(kept).wrong for kept in all_of.random_scenes)
+    link = "([hard cases](qsbearing/guide/hard_cases.md))"
+    return f"Not converged: {lost}\nrandom bearings; wrong in {len(all_of.random_scenes)} campaigns: {wrong} {link}"
 
 
 def strength(record: dict[str, Any]) -> str:
@@ -285,6 +288,18 @@ def hard_cases() -> str:
     )
 
 
+def free_ball() -> str:
+    """Every row of the ball that only Newton's and Euler's laws move."""
+    rows = []
+    for row in records_store.read_all()["free_ball"]["rows"]:
+        told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
+        numbers = (row_text.with_unit(each, unit if unit != "1" else "") for each in (told.reference, told.found))
+        share = f"{100.0 * used(row):.0f} %"
+        rows.append([as_read(row["case"]), quantity(row["quantity"]), *numbers, difference(row), told.tolerance, share])
+    headings = ["case", "", "by Newton's laws", "qsbearing", "difference", "limit", "of the limit"]
+    return markdown(headings, rows)
+
+
 def critical_speeds() -> str:
     """Of the guide's spindle, against preload."""
     rows = [
@@ -334,6 +349,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "costs of the sector": sector_costs,
     },
     "rotor_dynamics.md": {"critical speeds": critical_speeds, "tilts": tilts},
+    "free_ball.md": {"free ball": free_ball},
     "hard_cases.md": {"campaigns": campaigns, "recomputed cases": recomputed, "hard cases": hard_cases},
     "interface.md": {
         "files": lambda: interface.table("files", "table"),
