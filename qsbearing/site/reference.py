@@ -24,7 +24,7 @@ GROUPS: dict[str, tuple[str, str, tuple[str, ...]]] = {
         "What a scene may ask for; what it does not name is not computed.",
         ("CentrifugalForce", "GyroscopicMoment", "RacewayControl", "MomentShares", "MotionOfBalls", "Traction",
          "TractionLaw", "OrbitRadius", "HertzAngle", "HertzForm", "TiltLever", "RingExpansion", "RingState",
-         "BallExpansion", "BallDiameterDeviations", "ElasticRings"),
+         "BallExpansion", "BallDiameterDeviations", "SeatsOutOfRound", "ElasticRings"),
     ),
     "solution": (
         "Solving, and what is found",
@@ -52,7 +52,8 @@ GROUPS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "heat_and_rotors": (
         "Heat and rotor dynamics",
         "Steady temperatures; stiffness for other programs.",
-        ("Thermal", "Conductance", "OilFlow", "stiffness_table", "stiffness_over_frequency", "to_ross", "ross_element"),
+        ("Thermal", "Conductance", "OilFlow", "stiffness_table", "stiffness_over_frequency", "force_table",
+         "to_ross", "ross_element"),
     ),
     "contact": (
         "One contact",

@@ -64,7 +64,8 @@ NO_NUMBERS = {
     "FileErrorDetail.allowed", "FileErrorDetail.where", "InferredBearing.set_number", "InferredBearing.practice",
     "Operation.turning", "Row.sign", "Row.out_of_line", "SetSolution.line", "ElasticRings.housing_touches",
     "ElasticRings.shaft_touches", "ElasticRings.inner_compliance", "RingExpansion.shaft_touches",
-    "RingExpansion.housing_touches", "SolutionOfCases.seconds", "Solution.slips", "Solution.raceway_control", "Life.is_at_limit",
+    "RingExpansion.housing_touches", "SolutionOfCases.seconds", "Solution.slips", "Solution.raceway_control",
+    "Life.is_at_limit",
     *(f"{of}.{name}" for of in ("Solution", "SetSolution", "SolutionOfCases") for name in ("codes", "free_channels")),
 }  # fmt: skip
 """Of what may be arrays: words, switches, counts, and what stands in the unit of something else."""

@@ -76,12 +76,17 @@ class SeatsOutOfRound:
     inner_two_lobe_phase: ArrayLike | None = field(default=None, metadata=given_in("deg"))
     """Azimuth of a crest, from +y towards +z [rad]; None: 0."""
     inner_three_lobe_amplitude: ArrayLike | None = field(default=None, metadata=given_in("um"))
+    """Of three lobes [m]."""
     inner_three_lobe_phase: ArrayLike | None = field(default=None, metadata=given_in("deg"))
+    """Likewise [rad]."""
     outer_two_lobe_amplitude: ArrayLike | None = field(default=None, metadata=given_in("um"))
     """Of the outer raceway, likewise: a crest, where its radius is largest, stands farther from the balls [m]."""
     outer_two_lobe_phase: ArrayLike | None = field(default=None, metadata=given_in("deg"))
+    """Azimuth of a crest of the outer ring [rad]."""
     outer_three_lobe_amplitude: ArrayLike | None = field(default=None, metadata=given_in("um"))
+    """Of three lobes [m]."""
     outer_three_lobe_phase: ArrayLike | None = field(default=None, metadata=given_in("deg"))
+    """Likewise [rad]."""
     name: ClassVar[str] = "seats_out_of_round"
 
     def __post_init__(self) -> None:

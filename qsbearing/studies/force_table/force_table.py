@@ -70,12 +70,6 @@ def force_table(
     points drawn at random between those of the grid, solved there and interpolated, is as wished. Effects are as the
     scene has them; with effects to be chosen, those that its operating point needs.
 
-        table = qs.force_table(
-            qs.load_scene("7210c"),
-            {"axial_displacement": (-10 * qs.um, 30 * qs.um), "speed": (0.0, 20_000 * qs.rpm)},
-        )
-        table["axial_load_N"].interp(speed_rpm=15_000, axial_displacement_um=12.5)
-
     Args:
         scene: of one operating point, without a heat balance.
         over: the axes, fields of an `Operation`: displacements, tilts, "speed"; each with its range in SI, or None: the
@@ -103,6 +97,13 @@ def force_table(
     Raises:
         SceneError: a name, range or number that cannot be; a range that the scene does not tell; every error, at once.
         ImportError: xarray is not installed (the `studies` extra).
+
+    Examples:
+        >>> span = {"axial_displacement": (-10 * qs.um, 30 * qs.um), "speed": (0.0, 20_000 * qs.rpm)}
+        >>> table = qs.force_table(qs.load_scene("7210c"), span)
+        >>> at = table["axial_load_N"].interp(speed_rpm=15_000, axial_displacement_um=12.5)
+        >>> print(f"{at:.0f} N, {table.attrs['wish_is_met']}")
+        817 N, 1
     """
     import xarray
 
