@@ -77,10 +77,10 @@ def _others(report: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _licence(metadata: dict[str, Any]) -> str:
     """As the package states it, in the first of the places where it may."""
-    told = metadata.get("license_expression") or metadata.get("license")
-    classified = [each for each in metadata.get("classifier", ()) if each.startswith("License ::")]
-    words = str(told or (classified[0].rpartition(":: ")[2] if classified else "not stated"))
-    return words.partition("\n")[0][:80]
+    classified = [each.rpartition(":: ")[2] for each in metadata.get("classifier", ()) if each.startswith("License ::")]
+    words = str(metadata.get("license") or "")  # a word, or the whole text
+    told = (metadata.get("license_expression"), "" if "\n" in words else words, *classified)
+    return next(filter(None, told), "not stated")
 
 
 def _run(*command: str) -> str:
