@@ -83,7 +83,8 @@ def test_a_summary_adds_up(campaigns: Campaigns) -> None:
         assert certified["not_proved"] == certified["certificates"].get(NOT_PROVED, 0)
         strengths = ("proofs", "evidence", "without", "not_proved")
         assert sum(certified[name] for name in strengths) == refused
-        assert certified["evidence"] > 0, "also of scenes with fits, heat, preload and unequal balls"
+        if summary["envelope"] != "mounted":  # of which so few are refused that they have a test of their own
+            assert min(certified["proofs"], certified["evidence"]) > 0 and not certified["not_proved"]
 
 
 @compiled_only
