@@ -14,6 +14,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.systems.rotor_dynamics import in_rotor_axes, stiffness_columns
+from qsbearing.systems.rotor_dynamics.table import matrix_columns
 
 SPEEDS = np.array([0.0, 9_000.0, 18_000.0]) * qs.rpm
 LOADS = np.array([[300.0], [900.0], [-50.0]])
@@ -42,6 +43,11 @@ def test_the_columns_are_the_matrix_in_the_rotors_axes() -> None:
     np.testing.assert_array_equal(columns["kzz_N_per_m"], many.stiffness[..., 0, 0].ravel())
     turned = stiffness_columns(many, mirrored=True)
     np.testing.assert_array_equal(turned["load_centre_x_mm"], -columns["load_centre_x_mm"])
+    for mirrored, whole in ((False, columns), (True, turned)):
+        alone = matrix_columns(many, mirrored=mirrored)
+        assert list(alone) == names
+        for name, values in alone.items():
+            np.testing.assert_array_equal(values, whole[name])
 
 
 def test_the_frame_says_what_varies_and_keeps_what_is_not_solved() -> None:
