@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
@@ -16,7 +15,7 @@ from qsbearing.cli.settings import settings_of
 
 if TYPE_CHECKING:
     from qsbearing.documents.model import Block, Cell
-    from qsbearing.studies.design.compare import Compared, Comparison, Setting
+    from qsbearing.studies.design.compare import Compared, Comparison, OtherValue
 
 PICTURED = (
     "inner_max_pressure_max", "outer_max_pressure_max", "ring_effective_stiffness_axial",
@@ -86,15 +85,19 @@ def compare(
         sys.exit(UNSOLVED)
 
 
-def _settings(texts: tuple[str, ...]) -> list[Setting]:
+def _settings(texts: tuple[str, ...]) -> list[OtherValue]:
     """Keys, their values, and the scene that each is meant for."""
     if not texts:
         return []
-    from qsbearing.studies.design.compare import Setting
+    from qsbearing.studies.design.compare import OtherValue
 
-    parts = [re.fullmatch(r"(?:(\d+):)?(.*)", text, re.DOTALL) for text in texts]
-    pairs = settings_of([part[2] for part in parts if part])
-    return [Setting(int(part[1]) if part[1] else None, *pair) for part, pair in zip(parts, pairs, strict=True) if part]
+    numbers, pairs = [], []
+    for text in texts:
+        head, is_numbered, rest = text.partition(":")
+        is_numbered = is_numbered if head.isdecimal() else ""
+        numbers.append(int(head) if is_numbered else None)
+        pairs.append(rest if is_numbered else text)
+    return [OtherValue(number, *pair) for number, pair in zip(numbers, settings_of(pairs), strict=True)]
 
 
 def _tables(comparison: Comparison) -> list[Block]:

@@ -55,8 +55,8 @@ def campbell(solution: SetSolution, index: Index = None) -> Figure:
     own = abs(float(np.asarray(solution.set.operation.speed)))
     if own == 0.0:
         raise ValueError("a Campbell diagram goes over the speed, and this shaft stands still")
-    speeds, found = _over_speed(solution, own)
-    rotor = found.to_ross_rotor()
+    speeds, swept = _over_speed(solution, own)
+    rotor = swept.to_ross_rotor()
     return figure_of(natural_frequencies(rotor, speeds), own, name_of(solution.set))
 
 
@@ -73,7 +73,7 @@ def _over_speed(solution: SetSolution, own: float) -> tuple[NDArray, Any]:
     return speeds[: lost[0]], solve_set(set_at_speed(of, speeds[: lost[0]]))
 
 
-def figure_of(found: NaturalFrequencies, own: float, name: str) -> Figure:
+def figure_of(modes: NaturalFrequencies, own: float, name: str) -> Figure:
     """The picture alone.
 
     Args:
@@ -82,43 +82,43 @@ def figure_of(found: NaturalFrequencies, own: float, name: str) -> Figure:
     """
     figure = figure_of_size(7.6, 4.6)
     axes: Any = figure.subplots()
-    along = found.speeds / rpm
+    along = modes.speeds / rpm
     for kind, style in LINES.items():
-        for number, mode in enumerate(getattr(found, kind)[:, :SHOWN].T):
+        for number, mode in enumerate(getattr(modes, kind)[:, :SHOWN].T):
             label = {"label": f"{kind} whirl" if kind != "axial" else "axial"} if number == 0 else {}
             axes.plot(along, mode / HERTZ, linewidth=1.3, **style, **label)
     axes.plot(
-        [0.0, along[-1]], [0.0, found.speeds[-1] / HERTZ], color=GREY, linestyle=":", label="1× speed of the shaft"
+        [0.0, along[-1]], [0.0, modes.speeds[-1] / HERTZ], color=GREY, linestyle=":", label="1× speed of the shaft"
     )
     axes.axvline(own / rpm, color=GREY, linewidth=0.8)
     axes.set_xlim(0.0, along[-1])
-    axes.set_ylim(0.0, 1.15 * _highest(found))
-    critical = found.critical_speeds
+    axes.set_ylim(0.0, 1.15 * _highest(modes))
+    critical = modes.critical_speeds
     for each in critical:
         axes.plot(each / rpm, each / HERTZ, "o", color=RED, markersize=6, zorder=3)
-        is_last = each > 0.8 * found.speeds[-1]
+        is_last = each > 0.8 * modes.speeds[-1]
         axes.annotate(
             f"{each / rpm:,.0f} rpm", (each / rpm, each / HERTZ), (-4 if is_last else 4, -8), va="top", fontsize=9,
             textcoords="offset points", color=RED, ha="right" if is_last else "left",
         )  # fmt: skip
     axes.set_xlabel("speed of the shaft, rpm; grey line: as solved", fontsize=9)
     axes.set_ylabel("natural frequency, Hz", fontsize=9)
-    axes.set_title(f"{_words(found, critical)}\nundamped; rows with their stiffness at each speed", fontsize=10)
+    axes.set_title(f"{_words(modes, critical)}\nundamped; rows with their stiffness at each speed", fontsize=10)
     plain(axes)
     legend(figure, axes)
     write_above(figure, f"Campbell diagram of {name}")
     return figure
 
 
-def _highest(found: NaturalFrequencies) -> float:
+def _highest(modes: NaturalFrequencies) -> float:
     """Up to the second lateral mode at least, and to the end of the line [Hz]."""
-    lateral = np.concatenate([getattr(found, kind)[:, :2].ravel() for kind in ("forward", "backward")])
-    return max(float(np.nanmax(lateral, initial=0.0)), float(found.speeds[-1])) / HERTZ
+    lateral = np.concatenate([getattr(modes, kind)[:, :2].ravel() for kind in ("forward", "backward")])
+    return max(float(np.nanmax(lateral, initial=0.0)), float(modes.speeds[-1])) / HERTZ
 
 
-def _words(found: NaturalFrequencies, critical: NDArray) -> str:
-    top = f"{found.speeds[-1] / rpm:,.0f} rpm"
+def _words(modes: NaturalFrequencies, critical: NDArray) -> str:
+    top = f"{modes.speeds[-1] / rpm:,.0f} rpm"
     if critical.size:
         return f"critical speeds up to {top}: {', '.join(f'{each / rpm:,.0f}' for each in critical)} rpm"
-    lowest = float(np.nanmin(found.forward, initial=np.inf))
+    lowest = float(np.nanmin(modes.forward, initial=np.inf))
     return f"no critical speed up to {top}; lowest forward whirl {lowest / HERTZ:,.0f} Hz"

@@ -17,6 +17,7 @@ from qsbearing.files.printed_numbers import catalogue_numbers
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.effects.ring_dimensions import BEYOND_CONTACT, OPEN_SHOULDER, SHOULDER
 from qsbearing.model.solution.case_index import CasePlace
+from qsbearing.model.solution.judgement import percent
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm
 from qsbearing.pictures.style import GREY, RED, STYLE, carry_alike, raceways
@@ -112,15 +113,15 @@ def _stated(solution: Solution) -> list[tuple[str, dict[str, Any]]]:
 
 def on_grooves(solution: Solution, place: CasePlace) -> dict[str, OnGroove | None]:
     """By raceways; None where no ball carries on one."""
-    found: dict[str, OnGroove | None] = {}
+    on_rings: dict[str, OnGroove | None] = {}
     for side, contacts in raceways(solution):
         loads = np.nan_to_num(contacts.load[place])
         ball = int(np.argmax(loads))
         radius = _number(getattr(solution.scene.operating_bearing, f"{side}_groove_radius"), solution, place)
         numbers = (contacts.angle, contacts.semi_major_axis, contacts.semi_minor_axis)
         own = (float(each[place][ball]) for each in numbers)
-        found[side] = OnGroove(edges_of(solution, place, side), radius, ball, *own) if loads[ball] > 0.0 else None
-    return found
+        on_rings[side] = OnGroove(edges_of(solution, place, side), radius, ball, *own) if loads[ball] > 0.0 else None
+    return on_rings
 
 
 def draw_grooves(axes: Axes, solution: Solution, place: CasePlace, is_small: bool = False) -> None:
@@ -129,15 +130,15 @@ def draw_grooves(axes: Axes, solution: Solution, place: CasePlace, is_small: boo
     Args:
         is_small: whether there is only room for short words, as beside other rows.
     """
-    found = on_grooves(solution, place)
-    drawn = {side: each for side, each in found.items() if each is not None}
+    on_rings = on_grooves(solution, place)
+    drawn = {side: each for side, each in on_rings.items() if each is not None}
     spans = {side: _span(each) for side, each in drawn.items()}
     width = max((high - low for low, high in spans.values()), default=1.0)
     half = max([BAND * width, *(1.4 * each.b / mm for each in drawn.values())])
     above = SMALL_LINES * SMALL_ABOVE if is_small else LINES * ABOVE
     step = (2.0 + above) * half
-    for number, side in enumerate(found):
-        y, each = -number * step, found[side]
+    for number, side in enumerate(on_rings):
+        y, each = -number * step, on_rings[side]
         if each is None:
             axes.text(0.0, y, f"{side} raceway: no load", fontsize=9, color=STYLE[side]["color"], ha="center")
             continue
@@ -164,7 +165,7 @@ def draw_grooves(axes: Axes, solution: Solution, place: CasePlace, is_small: boo
     for name in ("left", "top", "right"):
         axes.spines[name].set_visible(False)
     if not is_small:
-        axes.set_title("\n".join(filter(None, (TITLE, edges_told(found.items(), ";\n")))), fontsize=10, y=1.0)
+        axes.set_title("\n".join(filter(None, (TITLE, edges_told(on_rings.items(), ";\n")))), fontsize=10, y=1.0)
 
 
 def edges_told(grooves: Iterable[tuple[str, OnGroove | None]], between: str = "; ") -> str:
@@ -219,7 +220,8 @@ def _words(side: str, each: OnGroove, solution: Solution, place: CasePlace, is_s
     about = "" if each.edges.source else "≈ "
     edge = f"{about}{each.distance / mm:.2g} mm to the edge"
     if each.distance < 0.0:
-        edge = f"{about}{100.0 * min(-0.5 * each.distance / each.a, 1.0):.2g} % is beyond the edge"
+        beyond = percent(min(-0.5 * each.distance / each.a, 1.0))
+        edge = f"{about}{beyond} is beyond the edge"
     size = f"{2.0 * each.a / mm:.3g} × {2.0 * each.b / mm:.2g} mm"
     angle = f"{round(each.angle / deg, 1) + 0.0:.1f}°"
     if is_small:

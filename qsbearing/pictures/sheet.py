@@ -108,14 +108,14 @@ def ellipse_on_groove(solution: Solution | SetSolution, index: Index = None) -> 
     lines = -(-count // columns)
     figure = figure_of_size(max(columns * OF_ROW[0], 5.0), lines * OF_ROW[1] + 0.6)
     panels = figure.subplots(lines, columns, squeeze=False).ravel()
-    found = []
+    grooves = []
     for number, (axes, row) in enumerate(zip(panels, solution.rows, strict=False)):
         draw_grooves(axes, row, place, is_small=True)
         axes.set_title(f"Row {number + 1}, {solution.set.rows[number].carries}", fontsize=10, loc="left")
-        found += [(f"row {number + 1} {side}", each) for side, each in on_grooves(row, place).items()]
+        grooves += [(f"row {number + 1} {side}", each) for side, each in on_grooves(row, place).items()]
     for axes in panels[count:]:
         axes.set_axis_off()
-    write_above(figure, f"Contact ellipses on their grooves, rolling up and down, {edges_told(found)}")
+    write_above(figure, f"Contact ellipses on their grooves, rolling up and down, {edges_told(grooves)}")
     return figure
 
 

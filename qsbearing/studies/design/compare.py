@@ -152,7 +152,7 @@ def _is_no_source(given: object) -> bool:
     return not isinstance(given, str | os.PathLike | dict)
 
 
-class Setting(NamedTuple):
+class OtherValue(NamedTuple):
     """A key that has another value than the files say."""
 
     number: int | None
@@ -174,7 +174,7 @@ class Job(NamedTuple):
     """What was set, and in which file."""
 
 
-def job_of(sources: Sequence[Source], at: Source | None = None, settings: Sequence[Setting] = ()) -> Job:
+def job_of(sources: Sequence[Source], at: Source | None = None, settings: Sequence[OtherValue] = ()) -> Job:
     """What is to be compared, read and checked; arguments and errors are those of `compare`."""
     if not isinstance(sources, Sequence) or isinstance(sources, str) or any(map(_is_no_source, sources)):
         raise TypeError("compare takes a list of scenes, each by its file, its name in the catalogue, or its tables")
@@ -209,13 +209,13 @@ def job_of(sources: Sequence[Source], at: Source | None = None, settings: Sequen
 def _put(
     documents: list[tuple[dict[str, Any], str, str]],
     of_job: int,
-    settings: Sequence[Setting],
+    settings: Sequence[OtherValue],
     count: int,
     errors: list[FileErrorDetail],
 ) -> list[tuple[str, ChangedKey]]:
     """Give keys other values: those of the job in the file that it is taken from, others in each scene or in the one
     that is meant; documents change."""
-    found: dict[int, list[tuple[str, Any]]] = {}
+    of_scenes: dict[int, list[tuple[str, Any]]] = {}
     for number, key, value in settings:
         head, is_set = path_of(key, documents[of_job][0])[0], "rows" in documents[0][0]
         is_shared = head in OF_JOB if is_set else head != "bearing"
@@ -226,9 +226,9 @@ def _put(
             continue
         meant = [of_job] if is_shared else range(count) if number is None else [number - 1]
         for each in meant:
-            found.setdefault(each, []).append((key, value))
+            of_scenes.setdefault(each, []).append((key, value))
     changes: list[tuple[str, ChangedKey]] = []
-    for each, values in found.items():
+    for each, values in of_scenes.items():
         try:
             read, _, own = changed(Read(*documents[each]), values, lambda of: of)
             documents[each] = (read.document, read.file, read.label)

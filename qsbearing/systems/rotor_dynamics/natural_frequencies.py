@@ -37,13 +37,13 @@ class NaturalFrequencies(NamedTuple):
     def critical_speeds(self) -> NDArray:
         """Where the shaft turns as fast as a mode whirls forward, and an unbalance meets it [rad/s]; by straight lines
         between the speeds."""
-        found = []
+        crossings = []
         for mode in self.forward.T:
             above = mode - self.speeds
             for k in np.flatnonzero(above[:-1] * above[1:] <= 0.0):
                 part = above[k] / (above[k] - above[k + 1]) if above[k] != above[k + 1] else 0.0
-                found.append(self.speeds[k] + part * (self.speeds[k + 1] - self.speeds[k]))
-        return np.unique(np.array(found, float))
+                crossings.append(self.speeds[k] + part * (self.speeds[k + 1] - self.speeds[k]))
+        return np.unique(np.array(crossings, float))
 
 
 def natural_frequencies(rotor: Any, speeds: NDArray) -> NaturalFrequencies:
@@ -59,9 +59,9 @@ def natural_frequencies(rotor: Any, speeds: NDArray) -> NaturalFrequencies:
                 kind = min(("forward", "backward"), key=lambda way: len(own[way]))
             if kind in own:
                 own[kind].append(float(frequency))
-        for kind, found in own.items():
-            kinds[kind].append(sorted(found))
-    return NaturalFrequencies(np.asarray(speeds, float), *(_table(found) for found in kinds.values()))
+        for kind, frequencies in own.items():
+            kinds[kind].append(sorted(frequencies))
+    return NaturalFrequencies(np.asarray(speeds, float), *(_table(frequencies) for frequencies in kinds.values()))
 
 
 def _takes_frequency(rotor: Any) -> bool:
@@ -86,7 +86,9 @@ def _kind(shape: NDArray, mass: NDArray) -> str:
     return "forward" if ways[0] > ways[1] else "backward"
 
 
-def _table(found: list[list[float]]) -> NDArray:
+def _table(frequencies: list[list[float]]) -> NDArray:
     """As many columns as every speed has modes."""
-    count = max(map(len, found), default=0)
-    return np.array([each + [np.nan] * (count - len(each)) for each in found], float).reshape(len(found), count)
+    count = max(map(len, frequencies), default=0)
+    return np.array([each + [np.nan] * (count - len(each)) for each in frequencies], float).reshape(
+        len(frequencies), count
+    )

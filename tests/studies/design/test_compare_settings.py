@@ -7,19 +7,19 @@ from typing import Any
 import pytest
 
 import qsbearing as qs
-from qsbearing.studies.design.compare import Setting, job_of, solved
+from qsbearing.studies.design.compare import OtherValue, job_of, solved
 
 BEARING = {"name": "7210C"}
 FIRST: dict[str, Any] = {"bearing": dict(BEARING), "operation": {"speed_rpm": 9000, "axial_load_N": 500}}
 SECOND: dict[str, Any] = {"bearing": dict(BEARING)}
 
 
-def of(*settings: Setting, at: dict[str, Any] | None = None) -> Any:
+def of(*settings: OtherValue, at: dict[str, Any] | None = None) -> Any:
     return solved(job_of([FIRST, SECOND], at, settings))
 
 
 def test_a_key_of_one_scene_changes_that_one_alone() -> None:
-    found = of(Setting(2, "bearing.ball_count", 12))
+    found = of(OtherValue(2, "bearing.ball_count", 12))
     assert [int(each.scene.bearing.ball_count) for each in found.solutions] == [15, 12]
     (line,) = (each for each in found.inputs if each.name == "ball_count")
     assert line.values == (15.0, 12.0)
@@ -27,13 +27,13 @@ def test_a_key_of_one_scene_changes_that_one_alone() -> None:
 
 
 def test_a_key_of_a_bearing_without_a_number_is_of_all() -> None:
-    found = of(Setting(None, "ball_count", 14))
+    found = of(OtherValue(None, "ball_count", 14))
     assert [int(each.scene.bearing.ball_count) for each in found.solutions] == [14, 14]
 
 
 @pytest.mark.parametrize("at", [None, {"bearing": {"name": "B218"}, "operation": {"axial_load_N": 400}}])
 def test_a_key_of_the_job_is_put_where_the_job_stands(at: dict[str, Any] | None) -> None:
-    job = job_of([FIRST, SECOND], at, [Setting(None, "speed_rpm", 7000)])
+    job = job_of([FIRST, SECOND], at, [OtherValue(None, "speed_rpm", 7000)])
     assert [float(each.operation.speed) / qs.rpm for each in job.made] == pytest.approx([7000.0, 7000.0])
     ((_, change),) = job.changes
     assert change.key == "operation.speed_rpm" and change.before == (None if at else 9000)
@@ -42,11 +42,11 @@ def test_a_key_of_the_job_is_put_where_the_job_stands(at: dict[str, Any] | None)
 @pytest.mark.parametrize(
     ("setting", "said"),
     [
-        (Setting(2, "speed_rpm", 7000), "operation is of the job, which all share"),
-        (Setting(3, "bearing.ball_count", 12), "there are 1 to 2"),
-        (Setting(None, "bearing.ball_cuont", 12), "ball_cuont"),
+        (OtherValue(2, "speed_rpm", 7000), "operation is of the job, which all share"),
+        (OtherValue(3, "bearing.ball_count", 12), "there are 1 to 2"),
+        (OtherValue(None, "bearing.ball_cuont", 12), "ball_cuont"),
     ],
 )
-def test_what_has_no_place_is_refused(setting: Setting, said: str) -> None:
+def test_what_has_no_place_is_refused(setting: OtherValue, said: str) -> None:
     with pytest.raises(qs.SceneError, match=said):
         of(setting)

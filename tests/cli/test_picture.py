@@ -1,0 +1,73 @@
+"""`run --picture`: what --plot draws, and what it cannot draw of a scene or set."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from qsbearing.cli import cli
+
+pytest.importorskip("matplotlib")
+
+PAIR = """
+[bearing]
+name = "7210C"
+[[rows]]
+position_mm = 0
+carries = "+x"
+[[rows]]
+position_mm = 20
+carries = "-x"
+[preload]
+rigid_N = 300
+[operation]
+speed_rpm = 6000
+"""
+SHAFT = """
+[[shaft.sections]]
+length_mm = 120
+outer_diameter_mm = 50
+[shaft]
+start_mm = -50
+"""
+
+
+def ended(*arguments: str) -> tuple[int, str]:
+    found = CliRunner().invoke(cli, ["run", *arguments])
+    return found.exit_code, found.stderr
+
+
+@pytest.mark.parametrize("name", ["overview", "load", "section", "groove", "ellipses"])
+def test_every_picture_of_a_bearing_is_written(name: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    assert ended("b218", "--plot", str(target), "--picture", name)[0] == 0
+    assert target.read_bytes().startswith((b"<svg", b"<?xml"))
+
+
+def test_what_cannot_be_drawn_is_refused_in_a_sentence(tmp_path: Path) -> None:
+    rigid, target = tmp_path / "pair.toml", str(tmp_path / "a.svg")
+    rigid.write_text(PAIR)
+    assert ended("b218", "--picture", "groove") == (
+        2,
+        "qsbearing: --picture says what --plot draws: give --plot FILE\n",
+    )
+    code, said = ended("b218", "--plot", target, "--picture", "campbell")
+    assert code == 2 and "is none of a bearing; overview, load, section" in said
+    code, said = ended(str(rigid), "--plot", target, "--picture", "section")
+    assert code == 2 and "is none of a set" in said
+    code, said = ended(str(rigid), "--plot", target, "--picture", "campbell")
+    assert code == 2 and "this set's shaft is rigid" in said
+    assert not (tmp_path / "a.svg").exists()
+
+
+@pytest.mark.skipif(find_spec("ross") is not None, reason="ROSS is installed")
+def test_a_campbell_diagram_needs_the_rotor_program(tmp_path: Path) -> None:
+    bent = tmp_path / "bent.toml"
+    bent.write_text(PAIR + SHAFT)
+    code, said = ended(str(bent), "--plot", str(tmp_path / "a.svg"), "--picture", "campbell")
+    assert (
+        code == 2 and said.startswith("qsbearing: --picture campbell needs ross: pip install") and said.count("\n") == 1
+    )
