@@ -15,6 +15,7 @@ from typing import Any
 from qsbearing.app import drawn
 from qsbearing.app.inputs import ON_PAGE, addable, fields
 from qsbearing.app.inputs import label as words_of
+from qsbearing.app.shaft_drawing import drawing
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Callout
 from qsbearing.files import catalogue
@@ -57,8 +58,8 @@ KEPT = 4
 OF_HYPOTHESES, OF_FRICTION = ("moment_shares", "friction_coefficient"), ("traction",)
 """Of [effects], what means something under a hypothesis of raceway control, or with friction alone."""
 OF_SET = (
-    "A set of rows: this page changes speed, loads and preload, and switches effects. All other numbers of rows "
-    "and shaft are as the file has them: to change these, change the file and open it again."
+    "A set of rows: to add rows, sections or loads, or to take them out, change the file and open it again. All their "
+    "numbers are changed here, most of them in the drawing too."
 )
 
 
@@ -84,7 +85,8 @@ def checked(document: Tables, label: str) -> Answer:
 def shown(document: Tables) -> Answer:
     """Tables as they are, their fields, and what else is to know of these."""
     note = OF_SET if is_set(document) else ""
-    return {"document": document, "fields": fields(document), "addable": addable(document), "note": note}
+    told = {"document": document, "fields": fields(document), "addable": addable(document)}
+    return told | {"note": note, "drawing": drawing(document)}
 
 
 def solved(document: Tables, label: str) -> Answer:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from qsbearing.files.file_keys import REQUIRE, find, spelled
-from qsbearing.files.keys import MATERIALS, NUMBERED, SEAT_MATERIALS
+from qsbearing.files.keys import NUMBERED, SET_TABLES, Key
+from qsbearing.files.paths import key_at
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.table_checks import CHOICES_OF_FILES
 from qsbearing.model.described import choices_of
@@ -21,15 +22,21 @@ Path = tuple[str | int, ...]
 TYPICAL = {"N": 1000.0, "rpm": 10_000.0, "um": 20.0, "mm": 1.0, "mrad": 1.0, "N m": 20.0, "deg": 15.0, "C": 60.0}
 """How far a slider reaches from zero, by unit; what is allowed, the scene's own checks say."""
 NEAR = 0.2
-"""Of the bearing's own numbers a slider covers so much to either side: far more describes no bearing."""
+"""Of a bearing's own numbers, and of lengths of a shaft, a slider covers so much to either side: far more describes none
+of its kind."""
+PLACES = ("position", "start")
+"""How the names of places along a shaft end."""
+ASIDE = 50.0
+"""How far a slider moves what stands on a shaft to either side [mm]."""
 FARTHEST = 1e30
 """Of a slider."""
 ROOM = 20.0
 """The reference temperature [C]."""
-OF_SET = (("operation",), ("preload",), ("shaft", "loads"), ("shaft", "gears"), ("shaft", "belts"))
-"""The tables of a set that the page has fields for; what else rows and shaft have is changed in the file."""
 DAILY = ("operation", "shaft", "preload")
-"""Tables whose fields come first and are always in view."""
+"""Tables whose fields come first and are always in view; of a shaft what loads it."""
+LOADING = ("loads", "gears", "belts")
+OF_SET = ("operation", "preload")
+"""The tables to which keys can be added that a set has not."""
 _NUMBERED = {table: word for word, table in NUMBERED.items()}
 
 
@@ -38,20 +45,25 @@ def fields(document: dict[str, Any]) -> list[FieldOfPage]:
     inputs = [
         _field(path, value)
         for path, value in _leaves(document)
-        if path != ("bearing", "name") and _is_shown(document, path)
+        if path[-2:] != ("bearing", "name") and _is_shown(path)
     ]
     place = {table: number for number, table in enumerate(DAILY)}
     return sorted(inputs, key=lambda field: place.get(field["path"][0], len(place)))
 
 
-def _is_shown(document: dict[str, Any], path: Path) -> bool:
+def _is_shown(path: Path) -> bool:
     """Limits of results are the file's: the page answers them."""
-    return path[0] != REQUIRE and (not is_set(document) or any(path[: len(table)] == table for table in OF_SET))
+    return path[0] != REQUIRE
+
+
+def _is_daily(path: Path) -> bool:
+    return path[0] in DAILY and (path[0] != "shaft" or path[1] in LOADING)
 
 
 def _leaves(table: Any, before: Path = ()) -> Iterator[tuple[Path, Any]]:
     for name, value in enumerate(table) if isinstance(table, list) else table.items():
-        if isinstance(value, dict) or (isinstance(value, list) and name in _NUMBERED):
+        is_listed = isinstance(value, list) and all(isinstance(each, dict) for each in value)
+        if isinstance(value, dict) or (is_listed and name in _NUMBERED):
             yield from _leaves(value, (*before, name))
         elif isinstance(value, str | int | float) and not isinstance(value, bool):
             yield (*before, name), value
@@ -70,32 +82,42 @@ def _key(path: Path) -> str:
 
 def _field(path: Path, value: Any) -> FieldOfPage:
     own = _key(path)
-    key, table, name = find(own), own.rpartition(".")[0], str(path[-1])
+    key, table, name = _key_of(path), own.rpartition(".")[0], str(path[-1])
     words, unit = label(key.field if key else name), key.unit if key else ""
     field: FieldOfPage = {"path": path, "key": own, "group": table.replace(".", ", "), "words": words, "unit": unit}
-    field |= {"is_needed": path[0] in ("bearing", "shaft"), "is_daily": path[0] in DAILY}
+    field |= {"is_needed": path[0] in ("bearing", "rows", "shaft"), "is_daily": _is_daily(path)}
     if isinstance(value, str):
         return field | {"options": _options(name, path)}
     if path[-1] == "ball_count":
         return field | {"low": max(3, value // 2), "high": 2 * value, "step": 1}
     value = min(max(value, -FARTHEST), FARTHEST)
-    low, high = _span(float(value), field["unit"], path[0] == "bearing")
+    low, high = _span(float(value), field["unit"], path)
     return field | {"low": low, "high": high, "step": float(f"{(high - low) / 400.0:.0e}")}
 
 
+def _key_of(path: Path) -> Key | None:
+    """Of a number; a point of the shaft has its own name for one."""
+    return find(_key(path)) or key_at(tuple(step for step in path if isinstance(step, str)))
+
+
 def _options(name: str, path: Path) -> list[str]:
-    if path[0] == "shaft":
+    if name.endswith("material"):
+        return list(BY_NAME)
+    if path[0] in SET_TABLES:
         from qsbearing.files.set_keys import RECORDS  # a scene does not load it
 
-        words: Any = choices_of(RECORDS[str(path[1])])[name]
-        return list(map(str, words))
-    if name in (*MATERIALS, *SEAT_MATERIALS):
-        return list(BY_NAME)
+        table = next(step for step in reversed(path[:-1]) if isinstance(step, str))
+        if table in RECORDS:
+            words: Any = choices_of(RECORDS[table])[name]
+            return list(map(str, words))
     return [str(each) for each in CHOICES_OF_FILES.get(name, ())]
 
 
-def _span(value: float, unit: str, is_of_bearing: bool) -> tuple[float, float]:
-    if is_of_bearing and value:
+def _span(value: float, unit: str, path: Path) -> tuple[float, float]:
+    is_place = unit == "mm" and ("points" in path or str(path[-1]).removesuffix("_mm").endswith(PLACES))
+    if is_place:
+        return value - ASIDE, value + ASIDE
+    if value and ("bearing" in path or (unit == "mm" and path[0] in SET_TABLES)):
         return tuple(sorted((value * (1.0 - NEAR), value * (1.0 + NEAR))))  # type: ignore[return-value]
     reach = 2.0 * abs(value) or TYPICAL.get(unit, 1.0)
     return (0.0, reach) if value > 0.0 else (-reach, 0.0 if value < 0.0 else reach)
@@ -127,8 +149,12 @@ def addable(document: dict[str, Any]) -> list[FieldOfPage]:
             "value": ROOM if key.unit == "C" else 0.0,
         }
         for key in keys.ALL.values()
-        if _is_shown(document, key.path) and _fits(document, key.path)
+        if _is_addable(document, key.path) and _fits(document, key.path)
     ]
+
+
+def _is_addable(document: dict[str, Any], path: tuple[str, ...]) -> bool:
+    return not is_set(document) or path[0] in OF_SET
 
 
 def _fits(document: dict[str, Any], path: tuple[str, ...]) -> bool:

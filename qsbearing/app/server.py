@@ -24,7 +24,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from qsbearing.app import answers
+from qsbearing.app import answers, maps
 from qsbearing.app.work import StoppedError, answered, prepare
 from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.file_errors import MOST_SHOWN, refused
@@ -53,8 +53,11 @@ QUESTIONS: dict[str, Callable[..., answers.Answer]] = {
     "effects": answers.effects,
     "switch": answers.switched,
     "save": answers.saved,
+    "map_choices": maps.choices,
+    "map_values": maps.values,
 }
 ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool, "row": int}
+ARGUMENTS |= {"x": list, "y": list, "xs": list, "ys": list, "result": str}
 
 
 def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") -> Starlette:

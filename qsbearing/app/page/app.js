@@ -27,6 +27,9 @@ function make(tag, attributes = {}, text = "", ...children) {
   return made;
 }
 
+// Drawing and map follow the inputs by these events.
+const tell = (event, detail) => document.dispatchEvent(new CustomEvent(event, {detail}));
+
 const at = (path, table = now.document) => path.reduce((inner, name) => inner?.[name], table);
 
 function put(path, value) {
@@ -80,6 +83,7 @@ function show(told) {
   const first = make("option", {value: ""}, "choose ...");
   $("add").replaceChildren(first, ...told.addable.map((key, number) => make("option", {value: number}, key.path.join("."))));
   $("add").onchange = () => add(told.addable[$("add").value]);
+  tell("shown", told);
   solve();
 }
 
@@ -149,6 +153,7 @@ function complain(errors) {
   }
   $("errors").replaceChildren(...elsewhere.map(text => make("li", {}, text)));
   if (errors.length) grey("Not solved.");
+  tell("refused", errors);
 }
 
 // What is on the page is grey as long as it is of another input than the fields have, and is said to be of that.
@@ -193,6 +198,7 @@ async function solve() {
   turn += 1;
   late.abort();  // nobody waits for what is to be read of the input before
   grey("Solving ...");
+  tell("changed", now);
   if (busy) return;
   busy = true;
   while (again) {
@@ -225,6 +231,7 @@ function results() {
   $("boxes").replaceChildren(...found.effects.map(switchOf));
   row = Math.min(row, Math.max(found.rows.length - 1, 0));
   keyResults();
+  tell("solved", {input: shown, found});
 }
 
 // Key results, those of one row of a set among them, beside those that are pinned.
