@@ -22,8 +22,8 @@ Path = tuple[str | int, ...]
 TYPICAL = {"N": 1000.0, "rpm": 10_000.0, "um": 20.0, "mm": 1.0, "mrad": 1.0, "N m": 20.0, "deg": 15.0, "C": 60.0}
 """How far a slider reaches from zero, by unit; what is allowed, the scene's own checks say."""
 NEAR = 0.2
-"""Of a bearing's own numbers, and of lengths of a shaft, a slider covers so much to either side: far more describes none
-of its kind."""
+"""Of a bearing's own numbers, and of lengths of a shaft, a slider covers so much to either side: far more describes
+none."""
 PLACES = ("position", "start")
 """How the names of places along a shaft end."""
 ASIDE = 50.0
@@ -43,9 +43,7 @@ _NUMBERED = {table: word for word, table in NUMBERED.items()}
 def fields(document: dict[str, Any]) -> list[FieldOfPage]:
     """A field for every number and word of these tables; of a number with the ends of its slider."""
     inputs = [
-        _field(path, value)
-        for path, value in _leaves(document)
-        if path[-2:] != ("bearing", "name") and _is_shown(path)
+        _field(path, value) for path, value in _leaves(document) if path[-2:] != ("bearing", "name") and _is_shown(path)
     ]
     place = {table: number for number, table in enumerate(DAILY)}
     return sorted(inputs, key=lambda field: place.get(field["path"][0], len(place)))

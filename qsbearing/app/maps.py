@@ -13,15 +13,17 @@ from operator import getitem
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qsbearing.app.inputs import FieldOfPage, fields
-from qsbearing.app.scenes import named, read, solution_of
+from qsbearing.app.scenes import named, solution_of
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.result_keys import Place, in_name, printed_unit
 from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.status import Reason
 from qsbearing.studies import keys
-from qsbearing.studies.chunk import STATUSES, Chunk, plan_of, solve_points
+from qsbearing.studies.chunk import IMPOSSIBLE, STATUSES, Chunk, plan_of, solve_points
 from qsbearing.studies.points import Points
 from qsbearing.studies.results import known_results
 from qsbearing.studies.scenes import check
@@ -35,7 +37,7 @@ USUAL, FEWEST, MOST = 21, 3, 41
 AT_ONCE = 2000
 """Points of one question."""
 FIRST, FORCE = "effective_stiffness", "N"
-"""What a map shows until something else is chosen: of the first point of a shaft, such as its tool, or else of the whole;
+"""What a map shows until something else is chosen: of the first point of a shaft, such as its tool, or of the whole;
 over the first input and the first that is a force, and acts."""
 COUNT = "ball_count"
 """Which varies in whole numbers, and so over no map."""
@@ -92,24 +94,39 @@ def values(
         xs, ys: each in ascending order, in the unit of its key.
     """
     problems = [problem for path in (x, y) for problem in _problem(document, path)]
+    problems += ["a map needs two different inputs"] if x == y else []
     if problems or not (xs and ys) or len(xs) * len(ys) > AT_ONCE:
         raise SceneFileError("map", [FileErrorDetail("", ". ".join(problems) or f"takes 1 to {AT_ONCE} points")])
-    tables = input_tables(named(document, label)) if read(document, label).tolerance is not None else document
+    tables = input_tables(named(document, label))
     study = Study.of(Read(tables, "map", label), {_name(x): xs, _name(y): ys}, quantities=[result])
-    plan = plan_of(study, check(study), Points(study))
     grid = [each.ravel() for each in np.meshgrid(xs, ys)]
-    chunk = solve_points(plan, {each.key: numbers for each, numbers in zip(study.variables, grid, strict=True)})
-    found = next(iter(chunk.results.values()), np.full(len(xs) * len(ys), np.nan))
+    given = {each.key: numbers for each, numbers in zip(study.variables, grid, strict=True)}
+    found, why = _solved(study, given, len(xs) * len(ys))
     shape = len(ys), len(xs)
-    numbers = [float(each) if np.isfinite(each) else None for each in found]
-    why = [_why(chunk, number) for number in range(len(numbers))]
-    return {name: np.reshape(np.array(each, object), shape).tolist() for name, each in (("values", numbers), ("why", why))}
+    return {"values": np.reshape(found, shape).tolist(), "why": np.reshape(why, shape).tolist()}
+
+
+def _solved(study: Study, given: dict[str, NDArray], count: int) -> tuple[NDArray, NDArray]:
+    """Point by point its number, None where there is none, and why that is so."""
+    try:
+        possible = check(study)
+    except SceneFileError as error:  # the tables are right, so these points are what is wrong
+        (first, *_) = error.errors
+        return np.full(count, None), np.full(count, f"{STATUSES[IMPOSSIBLE]}: {first.key}: {first.problem}", object)
+    plan = plan_of(study, possible, Points(study))
+    chunk = solve_points(plan, given)
+    numbers = next(iter(chunk.results.values()), np.full(count, np.nan))
+    found = [float(each) if np.isfinite(each) else None for each in numbers]
+    return np.array(found, object), np.array([_why(chunk, number) for number in range(count)], object)
 
 
 def _why(chunk: Chunk, number: int) -> str:
     """Why there is nothing at a point; empty where it is solved."""
-    words = (STATUSES[chunk.status[number]], chunk.reasons[chunk.reason[number]])
-    return ": ".join(filter(None, words)).replace("_", " ") if chunk.status[number] else ""
+    if not chunk.status[number]:
+        return ""
+    reason = chunk.reasons[chunk.reason[number]]
+    said = reason.replace("_", " ") if reason in list(Reason) else reason  # else a key, and what is wrong with it
+    return ": ".join(filter(None, (STATUSES[chunk.status[number]].replace("_", " "), said)))
 
 
 def _name(path: Path) -> str:
@@ -119,4 +136,3 @@ def _name(path: Path) -> str:
 
 def _problem(document: Tables, path: Path) -> tuple[str, ...]:
     return keys.problem(_name(path), document)
-

@@ -6,8 +6,9 @@ The page has the numbers themselves, by their paths, and so draws what is typed 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from qsbearing.files.bearing_table import read_bearing
 from qsbearing.files.keys import NUMBERED, OPERATION
@@ -17,7 +18,7 @@ from qsbearing.files.set_file import is_deep_groove
 from qsbearing.files.set_keys import SET_NUMBERS
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.operation import CHANNELS
-from qsbearing.model.units import mm
+from qsbearing.model.units import deg, mm
 from qsbearing.pictures.deformed_shaft import BOX
 from qsbearing.systems.sets.row import ONE_WAY, Direction
 from qsbearing.systems.sets.shaft import LOADS
@@ -126,9 +127,9 @@ def _rows(document: Tables) -> Iterator[Thing]:
 
 
 def _size(bearing: BallBearing) -> dict[str, float]:
-    ball = float(bearing.ball_diameter) / mm
-    pitch, angle = float(bearing.pitch_diameter) / mm, degrees(float(bearing.free_contact_angle))
-    return {"ball": ball, "box": BOX * ball, "pitch": pitch, "angle": angle}
+    numbers = bearing.ball_diameter, bearing.pitch_diameter, bearing.free_contact_angle
+    ball, pitch, angle = (float(np.asarray(each)) for each in numbers)
+    return {"ball": ball / mm, "box": BOX * ball / mm, "pitch": pitch / mm, "angle": angle / deg}
 
 
 def _on_shaft(document: Tables) -> Iterator[Thing]:

@@ -6,7 +6,7 @@ import {STEPS, nice, rounded, settle, shown, type} from "./typed.js";
 
 const HEIGHT = 380, WIDEST = 760, MARGIN = {left: 70, right: 86, top: 14, bottom: 46};  // px
 const COLOURS = ["#f7fbff", "#c6dbef", "#6baed6", "#2171b5", "#08306b"].map(each => [1, 3, 5].map(k => parseInt(each.slice(k, k + 2), 16)));
-const SHORT = 2500, PIECE = 1500, CALM = 400;  // ms: a map that is drawn anew unasked, one question, until nothing moves
+const SHORT = 5000, PIECE = 1500, CALM = 400;  // ms: a map that is drawn anew unasked, one question, until nothing moves
 let fields = new Map(), now = {document: {}, label: ""}, known = null, map = null, running = null, calm = 0, drag = null, unsettled = "";
 
 const named = field => `${field.words}${field.unit ? `, ${field.unit}` : ""}`;
