@@ -42,7 +42,7 @@ from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.results.requirements import blocks as requirement_blocks
 from qsbearing.results.requirements import required_answers
-from qsbearing.results.set_key_results import results_of_row, results_of_shaft
+from qsbearing.results.set_key_results import results_of_row, results_of_shaft, rows_table
 from qsbearing.studies.chooser.choose_set import solve_any
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set
@@ -90,13 +90,14 @@ def shown(document: Tables) -> Answer:
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, key results of the bearing or of the shaft and each row, the answers to what is required,
-    remarks, of a bearing the section, the names of the pictures to ask for, and the effects with whether they can be
-    switched."""
+    """How the case ended, key results of the bearing or of the shaft and each row, a table of all rows, the answers to
+    what is required, remarks, of a bearing the section, the names of the pictures to ask for, and the effects with
+    whether they can be switched."""
     solution = _solution(document, label)
     readings, is_solved = all_taken(solution), bool(solution.converged)
     key: list[KeyResult] = []
     rows: list[Answer] = []
+    every_row = ""
     picture, pictures = "", drawn.names(solution) if is_solved else []
     if is_solved and isinstance(solution, Solution):
         key, picture = results_of(solution, readings), drawn.drawn(SECTION, solution)
@@ -107,11 +108,13 @@ def solved(document: Tables, label: str) -> Answer:
             {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, readings[k]))}
             for k, row in enumerate(solution.set.rows)
         ]
+        every_row = part([rows_table(solution, readings)])
     said = [] if is_solved else [Callout(message(solution), "fail")]
     return {
         "is_solved": is_solved,
         "key": _plain(key),
         "rows": rows,
+        "every_row": every_row,
         "requirements": part(requirement_blocks(required_answers(solution, readings), solution)),
         "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),
         "picture": picture,

@@ -12,6 +12,7 @@ import pytest
 pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 from qsbearing.app import answers
+from qsbearing.app.inputs import ASIDE
 from tests.app.served import served
 from tests.app.test_answers import ran
 from tests.app.test_page import KEY, OF, SOLVED, UNDO, boxes, hold, opened, press, wait
@@ -70,6 +71,11 @@ def drag(page: Browser, name: str, right: float, down: float, count: int = 1) ->
     page.ask("Input.dispatchMouseEvent", type="mouseReleased", button="left", clickCount=count, **where)
 
 
+def scale(rows: dict[str, Any]) -> float:
+    """Millimetres of a pixel, by the boxes of both rows, which are 20 mm apart."""
+    return 20.0 / (rows[ROW][0] - rows["drawn row 1.position_mm"][0])
+
+
 def focus(page: Browser, name: str) -> None:
     page.value(f"document.getElementById({name!r}).focus()")
 
@@ -93,7 +99,7 @@ def test_a_row_is_dragged_along_the_shaft(page: Browser, tmp_path: Path) -> None
     place = number(page, PLACE)
     after = boxes(page, ROW, "drawn row 1.position_mm")
     distances = [found[ROW][0] - found["drawn row 1.position_mm"][0] for found in (first, after)]
-    assert 24.0 < place < 60.0  # the file says 20
+    assert place == pytest.approx(20.0 + 60.0 * scale(first), abs=0.6), "the row is where the pointer is"
     assert distances[1] / distances[0] == pytest.approx(place / 20.0, rel=0.02), "drawn to scale"
     assert page.value(f"document.getElementById({ROW!r}).getAttribute('aria-valuetext')") == f"{place:g} mm"
 
@@ -119,6 +125,8 @@ def test_keys_move_a_row_and_open_its_number(page: Browser) -> None:
     assert page.value("document.activeElement.id") == ROW, "though the fields are new ones"
     press(page, "PageDown", 34)
     wait(page, f"document.getElementById({PLACE!r}).value === '{20.0 - 9.0 * step:g}'")
+    slider = f"document.getElementById('{PLACE} slider')"
+    wait(page, f"Number({slider}.min) === {20.0 - 9.0 * step - ASIDE:g}")  # the fields are new ones around it
     press(page, "Enter", 13)
     assert page.value("document.activeElement.id") == PLACE
     assert page.value("document.activeElement.closest('details').open")
@@ -134,11 +142,11 @@ def test_a_double_click_opens_the_number(page: Browser) -> None:
 
 
 def test_a_diameter_is_dragged_by_its_edge(page: Browser, tmp_path: Path) -> None:
-    before = page.value(KEY)
+    before, pixel = page.value(KEY), scale(boxes(page, ROW, "drawn row 1.position_mm"))
     drag(page, f"drawn {DIAMETER}", 3.0, -12.0)
     wait(page, f"{SOLVED} && {KEY} !== {before!r}")
     outer = number(page, DIAMETER)
-    assert 52.0 < outer < 62.0  # the file says 50
+    assert outer == pytest.approx(50.0 + 2.0 * 12.0 * pixel, abs=1.1), "the edge is where the pointer is"
 
     def wider(tables: dict[str, Any]) -> None:
         tables["shaft"]["sections"][0]["outer_diameter_mm"] = outer
@@ -165,8 +173,7 @@ def test_what_is_wrong_is_told_in_the_words_of_a_number_that_is_typed(page: Brow
     with pytest.raises(answers.SceneFileError) as caught:
         answers.solved(tables, "spindle")
     (said,) = (str(each) for each in caught.value.errors if each.key == LENGTH)
-    told = page.value(f"document.getElementById({wrong}.getAttribute('aria-describedby')).textContent")
-    assert told.strip() == said
+    wait(page, f"document.getElementById({wrong}.getAttribute('aria-describedby'))?.textContent.trim() === {said!r}")
     assert " ".join(said.split()) in page.value("document.getElementById('drawn-now').innerText.replace(/\\s+/g, ' ')")
     assert page.value(f"document.getElementById('drawn {LENGTH}').classList.contains('wrong')")
     page.click(UNDO)
@@ -296,7 +303,7 @@ def test_inputs_and_result_of_the_map_are_chosen(page: Browser) -> None:
     wait(page, f"{DRAWN} && {SAID}.startsWith('25 points.')")
     assert "row 1 axial load" in page.value(f"document.getElementById({POINT!r}).getAttribute('aria-valuetext')")
     titles = page.value("[...document.querySelectorAll('#map-plot .title')].map(each => each.textContent)")
-    assert titles == ["speed, rpm", "position, mm"]
+    assert titles == ["speed, rpm", "row 2, position, mm"]
     drag(page, POINT, 0.0, -20.0)
     wait(page, f"Number(document.getElementById({PLACE!r}).value) > 20")
 

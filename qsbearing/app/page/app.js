@@ -4,7 +4,7 @@ const $ = id => document.getElementById(id);
 const TOKEN = {"X-Token": new URLSearchParams(location.search).get("token") ?? ""};
 const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses"];
 const OF_ROW = ["section", "angles", "loads", "ellipses"];  // of a set
-const MAIN = ["section", "requirements", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
+const MAIN = ["section", "requirements", "key", "every-row", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 const NOT_YET = "not yet solved";
 let now = {document: {}, label: ""}, settled = "", past = [], busy = false, again = false, turn = 0;
 let shown = null, found = null, pinned = null;  // the input of the results on the page; these; those to compare with
@@ -242,6 +242,7 @@ function keyResults() {
   $("said").textContent = pinned ? `Pinned: ${differences(pinned.input, shown) || "these inputs"}.` : "";
   cards("key", found.key, pinned?.key);
   $("rows").hidden = !found.rows.length;
+  $("every-row").innerHTML = found.every_row;
   $("tabs").replaceChildren(...found.rows.map(({name}, number) => {
     const tab = make("button", {type: "button", id: `tab ${number}`, ariaPressed: String(number === row)}, name);
     tab.onclick = () => { row = number; kept(keyResults); rest(++turn, OF_ROW); };

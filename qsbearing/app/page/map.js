@@ -9,7 +9,8 @@ const COLOURS = ["#f7fbff", "#c6dbef", "#6baed6", "#2171b5", "#08306b"].map(each
 const SHORT = 5000, PIECE = 1500, CALM = 400;  // ms: a map that is drawn anew unasked, one question, until nothing moves
 let fields = new Map(), now = {document: {}, label: ""}, known = null, map = null, running = null, calm = 0, drag = null, unsettled = "";
 
-const named = field => `${field.words}${field.unit ? `, ${field.unit}` : ""}`;
+const called = field => `${/\d/.test(field.group) ? `${field.group.replaceAll("_", " ")}, ` : ""}${field.words}`;
+const unitOf = field => (field.unit ? `, ${field.unit}` : "");
 const pick = name => $(`map-${name}`);
 
 // What a map is of: all inputs but its two.
@@ -45,7 +46,7 @@ async function choices() {
   const by = new Map([...fields.values()].map(field => [field.key, field]));
   const inputs = told.inputs.map(each => by.get(each)).filter(Boolean);
   for (const name of ["x", "y"]) {
-    filled(name, inputs.map(field => ({value: field.key, words: named(field), group: field.group.replaceAll("_", " ")})), told.first[name]);
+    filled(name, inputs.map(field => ({value: field.key, words: field.words + unitOf(field), group: field.group.replaceAll("_", " ")})), told.first[name]);
     if (!known) ends(name);
   }
   filled("result", told.results.map(({name, words, unit, group}) => ({value: name, words: unit ? `${words}, ${unit}` : words, group})), told.first.result);
@@ -208,11 +209,11 @@ function render() {
     svg("g", {"aria-hidden": true, class: "scale"}, ...lines, ...texts.map(([p, q, text]) => svg("text", {class: "on-line", x: p, y: q + 4}, text)),
       ...ticks(xs[0], xs.at(-1), w / 80).map(each => svg("text", {x: X(each), y: foot + 16}, shown(each))),
       ...ticks(ys[0], ys.at(-1), h / 50).map(each => svg("text", {class: "left", x: MARGIN.left - 6, y: Y(each) + 4}, shown(each))),
-      svg("text", {x: MARGIN.left + w / 2, y: foot + 36, class: "title"}, named(x)),
-      svg("text", {x: 14, y: MARGIN.top + h / 2, transform: `rotate(-90 14 ${MARGIN.top + h / 2})`, class: "title"}, named(y)),
+      svg("text", {x: MARGIN.left + w / 2, y: foot + 36, class: "title"}, called(x) + unitOf(x)),
+      svg("text", {x: 14, y: MARGIN.top + h / 2, transform: `rotate(-90 14 ${MARGIN.top + h / 2})`, class: "title"}, called(y) + unitOf(y)),
       ...(on.high >= on.low ? bar : []), ...levels.map(each => svg("text", {class: "unit", x: right + 30, y: foot - on.part(each) * h + 4}, shown(each)))),
     svg("g", {id: "map-point", class: "state", tabindex: 0, role: "slider"}, svg("circle", {class: "ring", r: 14}), svg("circle", {class: "dot", r: 7}), svg("text", {y: -14})));
-  plot.setAttribute("aria-label", `Map of ${result.words} over ${x.words} and ${y.words}`);
+  plot.setAttribute("aria-label", `Map of ${result.words} over ${called(x)} and ${called(y)}`);
   follow();
   if (focused) $("map-point").focus();
 }
@@ -234,8 +235,8 @@ function follow() {
   label.setAttribute("x", X(within(a, xs)) > MARGIN.left + frame().w - 60 ? -40 : 0);
   label.setAttribute("y", Y(within(b, ys)) < MARGIN.top + 34 ? 28 : -16);
   const said = {
-    "aria-label": `State in the map: ${x.words} by left and right, ${y.words} by up and down`, "aria-valuenow": a, "aria-valuemin": Math.min(a, xs[0]), "aria-valuemax": Math.max(a, xs.at(-1)),
-    "aria-valuetext": `${x.words} ${shown(a)} ${x.unit}, ${y.words} ${shown(b)} ${y.unit}${text ? `: ${result.words} ${text}` : ""}`};
+    "aria-label": `State in the map: ${called(x)} by left and right, ${called(y)} by up and down`, "aria-valuenow": a, "aria-valuemin": Math.min(a, xs[0]), "aria-valuemax": Math.max(a, xs.at(-1)),
+    "aria-valuetext": `${called(x)} ${shown(a)} ${x.unit}, ${called(y)} ${shown(b)} ${y.unit}${text ? `: ${result.words} ${text}` : ""}`};
   for (const [name, each] of Object.entries(said)) point.setAttribute(name, each);
 }
 

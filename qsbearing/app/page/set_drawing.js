@@ -81,7 +81,7 @@ function draw() {
   figure.hidden = !things.length;
   if (!things.length) return;
   if (!figure.firstChild) prepare(figure);
-  const width = Math.max(figure.clientWidth, NARROWEST), all = placed();
+  const canvas = figure.querySelector("svg"), width = Math.max(canvas.parentNode.clientWidth, NARROWEST), all = placed();
   if (!drag || !view) view = scaled(all, width);
   const X = x => view.left + (x - view.low) * view.size;
   const above = all.filter(({kind}) => ["load", "gear", "belt", "mass", "operation"].includes(kind));
@@ -90,7 +90,6 @@ function draw() {
   const up = levels(above.map(each => texts.get(each)), width), down = levels(below.map(each => texts.get(each)), width);
   const middle = LINE * up + ARROW + 30 + view.half * view.size, foot = middle + view.half * view.size + 6;
   const axis = foot + ARROW + down * LINE, drawn = {all, texts, X, Y: r => middle - r * view.size, foot};
-  const canvas = figure.querySelector("svg");
   for (const [name, value] of Object.entries({width, height: axis + 34, viewBox: `0 0 ${width} ${axis + 34}`})) canvas.setAttribute(name, value);
   const sections = all.filter(({kind}) => kind === "section");
   kept(() => canvas.replaceChildren(
@@ -239,7 +238,7 @@ function scale(X, y) {
   }
   const head = svg("defs", {}, svg("marker", {id: "drawn-head", viewBox: "0 0 8 8", refX: 6, refY: 4, markerWidth: 10, markerHeight: 10, markerUnits: "userSpaceOnUse", orient: "auto-start-reverse"}, svg("path", {d: "M0 0L8 4L0 8z"})));
   return [head, svg("g", {"aria-hidden": true, class: "scale"}, path([[X(view.low), y], [X(view.high), y]], {class: "axis"}), ...ticks,
-    svg("text", {x: X(view.high) + 12, y: y + 16, class: "unit"}, "mm"))];
+    svg("text", {x: X(view.high) + 18, y: y + 16, class: "unit"}, "mm"))];
 }
 
 // What has the focus, or is under the pointer: its number, and what is wrong with it.
