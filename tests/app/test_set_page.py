@@ -190,6 +190,7 @@ def test_a_row_is_turned_round(page: Browser, tmp_path: Path) -> None:
         wait(page, f"document.getElementById('row {row}.carries').value === '{word}'")
         if row == 1:  # no row is left that carries +x, against which the preload would press
             wait(page, f"{OF}.startsWith('Not solved.')")
+            assert "has no row to press against" in page.value("document.getElementById('drawn-now').textContent")
     wait(page, f"{SOLVED} && {KEY} !== {before!r}")
 
     def turned(tables: dict[str, Any]) -> None:

@@ -232,7 +232,7 @@ function said(thing) {
 }
 
 function scale(X, y) {
-  const step = nice((view.high - view.low) / 8), ticks = [];
+  const step = nice((view.high - view.low) / Math.min((X(view.high) - X(view.low)) / 45, 8)), ticks = [];
   for (let x = Math.ceil(view.low / step) * step; x <= view.high + step / 1e3; x += step) {
     ticks.push(path([[X(x), y], [X(x), y + 4]], {class: "axis"}), svg("text", {x: X(x), y: y + 16}, shown(rounded(x, step))));
   }
@@ -241,10 +241,10 @@ function scale(X, y) {
     svg("text", {x: X(view.high) + 18, y: y + 16, class: "unit"}, "mm"))];
 }
 
-// What has the focus, or is under the pointer: its number, and what is wrong with it.
+// What has the focus, or is under the pointer, with its number; and what is wrong with any.
 function tell(event) {
   const own = event?.target.closest?.(".handle, .turn") ?? document.activeElement?.closest?.("#drawing .handle, #drawing .turn");
-  const wrong = [...faults].filter(([key]) => $(`drawn ${key}`) || $(`turns ${key}`)).map(([, text]) => text);
+  const wrong = [...faults].filter(([key]) => key && $(key)).map(([, text]) => text);
   const label = own?.getAttribute("aria-label") ?? "", value = own?.getAttribute("aria-valuetext");
   $("drawn-now").textContent = [value ? `${label}: ${value}` : label, ...wrong].filter(Boolean).join("\n");
   $("drawn-now").classList.toggle("wrong", wrong.length > 0);
