@@ -112,7 +112,8 @@ def _solved(study: Study, given: dict[str, NDArray], count: int) -> tuple[NDArra
         possible = check(study)
     except SceneFileError as error:  # the tables are right, so these points are what is wrong
         (first, *_) = error.errors
-        return np.full(count, None), np.full(count, f"{STATUSES[IMPOSSIBLE]}: {first.key}: {first.problem}", object)
+        why = f"{STATUSES[IMPOSSIBLE]}: {getattr(first, 'key', '')}: {first.problem}"
+        return np.full(count, None), np.full(count, why, object)
     plan = plan_of(study, possible, Points(study))
     chunk = solve_points(plan, given)
     numbers = next(iter(chunk.results.values()), np.full(count, np.nan))
