@@ -12,7 +12,8 @@ from click.testing import CliRunner
 
 from qsbearing.cli import cli
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.remarks.kinds import KINDS
+from qsbearing.inference import infer
+from qsbearing.remarks.kinds import KINDS, Kind
 from qsbearing.remarks.remark import Of, Remark
 from tests.guide.pages import GUIDE
 
@@ -51,6 +52,8 @@ UNREACHED = {
     "friction_above_load": "only wide random scenes have it",
     "friction_given_exceeded": "by friction those scenes have no equilibrium, and it names another hypothesis",
     "rows_press": "it is of rows, whose lines are those of the guide",
+    "sheet_sets_left_out": "a data sheet with so many ball sets takes minutes",
+    "sheet_ratings_unstated": "no data sheet of the guide leaves open what its ratings mean",
 }
 """Kinds of remarks with a setting of which no scene here has a line, and why."""
 
@@ -87,6 +90,7 @@ def test_what_is_pasted_does_it(text: str, codes: set[str], tmp_path: Path) -> N
 def test_every_kind_of_line_is_pasted_somewhere() -> None:
     """By what the parametrization above claims of its scenes, which it checks."""
     (mark,) = (each for each in test_what_is_pasted_does_it.pytestmark if each.name == "parametrize")  # type: ignore[attr-defined]
+    assert infer.Kind is Kind  # its kinds are among them, whatever was imported before
     pasted = set.union(*(codes for _, codes in mark.args[1]))
     assert {code for code, kind in KINDS.items() if kind.setting} == pasted | UNREACHED.keys()
     assert not pasted & UNREACHED.keys()
