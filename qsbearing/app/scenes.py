@@ -43,11 +43,17 @@ def read(document: Tables, label: str) -> Scene | BearingSet:
 
 def _of_its_control(document: Tables) -> Tables:
     """The tables without what belongs to another raceway control than the one that the page's list has chosen."""
-    table = document.get("effects")
+    table, beside = document.get("effects"), beside_control(document)
     if not isinstance(table, dict):
         return document
-    beside = OF_HYPOTHESES if table.get("raceway_control") == "friction" else OF_FRICTION
     return document | {"effects": {name: each for name, each in table.items() if name not in beside}}
+
+
+def beside_control(document: Tables) -> tuple[str, ...]:
+    """Keys of [effects] that mean nothing under the raceway control of these tables."""
+    table = document.get("effects")
+    is_friction = isinstance(table, dict) and table.get("raceway_control") == "friction"
+    return OF_HYPOTHESES if is_friction else OF_FRICTION
 
 
 def named(document: Tables, label: str) -> Scene | BearingSet:

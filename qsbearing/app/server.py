@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 import socket
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager, suppress
 from inspect import signature
 from pathlib import Path
@@ -24,7 +24,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from qsbearing.app import answers, maps
+from qsbearing.app import answers, exports, maps, required
 from qsbearing.app.work import StoppedError, answered, prepare
 from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.file_errors import MOST_SHOWN, refused
@@ -47,31 +47,42 @@ QUESTIONS: dict[str, Callable[..., answers.Answer]] = {
     "open": answers.opened,
     "check": answers.checked,
     "show": answers.shown,
+    "bearing": answers.of_bearing,
     "solve": answers.solved,
     "picture": answers.pictured,
     "rest": answers.detailed,
     "effects": answers.effects,
     "switch": answers.switched,
+    "way": answers.put_way,
+    "results": required.names,
     "save": answers.saved,
+    "report": exports.report,
+    "table": exports.table,
     "map_choices": maps.choices,
     "map_values": maps.values,
 }
-ARGUMENTS = {"document": dict, "label": str, "text": str, "name": str, "effect": str, "is_on": bool, "row": int}
-ARGUMENTS |= {"x": list, "y": list, "xs": list, "ys": list, "result": str}
+ARGUMENTS: dict[str, type | tuple[type, ...]] = {
+    **dict.fromkeys(("label", "text", "name", "effect", "channel", "way", "result"), str),
+    **dict.fromkeys(("x", "y", "xs", "ys"), list),
+    **{"document": dict, "is_on": bool, "row": int, "value": (int, float, type(None))},
+}
 
 
-def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") -> Starlette:
+def application(
+    source: str, hosts: tuple[str, ...] = LOCAL, token: str = "", settings: Sequence[tuple[str, Any]] = ()
+) -> Starlette:
     """The page, beginning with a scene.
 
     Args:
         source: its file or catalogue name, read once, now.
         hosts: names under which a browser may ask for it; "*": any.
         token: what every question must bring, so that no other user of the computer reads the scene; empty: nothing.
+        settings: keys of the scene, and the values that they take instead.
 
     Raises:
         SceneFileError: everything that is wrong with the scene.
     """
-    first = answers.start(source)
+    first = answers.start(source, settings)
     warm = {"document": first["document"], "label": first["label"]}
 
     @asynccontextmanager
@@ -90,11 +101,14 @@ def application(source: str, hosts: tuple[str, ...] = LOCAL, token: str = "") ->
     return Starlette(routes=[Route("/start", start), *routes, *pages], middleware=[guard], lifespan=prepared)
 
 
-def serve(source: str, host: str, port: int, ready: Callable[[str], None]) -> None:
+def serve(
+    source: str, host: str, port: int, ready: Callable[[str], None], settings: Sequence[tuple[str, Any]] = ()
+) -> None:
     """Serve until interrupted.
 
     Args:
         ready: called with the page's address, which only this server answers, before the first question.
+        settings: as for `application`.
 
     Raises:
         SceneFileError: the address cannot be served on, or what is wrong with the scene.
@@ -103,7 +117,7 @@ def serve(source: str, host: str, port: int, ready: Callable[[str], None]) -> No
 
     token = secrets.token_urlsafe(16)
     with _listening(host, port) as place:
-        app = application(source, LOCAL if host in LOCAL else ("*",), token)
+        app = application(source, LOCAL if host in LOCAL else ("*",), token, settings)
         name = EVERYWHERE.get(host, host)
         shown = f"[{name}]" if ":" in name else name
         ready(f"http://{shown}:{place.getsockname()[1]}/?token={token}")

@@ -51,7 +51,11 @@ _ADD = {
     Audience.FILE: "Add under [effects]: {}",
     Audience.PAGE: "Tick what is missing in the table of effects",
 }
-_ADVICE = {Audience.PYTHON: "give", Audience.FILE: "give", Audience.PAGE: "open a scene file that gives"}
+_ADVICE = {
+    Audience.PYTHON: "give",
+    Audience.FILE: "give",
+    Audience.PAGE: "switch it on under Effects or add its numbers:",
+}
 EFFECT = {entry.name: entry for entry in EFFECTS}
 MORE, BY = "more than 100", " by "
 """`ANOTHER_RESULT` in a sentence, and what then stands between a quantity and its change."""

@@ -20,6 +20,7 @@ pytest.importorskip("uvicorn")
 from qsbearing.app import answers, inputs
 from qsbearing.cli import cli
 from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.keys import EFFECT_TABLES
 from qsbearing.files.limits import LARGEST_FILE
 from qsbearing.files.scene_file import load_scene
 from qsbearing.model.effects import EFFECTS, QUANTITIES
@@ -86,13 +87,22 @@ def test_errors_are_those_of_the_file_each_at_its_key(address: str, scene: dict[
     assert {each["key"] for each in told} <= shown
 
 
-def test_every_numeric_key_of_a_file_has_a_field_or_can_be_added(scene: dict[str, Any]) -> None:
+def test_every_numeric_key_of_a_file_has_a_field_or_a_choice_or_can_be_added(scene: dict[str, Any]) -> None:
+    """Those of an effect once it is switched on."""
     document = scene["document"]
-    there = {tuple(field["path"]) for field in inputs.fields(document)}
-    addable = {tuple(each["path"]) for each in inputs.addable(document)}
-    assert not there & addable
-    rest = {key.path for key in keys.ALL.values()} - there - addable
-    assert all(path[1] in ("ball_material", "ring_material") for path in rest)  # words here, not tables
+    for name in EFFECT_TABLES:
+        document["effects"][name] = {}
+    told = answers.shown(document)
+    there = {".".join(field["path"]) for field in told["fields"]}
+    addable = {".".join(each["path"]) for each in told["addable"]}
+    document["effects"]["raceway_control"] = "friction"
+    of_friction = {".".join(each["path"]) for each in answers.shown(document)["addable"]} - addable
+    assert of_friction and all(path.startswith("effects.traction.") for path in of_friction)
+    addable |= of_friction
+    chosen = {way["path"] for each in told["channels"] for way in each["ways"] if "path" in way}
+    assert not there & addable and not chosen & addable and len(chosen) == 14
+    rest = {".".join(key.path) for key in keys.ALL.values()} - there - addable - chosen
+    assert [path for path in rest if path.split(".")[1] not in ("ball_material", "ring_material")] == []  # words here
 
 
 def test_a_slider_holds_its_number(scene: dict[str, Any]) -> None:
@@ -113,7 +123,7 @@ def test_each_effect_is_switched_and_back(address: str, scene: dict[str, Any]) -
         after = {each["effect"]: each for each in asked(address, "solve", tables)[1]["effects"]}
         switched += after[name]["is_in"] != before[name]["is_in"]
     assert switched == 3
-    assert not before["ring_expansion"]["can"]  # its numbers are not known
+    assert not before["unequal_balls"]["can"]  # a list, which the page leaves to the file
 
 
 def test_what_effects_change_is_what_explain_solves(scene: dict[str, Any]) -> None:
@@ -140,13 +150,20 @@ def test_a_switch_leaves_all_other_tables() -> None:
 
 
 def test_the_page_answers_what_the_file_requires(scene: dict[str, Any]) -> None:
-    """Its limits are no fields of the page, and stay in what is saved."""
-    assert answers.solved(**scene)["requirements"] == ""
+    """Its limits stand with their answers, not with the fields, and in what is saved."""
+    assert answers.solved(**scene)["required"] == {"headline": "", "answers": [], "open": ""}
     text = answers.saved(**scene)["text"] + '\n[require]\nmax_pressure = "<= 1"\n"life.duration_h" = ">= 1"\n'
     opened = answers.opened(text, "7210C_hybrid")
     assert not [field for field in opened["fields"] if field["path"][0] == "require"]
-    told = answers.solved(opened["document"], "7210C_hybrid")["requirements"]
-    assert "1 of 2 requirements met; 1 not met." in told and "not met, by far" in told
+    told = answers.solved(opened["document"], "7210C_hybrid")["required"]
+    assert told["headline"] == "1 of 2 requirements met; 1 not met."
+    pressure, life = told["answers"]
+    assert pressure["path"] == ["require", "max_pressure", "most"]
+    assert life["path"] == ["require", "life.duration_h", "least"]
+    assert (pressure["state"], pressure["verdict"], pressure["sign"]) == ("not met", "not met, by far", "≤")
+    assert (life["state"], life["unit"]) == ("met", "h") and 0.0 < life["used"] < 1.0 < pressure["used"]
+    for each in told["answers"]:  # where the page changes it
+        assert opened["document"]["require"][each["path"][1]][each["path"][2]] == 1.0
     assert "[require.max_pressure]" in answers.saved(opened["document"], "")["text"]
 
 
@@ -237,6 +254,19 @@ def test_the_page_may_load_nothing_from_elsewhere(address: str) -> None:
 def test_the_command_refuses_what_run_refuses() -> None:
     result = CliRunner().invoke(cli, ["app", "no_such_bearing"])
     assert result.exit_code == 2 and "neither a file nor a bearing" in result.stderr
+
+
+def test_the_page_begins_with_what_is_set() -> None:
+    settings = [("operation.speed_rpm", 12000), ("effects.raceway_control", "inner")]
+    document = answers.start("7210C", settings)["document"]
+    assert document["operation"]["speed_rpm"] == 12000 and document["effects"]["raceway_control"] == "inner"
+    assert answers.start("7210C")["document"]["operation"]["speed_rpm"] == 24500
+
+
+def test_a_setting_that_is_none_is_refused_before_the_page_is_served() -> None:
+    result = CliRunner().invoke(cli, ["app", "7210C", "--set", "speed_rpm=fast", "--set", "no_such=1"])
+    assert result.exit_code == 2 and "no_such" in result.stderr and "speed_rpm" in result.stderr
+    assert "shows" not in result.stderr
 
 
 def test_friction_is_a_choice_in_the_list(scene: dict[str, Any]) -> None:

@@ -15,6 +15,7 @@ pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 
 from qsbearing.app import answers
+from qsbearing.model.operation import CHANNELS
 from tests.app.served import served, started
 from tests.app.test_answers import ran
 from tests.app.test_sets import SPINDLE
@@ -56,8 +57,8 @@ def page(browser: Browser, address: str) -> Browser:
 def opened(browser: Browser, text: str) -> None:
     """A file, on the page that is there."""
     given = json.dumps({"text": text, "label": "mine"})
-    assert browser.value(f"take('open', {given})")
-    wait(browser, f"!busy && {WHOLE}")
+    assert browser.value(f"workbench.take('open', {given})")
+    wait(browser, f"!workbench.page.busy && {WHOLE}")
 
 
 def press(browser: Browser, key: str, code: int) -> None:
@@ -93,7 +94,8 @@ def write(browser: Browser, field: str, text: str) -> None:
     browser.value(f"(e => {{ e.closest('details')?.setAttribute('open', ''); e.focus(); e.select(); }})({field})")
     browser.type(text)
     browser.value(f"{field}.blur()")
-    wait(browser, "JSON.stringify(now) === settled")  # the fields are new ones around it, and undo knows it
+    # The fields are new ones around it, and undo knows it.
+    wait(browser, "JSON.stringify(workbench.page.now) === workbench.page.settled")
 
 
 def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, address: str, tmp_path: Path) -> None:
@@ -193,28 +195,46 @@ def test_shares_of_effects_come_after_the_results(page: Browser) -> None:
     assert page.value("document.getElementById('effects').classList.contains('stale')")
     page.value("window.back()")
     wait(page, WHOLE)
-    told = answers.effects(page.value("now.document"), "")["effects"]
+    told = answers.effects(page.value("workbench.page.now.document"), "")["effects"]
     assert page.value(BOXES) == [each["most"] or each["verdict"] for each in told]
 
 
-def test_a_pinned_state_stands_beside_the_present_one(page: Browser) -> None:
+def test_pinned_states_stand_beside_the_present_one(page: Browser) -> None:
+    """With differences in the unit of each result."""
     wait(page, WHOLE)
-    first, load = page.value("found.key"), float(page.value(f"{LOAD}.value"))
+    first, load = page.value("workbench.page.found.key"), float(page.value(f"{LOAD}.value"))
     page.click(PIN)
-    assert page.value(f"{PIN}.getAttribute('aria-pressed')") == "true" and "difference 0 / 0 %" in page.value(KEY)
+    assert "A 0 / 0 MPa" in page.value(KEY)
     write(page, LOAD, "900")
     wait(page, f"{SOLVED} && {LOAD}.value === '900'")
-    second = page.value("found.key")
-    assert page.value("document.getElementById('said').textContent") == f"Pinned: axial load {load:,.0f} N."
-    loads = [next(each["parts"] for each in key if each["name"] == "maximum contact load") for key in (first, second)]
-    change = [100.0 * (now["values"][0] / old["values"][0] - 1.0) for old, now in zip(*loads, strict=True)]
-    shown = " / ".join(f"{each:+.3g}" for each in change).replace("-", "\u2212")
-    numbers = [" / ".join(part["number"] for part in parts) for parts in loads]
-    assert f"{numbers[1]} N\ninner / outer\npinned {numbers[0]}\ndifference {shown} %" in page.value(KEY)
-    angles = [next(each["parts"] for each in key if each["name"] == "contact angles") for key in (first, second)]
-    assert f"pinned {' / '.join(part['number'] for part in angles[0])}" in page.value(KEY)
     page.click(PIN)
-    assert "pinned" not in page.value(KEY)
+    write(page, LOAD, "700")
+    wait(page, f"{SOLVED} && {LOAD}.value === '700'")
+    third = page.value("workbench.page.found.key")
+    second = page.value("workbench.page.pins[1].found.key")
+    table = "[...document.querySelectorAll('#pinned tr')].map(row => [...row.cells].map(cell => cell.innerText))"
+    head, inputs, *rows = page.value(table)
+    assert [each.split()[0] for each in head] == ["result", "now", "A", "B"]
+    assert inputs[2:] == [f"axial load {load:,.0f} N", "axial load 900 N"]
+    parts = [
+        next(each["parts"] for each in key if each["name"] == "maximum contact load") for key in (first, second, third)
+    ]
+    now = parts.pop()
+    (line,) = (row for row in rows if row[0].startswith("maximum contact load, N"))
+    assert line[1] == " / ".join(each["number"] for each in now)
+    for cell, own in zip(line[2:], parts, strict=True):
+        sizes = [one["values"][0] - other["values"][0] for one, other in zip(own, now, strict=True)]
+        shown = " / ".join(f"{each:+.3g}" for each in sizes).replace("-", "\u2212")
+        assert cell == f"{' / '.join(each['number'] for each in own)}\n{shown} N"
+    assert f"{line[1]} N\ninner / outer\nB {shown} N" in page.value(KEY)  # the last one pinned
+    page.click("document.getElementById('unpin B')")
+    assert "\nA " in page.value(KEY) and "\nB " not in page.value(KEY)
+    page.click("document.getElementById('go to A')")
+    wait(page, f"{SOLVED} && Number({LOAD}.value) === {load} && {KEY}.includes('A 0 / 0 N')")
+    page.click(UNDO)
+    wait(page, f"{SOLVED} && {LOAD}.value === '700'")
+    page.click("document.getElementById('unpin A')")
+    assert "\nA " not in page.value(KEY) and page.value("document.getElementById('states').hidden")
 
 
 def test_keys_move_a_slider_and_undo(page: Browser) -> None:
@@ -246,27 +266,47 @@ def test_a_switch_takes_an_effect_out(page: Browser) -> None:
     wait(page, f"{KEY} === {before!r}")
 
 
-def test_a_key_is_added_in_place_of_what_excludes_it(page: Browser) -> None:
-    number = page.value("[...document.getElementById('add').options].findIndex(o => o.text === 'preload.rigid_N') - 1")
-    page.value(
-        f"(s => {{ s.value = {number}; s.dispatchEvent(new Event('change')); }})(document.getElementById('add'))"
-    )
+def test_a_preload_is_chosen_in_place_of_what_excludes_it(page: Browser) -> None:
+    wait(page, WHOLE)
+    load = page.value(f"{LOAD}.value")
+    choose(page, "document.getElementById('way preload')", "rigid_N")
     wait(page, "document.getElementById('preload.rigid_N') !== null")
-    assert page.value(LOAD) is None
+    assert page.value(LOAD) is None and page.value("document.getElementById('preload.rigid_N').value") == load
     write(page, "document.getElementById('preload.rigid_N')", "300")
     wait(page, f"{KEY}.includes('300 / ') && {KEY}.includes('before fitting / mounted at rest / in operation')")
+
+
+def choose(browser: Browser, control: str, value: str) -> None:
+    browser.value(f"(s => {{ s.value = '{value}'; s.dispatchEvent(new Event('change')); }})({control})")
+
+
+def test_a_key_is_added_with_the_number_that_is_typed_and_not_before(page: Browser) -> None:
+    options = "[...document.getElementById('add').options]"
+    number = page.value(f"{options}.findIndex(o => o.text === 'bearing.inner_groove_radius_coefficient') - 1")
+    before = page.value("JSON.stringify(workbench.page.now)")
+    choose(page, "document.getElementById('add')", str(number))
+    added = "document.getElementById('added')"
+    assert page.value(f"document.activeElement === {added} && {added}.value === ''")
+    assert page.value("JSON.stringify(workbench.page.now)") == before
+    page.type("0.53")
+    press(page, "Tab", 9)
+    wait(page, f"{SOLVED} && document.activeElement.id === 'bearing.inner_groove_radius_coefficient'")
+    assert page.value("workbench.page.now.document.bearing.inner_groove_radius_coefficient") == 0.53
+    assert page.value("document.getElementById('bearing.inner_groove_radius_mm')") is None
 
 
 def test_daily_use_needs_no_scrolling(browser: Browser, address: str, drawn: None) -> None:
     """Of b218, on a screen of 1280 x 900: speed and load first, results beside them."""
     browser.open(address)
-    wait(browser, "!busy && document.querySelectorAll('#effects tbody tr').length > 0")
+    wait(browser, "!workbench.page.busy && document.querySelectorAll('#effects tbody tr').length > 0")
     document = answers.start("b218")["document"]
-    assert browser.value(f"take('check', {json.dumps({'document': document, 'label': 'b218'})})")
-    wait(browser, f"!busy && {WHOLE}")
-    inputs = ("pin", "undo", "save", "operation.speed_rpm", "operation.axial_load_N", "switches", "add")
+    assert browser.value(f"workbench.take('check', {json.dumps({'document': document, 'label': 'b218'})})")
+    wait(browser, f"!workbench.page.busy && {WHOLE}")
+    ways = [f"way {channel.label} load" for channel in CHANNELS]
+    bar = ("pin", "undo", "save", "report", "link")
+    inputs = ("operation.speed_rpm", "operation.axial_load_N", *ways, "way preload", "switches", "add")
     results = ("of", "key", "warnings", "section", "stiffness", "life", "angles", "loads")
-    found = boxes(browser, *inputs, *results)
+    found = boxes(browser, *bar, *inputs, *results)
     for name, (left, top, right, bottom) in found.items():
         assert left >= 0.0 and top >= 0.0 and right <= 1280.0 and 0.0 < bottom <= 900.0, name
         assert right > left, name
@@ -282,15 +322,16 @@ def test_on_a_phone_results_stay_above_the_inputs(page: Browser) -> None:
     for target in ("add", "tables"):
         page.value(f"document.getElementById('{target}').scrollIntoView({{block: 'end'}})")
         _, top, _, bottom = boxes(page, "results")["results"]
-        assert top == 0.0 and bottom <= 0.3 * 844 and page.value("scrollY") > 0.0
+        assert top == 0.0 and bottom <= 0.3 * 844
         assert page.value("document.elementFromPoint(100, 60).closest('#results') !== null"), "covered"
+    assert page.value("scrollY") > 0.0
 
 
 def test_rows_are_tabs_and_the_tool_comes_first(page: Browser, drawn: None) -> None:
     opened(page, SPINDLE)
     assert page.value(KEY).startswith("tool: deflection\n")
     row = "document.getElementById('row').innerText"
-    loads = [each["key"][0]["parts"][0]["number"] for each in page.value("found.rows")]
+    loads = [each["key"][0]["parts"][0]["number"] for each in page.value("workbench.page.found.rows")]
     assert loads[0] != loads[1] and page.value(row).startswith(f"axial load\n{loads[0]} N")
     first, shaft = (page.value(f"document.getElementById('{name}').innerHTML") for name in ("section", "shaft"))
     page.value("document.getElementById('tab 1').focus()")
@@ -317,15 +358,16 @@ def test_every_input_is_reached_by_tab_and_shows_it(page: Browser) -> None:
     page.ask("Input.dispatchKeyEvent", type="char", text=" ")
     press(page, " ", 32)
     wait(page, "document.getElementById('table bearing').open")
-    wait(page, f"!busy && {WHOLE}")
+    wait(page, f"!workbench.page.busy && {WHOLE}")
     wanted = page.value(
         "[...document.querySelectorAll('input, select, button, summary, #key')]"
-        ".filter(e => !e.disabled && e.checkVisibility()).map((e, k) => e.id ||= `unnamed ${k}`)"
+        ".filter(e => !e.disabled && e.checkVisibility() && (e.type !== 'radio' || e.checked))"
+        ".map((e, k) => e.id ||= `unnamed ${k}`)"
     )
     page.value("document.activeElement.blur(); scrollTo(0, 0)")
     seen: dict[str, bool] = {}
     outlined = (
-        "(e => { const style = getComputedStyle(e.closest('.file') ?? e);"  # of a file, the field itself is invisible
+        "(e => { const style = getComputedStyle(e.closest('.file, .ways label') ?? e);"  # the field itself is invisible
         " return [e.id, style.outlineStyle === 'solid' && parseFloat(style.outlineWidth) >= 2]; })"
         "(document.activeElement)"
     )

@@ -88,15 +88,17 @@ def test_the_page_has_every_number_of_rows_and_shaft_and_says_what_it_leaves_to_
     numbers = {".".join(path) for path in numbers_of(first["document"])}
     there = {".".join(str(step + 1) if isinstance(step, int) else step for step in path) for path in shown.values()}
     assert numbers - there == set()
+    seldom = {field["key"] for field in first["fields"] if not field["is_daily"]}
+    assert "operation.first_ball_azimuth_deg" in seldom and "row 1.position_mm" in seldom
     daily = {field["key"].rpartition(".")[0] for field in first["fields"] if field["is_daily"]}
     assert daily == {"operation", "preload", "shaft.load 1"}
     places = [field for field in first["fields"] if field["key"].endswith(("position_mm", "start_mm", "tool_mm"))]
     values = [value_at(first["document"], each["path"]) for each in places]
     assert len(places) == 5 and [(each["low"] + each["high"]) / 2.0 for each in places] == values
-    addable = {each["path"]: each["replaces"] for each in first["addable"]}
-    assert {path[0] for path in addable} == {"operation", "preload"}
-    assert addable["preload", "mounted_N"]  # one preload; the shaft keeps its axial load
-    assert all(path[0] == "preload" for path in addable["preload", "mounted_N"])
+    assert {each["path"] for each in first["addable"]} == {("operation", "outer_speed_rpm")}
+    mounted = answers.put_way(first["document"], "preload", "mounted_N", None)["document"]
+    assert mounted["preload"] == {"mounted_N": 720.0}  # one preload; the shaft keeps its axial load
+    assert mounted["operation"]["axial_load_N"] == 200.0
     assert "change the file" in first["note"] and "rows, sections or loads" in first["note"]
 
 

@@ -20,8 +20,8 @@ PAIR = (
     '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 1000\n[preload]\nrigid_N = 300\n'
     '[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
 )
-TAKES_NO_SCENE = {"app", "catalogue", "compare", "figures", "guide", "import", "init", "mcp", "plot", "schema", "skill"}
-"""Or several, or shows one whose keys its page changes."""
+TAKES_NO_SCENE = {"catalogue", "compare", "figures", "guide", "import", "init", "mcp", "plot", "schema", "skill"}
+"""Or several."""
 
 
 def call(*arguments: str | Path, code: int = 0) -> Result:

@@ -92,7 +92,7 @@ class Browser:
     def open(self, page: Path | str, scripts: bool = True, width: int = 1280) -> None:
         """Load a file from disk, or a page by its address, and wait until it is there."""
         address = page if isinstance(page, str) else page.as_uri()
-        self._own = address if isinstance(page, str) else "file:"
+        self._own = address.partition("#")[0] if isinstance(page, str) else "file:"
         self.ask("Emulation.setScriptExecutionDisabled", value=not scripts)
         self.resize(width)
         self._loaded = False

@@ -1,6 +1,9 @@
 // Elements of the page, and tables within tables.
 export const $ = id => document.getElementById(id);
 
+// What follows the inputs, such as a drawing, hears of them: shown, changed, refused, solved.
+export const tell = (event, detail) => document.dispatchEvent(new CustomEvent(event, {detail}));
+
 export function make(tag, attributes = {}, text = "", ...children) {
   const made = Object.assign(document.createElement(tag), attributes);
   if (text) made.textContent = text;
