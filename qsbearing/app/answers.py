@@ -16,6 +16,7 @@ from qsbearing.app.effect_forms import can_be_added, with_effect, without_printe
 from qsbearing.app.inputs import ON_PAGE, addable, fields
 from qsbearing.app.inputs import label as words_of
 from qsbearing.app.scenes import Tables, named, read, solution_of
+from qsbearing.app.shaft_drawing import drawing
 from qsbearing.documents.html import part
 from qsbearing.documents.model import Callout
 from qsbearing.files import catalogue
@@ -39,7 +40,7 @@ from qsbearing.results.key_results import KeyResult, results_of
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.readings_report import readings_tables
 from qsbearing.results.remarks import blocks, every_remark
-from qsbearing.results.set_key_results import results_of_row, results_of_shaft
+from qsbearing.results.set_key_results import results_of_row, results_of_shaft, rows_table
 from qsbearing.studies.changed_keys import changed
 from qsbearing.studies.chooser.explain import explain
 from qsbearing.studies.chooser.explain_set import coarser, explain_set
@@ -51,8 +52,8 @@ Answer = dict[str, Any]
 SECTION = "section"
 """The picture that comes with the key results."""
 OF_SET = (
-    "A set of rows: this page changes speed, loads and preload, and switches effects. All other numbers of rows "
-    "and shaft are as the file has them: to change these, change the file and open it again."
+    "A set of rows: to add rows, sections or loads, or to take them out, change the file and open it again. All their "
+    "numbers are changed here, most of them in the drawing too."
 )
 
 
@@ -90,7 +91,8 @@ def of_bearing(document: Tables, label: str, name: str) -> Answer:
 def shown(document: Tables) -> Answer:
     """Tables as they are, their fields, and what else is to know of these."""
     told = {"document": document, "fields": fields(document), "addable": addable(document)}
-    return told | {"note": OF_SET if is_set(document) else "", "channels": channels.channels(document)}
+    told |= {"note": OF_SET if is_set(document) else "", "drawing": drawing(document)}
+    return told | {"channels": channels.channels(document)}
 
 
 def put_way(document: Tables, channel: str, way: str, value: float | None = None) -> Answer:
@@ -102,13 +104,14 @@ def put_way(document: Tables, channel: str, way: str, value: float | None = None
 
 
 def solved(document: Tables, label: str) -> Answer:
-    """How the case ended, key results of the bearing or of the shaft and each row, the answers to what is required,
-    remarks, of a bearing the section, the names of the pictures to ask for, and the effects with whether they can be
-    switched."""
+    """How the case ended, key results of the bearing or of the shaft and each row, a table of all rows, the answers to
+    what is required, remarks, of a bearing the section, the names of the pictures to ask for, and the effects with
+    whether they can be switched."""
     solution = solution_of(document, label)
     readings, is_solved = all_taken(solution), bool(solution.converged)
     key: list[KeyResult] = []
     rows: list[Answer] = []
+    every_row = ""
     picture, pictures = "", drawn.names(solution) if is_solved else []
     if is_solved and isinstance(solution, Solution):
         key, picture = results_of(solution, readings), drawn.drawn(SECTION, solution)
@@ -119,11 +122,13 @@ def solved(document: Tables, label: str) -> Answer:
             {"name": capital(row_name(row, k)), "key": _plain(results_of_row(solution, k, readings[k]))}
             for k, row in enumerate(solution.set.rows)
         ]
+        every_row = part([rows_table(solution, readings)])
     said = [] if is_solved else [Callout(message(solution), "fail")]
     return {
         "is_solved": is_solved,
         "key": _plain(key),
         "rows": rows,
+        "every_row": every_row,
         "required": required.told(solution, readings),
         "channels": channels.found(solution.displacement, solution.load) if is_solved else {},
         "warnings": part([*said, *blocks(every_remark(solution, readings), words=ON_PAGE)]),

@@ -13,13 +13,13 @@ from qsbearing.documents.drawing import inlined
 from qsbearing.model.scene.scene import SPEED_PARAMETER_MAX
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import mm, rpm, um
-from qsbearing.pictures import deformed_shaft
 from qsbearing.pictures.contact_angles import draw_angles
 from qsbearing.pictures.contact_ellipses import draw_ellipses
 from qsbearing.pictures.ellipse_on_groove import draw_grooves
 from qsbearing.pictures.load_distribution import draw_loads
 from qsbearing.pictures.section import draw_section
 from qsbearing.pictures.style import GREY, of_results
+from qsbearing.pictures.under_load import under_load
 from qsbearing.readings.asked import take_asked
 from qsbearing.readings.rating_life import HOUR
 from qsbearing.reports.curves import finish, mark_stiffness
@@ -122,7 +122,7 @@ SHAFT = "shaft"
 OF_ROW = ("section", "loads", "angles", "ellipses", "grooves")
 """The pictures of one row of a set; over the speed a row has none, for it does not run alone."""
 ALT = {name: panel.alt for name, panel in PANELS.items()} | {
-    SHAFT: "The shaft as drawn and as it bends, with rows, loads and points."
+    SHAFT: "The shaft as it bends in the plane in which its first point moves; contact loads of every row's balls."
 }
 
 
@@ -130,8 +130,7 @@ def names(solution: Solution | SetSolution) -> list[str]:
     """The pictures that a solution has."""
     if isinstance(solution, Solution):
         return list(PANELS)
-    bends = solution.set.shaft is not None and solution.set.shaft.sections
-    return [*([SHAFT] if bends else []), *OF_ROW]
+    return [SHAFT, *OF_ROW]
 
 
 def drawn(name: str, solution: Solution | SetSolution, row: int = 0) -> str:
@@ -153,7 +152,7 @@ def _figure(name: str, of: Solution | SetSolution, row: int) -> Figure:
     from matplotlib.figure import Figure
 
     if isinstance(of, SetSolution) and name == SHAFT:
-        return deformed_shaft(of)
+        return under_load(of)
     panel, solution = PANELS[name], of.rows[row] if isinstance(of, SetSolution) else of
     figure = Figure(figsize=panel.size)
     axes = figure.add_axes(panel.room, projection=panel.projection)

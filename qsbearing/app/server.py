@@ -24,7 +24,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from qsbearing.app import answers, exports, required
+from qsbearing.app import answers, exports, maps, required
 from qsbearing.app.work import StoppedError, answered, prepare
 from qsbearing.documents.html import TEMPLATES
 from qsbearing.files.file_errors import MOST_SHOWN, refused
@@ -58,9 +58,12 @@ QUESTIONS: dict[str, Callable[..., answers.Answer]] = {
     "save": answers.saved,
     "report": exports.report,
     "table": exports.table,
+    "map_choices": maps.choices,
+    "map_values": maps.values,
 }
 ARGUMENTS: dict[str, type | tuple[type, ...]] = {
-    **dict.fromkeys(("label", "text", "name", "effect", "channel", "way"), str),
+    **dict.fromkeys(("label", "text", "name", "effect", "channel", "way", "result"), str),
+    **dict.fromkeys(("x", "y", "xs", "ys"), list),
     **{"document": dict, "is_on": bool, "row": int, "value": (int, float, type(None))},
 }
 

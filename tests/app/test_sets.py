@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import copy
 import re
+from functools import reduce
 from html import unescape
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,7 @@ from qsbearing.app import answers
 from qsbearing.app.inputs import ON_PAGE
 from qsbearing.documents.html import part
 from qsbearing.files.file_errors import SceneFileError
+from qsbearing.files.paths import numbers_of
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.results.remarks import blocks, every_remark
@@ -75,21 +78,38 @@ drives = true
     assert "shaft.gear 1.drives" not in fields
 
 
-def test_the_page_has_the_inputs_of_the_shaft_and_says_what_it_leaves_to_the_file(first: dict[str, Any]) -> None:
+def test_the_page_has_every_number_of_rows_and_shaft_and_says_what_it_leaves_to_the_file(first: dict[str, Any]) -> None:
     shown = {field["key"]: tuple(field["path"]) for field in first["fields"]}
     assert {"operation.speed_rpm", "operation.axial_load_N", "preload.rigid_N", "shaft.load 1.radial_y_N"} <= set(shown)
     assert shown["shaft.load 1.radial_y_N"] == ("shaft", "loads", 0, "radial_y_N")
     assert next(iter(shown)) == "operation.speed_rpm"
-    seldom = [field["key"] for field in first["fields"] if not field["is_daily"]]
-    assert seldom == ["operation.first_ball_azimuth_deg"]
     (load,) = (field for field in first["fields"] if field["key"] == "shaft.load 1.radial_y_N")
     assert (load["group"], load["words"], load["unit"], load["high"]) == ("shaft, load 1", "radial y", "N", 1000.0)
-    assert {path[:2] for path in shown.values() if path[0] == "shaft"} == {("shaft", "loads")}
+    numbers = {".".join(path) for path in numbers_of(first["document"])}
+    there = {".".join(str(step + 1) if isinstance(step, int) else step for step in path) for path in shown.values()}
+    assert numbers - there == set()
+    seldom = {field["key"] for field in first["fields"] if not field["is_daily"]}
+    assert "operation.first_ball_azimuth_deg" in seldom and "row 1.position_mm" in seldom
+    daily = {field["key"].rpartition(".")[0] for field in first["fields"] if field["is_daily"]}
+    assert daily == {"operation", "preload", "shaft.load 1"}
+    places = [field for field in first["fields"] if field["key"].endswith(("position_mm", "start_mm", "tool_mm"))]
+    values = [value_at(first["document"], each["path"]) for each in places]
+    assert len(places) == 5 and [(each["low"] + each["high"]) / 2.0 for each in places] == values
     assert {each["path"] for each in first["addable"]} == {("operation", "outer_speed_rpm")}
     mounted = answers.put_way(first["document"], "preload", "mounted_N", None)["document"]
     assert mounted["preload"] == {"mounted_N": 720.0}  # one preload; the shaft keeps its axial load
     assert mounted["operation"]["axial_load_N"] == 200.0
-    assert "change the file" in first["note"] and "shaft" in first["note"]
+    assert "change the file" in first["note"] and "rows, sections or loads" in first["note"]
+
+
+def value_at(document: dict[str, Any], path: Any) -> Any:
+    return reduce(getitem, path, document)
+
+
+def test_lists_of_row_numbers_are_no_fields() -> None:
+    text = SPINDLE.replace("[operation]", "[[spacers]]\nrows = [1, 2]\ninner_length_mm = 4\n[operation]")
+    shown = {field["key"] for field in answers.opened(text, "spaced")["fields"]}
+    assert "spacer 1.inner_length_mm" in shown and not [key for key in shown if key.startswith("spacer 1.row")]
 
 
 def test_an_answer_is_that_of_the_same_numbers(spindle: dict[str, Any], drawn: None, tmp_path: Path) -> None:

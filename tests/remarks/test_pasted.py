@@ -12,7 +12,8 @@ from click.testing import CliRunner
 
 from qsbearing.cli import cli
 from qsbearing.files.file_keys import IN_FILE
-from qsbearing.remarks.kinds import KINDS
+from qsbearing.inference import infer
+from qsbearing.remarks.kinds import KINDS, Kind
 from qsbearing.remarks.remark import Of, Remark
 from tests.guide.pages import GUIDE
 
@@ -37,9 +38,30 @@ def remarks(*words: str | Path) -> list[dict[str, Any]]:
     return said
 
 
+LIGHTER = B218.replace("17800", "8000")
+SCENES: dict[str, tuple[str, set[str]]] = {
+    "beyond": (B218 + EFFECTS.replace("outer", "inner"), {"friction_beyond"}),
+    "axis": (LIGHTER + EFFECTS + "[readings.ball_slip]\nfriction_coefficient = 0.05\n", {"axis_not_held"}),
+    "low": (B218 + EFFECTS + "[readings.friction]\nfriction_coefficient = 0.07\n", {"friction_may_be_low"}),
+}
+"""Scenes with remarks, beside those of the test itself, and the codes of these."""
+STAYING = ("axis_not_held",)
+"""Remarks that are right by friction too, which then moves such balls: they ask for nothing any more."""
+UNREACHED = {
+    "control_inconsistent": "no scene of the tests has it",
+    "friction_above_load": "only wide random scenes have it",
+    "friction_given_exceeded": "by friction those scenes have no equilibrium, and it names another hypothesis",
+    "rows_press": "it is of rows, whose lines are those of the guide",
+    "sheet_sets_left_out": "a data sheet with so many ball sets takes minutes",
+    "sheet_ratings_unstated": "no data sheet of the guide leaves open what its ratings mean",
+}
+"""Kinds of remarks with a setting of which no scene here has a line, and why."""
+
+
 @pytest.mark.parametrize(
     ("text", "codes"),
     [
+        *SCENES.values(),
         (B218, {"effects_missing", "effect_data_missing"}),
         (B218 + EFFECTS, {"hypotheses_differ", "friction_doubtful", "effect_data_missing"}),
         (RADIAL + EFFECTS, {"momentum_gap"}),
@@ -49,7 +71,7 @@ def remarks(*words: str | Path) -> list[dict[str, Any]]:
         (PAIR, {"effects_missing", "effect_data_missing"}),
         (PAIR + EFFECTS, {"hypotheses_differ"}),
     ],
-    ids=["static", "at speed", "radial", "free tilts", "friction", "life", "pair", "pair at speed"],
+    ids=[*SCENES, "static", "at speed", "radial", "free tilts", "friction", "life", "pair", "pair at speed"],
 )  # fmt: skip
 def test_what_is_pasted_does_it(text: str, codes: set[str], tmp_path: Path) -> None:
     (tmp_path / "my.toml").write_text(text)
@@ -58,10 +80,20 @@ def test_what_is_pasted_does_it(text: str, codes: set[str], tmp_path: Path) -> N
     for each in said:
         after = remarks(tmp_path / "my.toml", *shlex.split(each["paste"]))
         effect = each["values"].get("effect")
-        still = [(one["code"], one["values"].get("effect")) for one in after]
+        asking = [one for one in after if one["code"] not in STAYING or one["paste"].startswith("--set ")]
+        still = [(one["code"], one["values"].get("effect")) for one in asking]
         assert (each["code"], effect) not in still or (
             each["code"] == "hypotheses_differ" and "friction" not in each["paste"]  # another hypothesis is as open
         ), each
+
+
+def test_every_kind_of_line_is_pasted_somewhere() -> None:
+    """By what the parametrization above claims of its scenes, which it checks."""
+    (mark,) = (each for each in test_what_is_pasted_does_it.pytestmark if each.name == "parametrize")  # type: ignore[attr-defined]
+    assert infer.Kind is Kind  # its kinds are among them, whatever was imported before
+    pasted = set.union(*(codes for _, codes in mark.args[1]))
+    assert {code for code, kind in KINDS.items() if kind.setting} == pasted | UNREACHED.keys()
+    assert not pasted & UNREACHED.keys()
 
 
 def test_every_remark_has_a_line() -> None:

@@ -33,6 +33,7 @@ export function keyResults() {
   $("pin").disabled = !found.is_solved;
   cards("key", found.key, reference, each => each.key);
   $("rows").hidden = !found.rows.length;
+  $("every-row").innerHTML = found.every_row;
   $("tabs").replaceChildren(...found.rows.map(({name}, number) => {
     const tab = make("button", {type: "button", id: `tab ${number}`, ariaPressed: String(number === row)}, name);
     tab.onclick = () => { page.row = number; remember(); kept(keyResults); rest(++page.turn, OF_ROW); };

@@ -6,7 +6,7 @@ import {results} from "./results.js";
 import {differences, page} from "./state.js";
 
 export const PICTURES = ["shaft", "section", "stiffness", "life", "angles", "loads", "ellipses", "grooves"];
-export const MAIN = ["section", "required", "key", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
+export const MAIN = ["section", "required", "key", "every-row", "row", "warnings"], SLOW = [...PICTURES, "effects", "tables"];
 export const NOT_YET = "not yet solved";
 
 const lineOf = text => make("li", {}, text);

@@ -20,11 +20,14 @@ BOTH = {CentrifugalForce.name, GyroscopicMoment.name}
 
 
 def friction_instead(scene: Any, *, without_bound: bool = False) -> dict[str, str]:
-    """{"instead": what to write} where a scene may have friction move its balls, and needs nothing else for it.
+    """{"instead": what to write} where a scene may have friction move its balls, needs nothing else for it, and has it
+    not yet.
 
     Args:
         without_bound: of a scene without the friction coefficient of its gyroscopic moment.
     """
+    if scene.raceway_control is RacewayControl.FRICTION:
+        return {}
     effects = scene.ball_effects
     if without_bound:
         effects = tuple(
