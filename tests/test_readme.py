@@ -83,7 +83,10 @@ def test_the_tables_are_made_from_the_records(page: str) -> None:
 def test_every_table_mark_of_the_guide_is_filled_by_a_script() -> None:
     for page in (ROOT / "README.md", *PAGES):
         marks = set(re.findall(r"<!-- end of (.+?) -->", page.read_text(encoding="utf-8")))
-        assert marks == set(tables.PAGES.get(page.name, {})), page.name
+        elsewhere = (
+            {"agreement"} if page.name == "agreement.md" else set()
+        )  # tests/guide/agreement.py, which tables calls
+        assert marks == set(tables.PAGES.get(page.name, {})) | elsewhere, page.name
 
 
 def test_the_counts_that_the_readme_states_are_the_records() -> None:

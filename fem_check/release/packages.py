@@ -71,8 +71,8 @@ def bill_of_materials(report: dict[str, Any], made: datetime) -> dict[str, Any]:
 
 
 def _others(report: dict[str, Any]) -> list[dict[str, Any]]:
-    found = [each for each in report["install"] if each["metadata"]["name"] != "qsbearing"]
-    return sorted(found, key=lambda each: str(each["metadata"]["name"]).lower())
+    others = [each for each in report["install"] if each["metadata"]["name"] != "qsbearing"]
+    return sorted(others, key=lambda each: str(each["metadata"]["name"]).lower())
 
 
 def _licence(metadata: dict[str, Any]) -> str:

@@ -101,9 +101,9 @@ def values(
     study = Study.of(Read(tables, "map", label), {_name(x): xs, _name(y): ys}, quantities=[result])
     grid = [each.ravel() for each in np.meshgrid(xs, ys)]
     given = {each.key: numbers for each, numbers in zip(study.variables, grid, strict=True)}
-    found, why = _solved(study, given, len(xs) * len(ys))
+    values, why = _solved(study, given, len(xs) * len(ys))
     shape = len(ys), len(xs)
-    return {"values": np.reshape(found, shape).tolist(), "why": np.reshape(why, shape).tolist()}
+    return {"values": np.reshape(values, shape).tolist(), "why": np.reshape(why, shape).tolist()}
 
 
 def _solved(study: Study, given: dict[str, NDArray], count: int) -> tuple[NDArray, NDArray]:
@@ -117,8 +117,8 @@ def _solved(study: Study, given: dict[str, NDArray], count: int) -> tuple[NDArra
     plan = plan_of(study, possible, Points(study))
     chunk = solve_points(plan, given)
     numbers = next(iter(chunk.results.values()), np.full(count, np.nan))
-    found = [float(each) if np.isfinite(each) else None for each in numbers]
-    return np.array(found, object), np.array([_why(chunk, number) for number in range(count)], object)
+    values = [float(each) if np.isfinite(each) else None for each in numbers]
+    return np.array(values, object), np.array([_why(chunk, number) for number in range(count)], object)
 
 
 def _why(chunk: Chunk, number: int) -> str:

@@ -50,7 +50,7 @@ ON_SHAFT: dict[str, dict[str, str]] = {
 """What stands on the shaft: the fields that are drawn, and how; first of all its position."""
 
 
-class Part(NamedTuple):
+class DrawnPart(NamedTuple):
     """A number or word of one thing."""
 
     path: Path
@@ -65,7 +65,7 @@ class Thing(NamedTuple):
     kind: str
     """What one of its table is called: row, section, load."""
     name: str
-    parts: list[Part]
+    parts: list[DrawnPart]
     size: dict[str, float] | None = None
     """Of a row's bearing, in mm and degrees; None where its numbers are wrong."""
 
@@ -98,9 +98,9 @@ def _names(table: str) -> dict[str, str]:
     return {key.field: key.name for key in SET_NUMBERS[table]}
 
 
-def _parts(table: Tables, before: Path, names: dict[str, str], moved: dict[str, str]) -> list[Part]:
+def _parts(table: Tables, before: Path, names: dict[str, str], moved: dict[str, str]) -> list[DrawnPart]:
     """Those that are given."""
-    return [Part((*before, names[field]), what) for field, what in moved.items() if names.get(field) in table]
+    return [DrawnPart((*before, names[field]), what) for field, what in moved.items() if names.get(field) in table]
 
 
 def _of_shaft(document: Tables) -> Iterator[Thing]:
@@ -122,7 +122,7 @@ def _rows(document: Tables) -> Iterator[Thing]:
         words = tuple(Direction) if is_deep_groove(bearing, row.get("bearing")) else ONE_WAY
         parts = _parts(row, ("rows", number), _names("rows"), {"position": ALONG})
         if "carries" in row:
-            parts.append(Part(("rows", number, "carries"), TURNS, tuple(map(str, words))))
+            parts.append(DrawnPart(("rows", number, "carries"), TURNS, tuple(map(str, words))))
         yield Thing("row", f"row {number + 1}", parts, None if bearing is None else _size(bearing))
 
 
@@ -140,7 +140,7 @@ def _on_shaft(document: Tables) -> Iterator[Thing]:
             parts = _parts(each, ("shaft", table, number), _names(table), {"position": ALONG, **drawn})
             yield Thing(kind, f"{kind} {number + 1}", parts)
     for key in _table(shaft, "points"):
-        yield Thing("point", key.removesuffix("_mm"), [Part(("shaft", "points", key), ALONG)])
+        yield Thing("point", key.removesuffix("_mm"), [DrawnPart(("shaft", "points", key), ALONG)])
 
 
 def _reference(document: Tables) -> Iterator[Thing]:

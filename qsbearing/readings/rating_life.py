@@ -275,8 +275,7 @@ def life(solution: Solution, given: LifeArguments) -> Life:
         SceneError: every argument that is out of range, at once.
 
     Examples:
-        >>> solution = qs.solve(qs.load_scene("b218"))
-        >>> print(f"{qs.readings.life(solution).basic_duration / 3600:.0f} h")
+        >>> print(f"{qs.readings.life(qs.solve(qs.load_scene('b218'))).basic_duration / 3600:.0f} h")
         2839 h
     """
     rating, capacity = Rating(given.rating), Capacity(given.capacity)
@@ -352,12 +351,7 @@ def _turning(solution: Solution) -> tuple[NDArray, NDArray]:
 
 
 def _of_arc(
-    solution: Solution,
-    given: LifeArguments,
-    arc: RacewayContacts | None,
-    side: float,
-    rating: NDArray,
-    turns: NDArray,
+    solution: Solution, given: LifeArguments, arc: RacewayContacts | None, side: float, rating: NDArray, turns: NDArray
 ) -> NDArray:
     """The same of a ring's other arc, whose contacts endure what those of the first do; 0 where there is none."""
     if arc is None:
@@ -414,8 +408,7 @@ def _found(
     ]
     if from_geometry and rating is Rating.ISO_281:
         holding.append((wide, remark(LIFE_GROOVES_UNCOVERED)))
-        gamma = numbers.nominal_gamma
-        outside = ~numbers.is_thrust & ((gamma < 0.01) | (gamma > 0.40))
+        outside = ~numbers.is_thrust & ((numbers.nominal_gamma < 0.01) | (numbers.nominal_gamma > 0.40))
         holding.append((outside, remark(LIFE_SIZE_UNCOVERED)))
     if viscosity_ratio is not None:
         kappa = np.asarray(viscosity_ratio, float)

@@ -102,10 +102,10 @@ def _copy_pictures(folder: Path) -> None:
 def _of_site(text: str) -> str:
     """The guide's Markdown without links into the repository, which the site does not hold: their words stay."""
 
-    def lead(found: re.Match[str]) -> str:
-        path, _, _ = found[2].partition("#")
+    def lead(link: re.Match[str]) -> str:
+        path, _, _ = link[2].partition("#")
         is_held = not path or path.startswith(("http", "mailto")) or (FOLDER / path).exists()
-        return found[0] if is_held else found[1]
+        return link[0] if is_held else link[1]
 
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", lead, text)
 

@@ -20,15 +20,15 @@ class Formulas(Preprocessor):
     def run(self, lines: list[str]) -> list[str]:
         return FORMULA.sub(self._shown, "\n".join(lines)).split("\n")
 
-    def _shown(self, found: re.Match[str]) -> str:
-        if found["block"] is not None:
-            latex, number = split(found["block"])
+    def _shown(self, match: re.Match[str]) -> str:
+        if match["block"] is not None:
+            latex, number = split(match["block"])
             number = f'<span class="number">{number}</span>' if number else ""
             shown = f'<div class="formula">{forms(latex, is_block=True)["mathml"]}{number}</div>'
             return f"\n\n{self.md.htmlStash.store(shown)}\n\n"
-        if found["line"] is not None:
-            return self.md.htmlStash.store(forms(found["line"])["mathml"])
-        return found[0]
+        if match["line"] is not None:
+            return self.md.htmlStash.store(forms(match["line"])["mathml"])
+        return match[0]
 
 
 class FormulaExtension(Extension):

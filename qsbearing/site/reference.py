@@ -167,25 +167,25 @@ def _meaning(
 
 def _values(given: Mapping[str, Any], whole: Mapping[str, Any]) -> str:
     """A range, words, or the kind of value."""
-    found = []
+    values = []
     for each in _branches(given, whole):
         if "enum" in each:
-            found.append(
+            values.append(
                 ", ".join(f"`{_toml(value)}`" for value in each["enum"][:12])
                 + (", …" if len(each["enum"]) > 12 else "")
             )
         elif "const" in each:
-            found.append(f"`{_toml(each['const'])}`")
+            values.append(f"`{_toml(each['const'])}`")
         elif "minimum" in each or "maximum" in each:
-            found.append(f"{each.get('minimum', -float('inf')):.6g} to {each.get('maximum', float('inf')):.6g}")
+            values.append(f"{each.get('minimum', -float('inf')):.6g} to {each.get('maximum', float('inf')):.6g}")
         elif "type" in each:
             kinds = each["type"] if isinstance(each["type"], list) else [each["type"]]
-            found.append(
+            values.append(
                 {"string": "a word", "array": "a list", "object": "a table", "boolean": "`true`, `false`"}.get(
                     kinds[0], "a number"
                 )
             )
-    return _cell("; or ".join(dict.fromkeys(found)))
+    return _cell("; or ".join(dict.fromkeys(values)))
 
 
 KINDS = {"string": "a word", "array": "a list", "object": "a table", "boolean": "`true`, `false`"}

@@ -23,6 +23,7 @@ READ = {
     "qsbearing/files": "files, names of bearings, fits and words that others write",
     "qsbearing/model/scene/requirement.py": "what people write",
     "qsbearing/model/validation.py": "what people write",
+    "qsbearing/site/": "Markdown and the help of commands",
     "qsbearing/studies/design/problem.py": "what people write",
     "qsbearing/studies/variables.py": "what people write",
     "fem_check/report/rows.py": "records as shipped, which are compared by their words with former ones",
