@@ -10,9 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
-import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.documents.guide import FOLDER
 from tests.documents.browser import WIDE, Browser, barriers, installed
@@ -54,14 +52,6 @@ def browser() -> Iterator[Browser]:
         found.ask("Network.enable")
         found.ask("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
         yield found
-
-
-def test_every_public_name_stands_on_one_page() -> None:
-    from qsbearing.site.reference import GROUPS
-
-    named = [name for _, _, names in GROUPS.values() for name in names]
-    modules = {"readings", "__version__"}
-    assert sorted(named) == sorted(set(qs.__all__) - modules)
 
 
 def test_every_page_of_the_guide_is_there(site: tuple[Path, Path]) -> None:
@@ -167,29 +157,3 @@ def test_formulas_are_drawn(site: tuple[Path, Path], browser: Browser) -> None:
         "[...document.querySelectorAll('msub')].every(e => e.children[1].getBoundingClientRect().bottom"
         " > e.children[0].getBoundingClientRect().bottom - 1)"
     )
-
-
-def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As a wheel carries it: copied, and opened where it is."""
-    carried = tmp_path / "carried"
-    carried.mkdir()
-    (carried / "index.html").write_text("first", encoding="utf-8")
-    monkeypatch.setattr(sys.modules["qsbearing.cli.guide"], "_carried", lambda: carried)
-    opened: list[str] = []
-    monkeypatch.setattr("click.launch", opened.append)
-    assert CliRunner().invoke(cli, ["guide", "--html", str(tmp_path / "new")]).exit_code == 0
-    assert (tmp_path / "new" / "index.html").read_text(encoding="utf-8") == "first"
-    assert CliRunner().invoke(cli, ["guide", "limits#hypotheses", "--open"]).exit_code == 0
-    assert opened == [(carried / "limits.html").as_uri() + "#hypotheses"]
-
-
-def test_without_its_engine_the_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    import importlib.util
-
-    seek = importlib.util.find_spec
-    monkeypatch.setattr(
-        importlib.util, "find_spec", lambda name, *more: None if name == "mkdocs" else seek(name, *more)
-    )
-    said = CliRunner().invoke(cli, ["guide", "--open"])
-    assert said.exit_code == 2
-    assert "mkdocs" in said.stderr and "docs" in said.stderr

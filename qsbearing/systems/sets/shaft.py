@@ -32,10 +32,8 @@ from qsbearing.systems.sets.gears import Gear, gear_errors
 STIFFNESS, TILT_STIFFNESS = Quantity("N/m"), Quantity("N m/rad")
 MASS, INERTIA, ACCELERATION = Quantity("kg"), Quantity("kg m^2"), Quantity("m/s^2")
 LOADS = (("axial", FORCE), ("radial_y", FORCE), ("radial_z", FORCE), ("moment_y", MOMENT), ("moment_z", MOMENT))
-SPRINGS = (
-    *((name, STIFFNESS) for name in ("axial", "radial_y", "radial_z")),
-    *((name, TILT_STIFFNESS) for name in ("tilt_y", "tilt_z")),
-)
+_SPRINGS = {STIFFNESS: ("axial", "radial_y", "radial_z"), TILT_STIFFNESS: ("tilt_y", "tilt_z")}
+SPRINGS = tuple((name, quantity) for quantity, names in _SPRINGS.items() for name in names)
 FARTHEST = 10.0
 REFERENCE_TEMPERATURE = 20.0 + zero_celsius
 """At which lengths and diameters hold unless another is given [K]."""
@@ -115,8 +113,7 @@ class ShaftMass:
 
 @dataclass(frozen=True)
 class ShaftSupport:
-    """Linear springs between the shaft and ground, unstressed while the shaft is at its zero and straight; plain
-    numbers [N/m, N m/rad]."""
+    """Linear springs from shaft to ground, unstressed while the shaft is at its zero and straight; plain numbers."""
 
     position: float = field(metadata=given_in("mm"))
     """Along the shaft [m]."""

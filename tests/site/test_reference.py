@@ -1,0 +1,46 @@
+"""What the reference holds, and how the command shows the site; without making it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import qsbearing as qs
+from qsbearing.cli import cli
+
+
+def test_every_public_name_stands_on_one_page() -> None:
+    from qsbearing.site.reference import GROUPS
+
+    named = [name for _, _, names in GROUPS.values() for name in names]
+    modules = {"readings", "__version__"}
+    assert sorted(named) == sorted(set(qs.__all__) - modules)
+
+
+def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a wheel carries it: copied, and opened where it is."""
+    carried = tmp_path / "carried"
+    carried.mkdir()
+    (carried / "index.html").write_text("first", encoding="utf-8")
+    monkeypatch.setattr(sys.modules["qsbearing.cli.guide"], "_carried", lambda: carried)
+    opened: list[str] = []
+    monkeypatch.setattr("click.launch", opened.append)
+    assert CliRunner().invoke(cli, ["guide", "--html", str(tmp_path / "new")]).exit_code == 0
+    assert (tmp_path / "new" / "index.html").read_text(encoding="utf-8") == "first"
+    assert CliRunner().invoke(cli, ["guide", "limits#hypotheses", "--open"]).exit_code == 0
+    assert opened == [(carried / "limits.html").as_uri() + "#hypotheses"]
+
+
+def test_without_its_engine_the_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    import importlib.util
+
+    seek = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name, *more: None if name == "mkdocs" else seek(name, *more)
+    )
+    said = CliRunner().invoke(cli, ["guide", "--open"])
+    assert said.exit_code == 2
+    assert "mkdocs" in said.stderr and "docs" in said.stderr
