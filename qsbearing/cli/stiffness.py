@@ -206,12 +206,12 @@ def _frame_of(axis: str | None, origin: str | None, form: str) -> tuple[ModelFra
     return ModelFrame(start, directions_of(along)), []
 
 
-def _three(text: str | None) -> NDArray | None:
+def _three(given: str | None) -> NDArray | None:
     """Three finite numbers between commas; None where it is something else."""
     import numpy as np
 
     try:
-        numbers = np.array([float(each) for each in (text or "").split(",")])
+        numbers = np.array([float(each) for each in (given or "").split(",")])
     except ValueError:
         return None
     return numbers if numbers.shape == (3,) and np.isfinite(numbers).all() else None

@@ -137,7 +137,9 @@ def test_what_effects_change_is_what_explain_solves(scene: dict[str, Any]) -> No
         if row.actual is not None and any(row.actual.values()):
             largest = max(QUANTITIES, key=lambda name: row.actual[name] or 0.0)
             assert each["most"] in (f"{WORDS[largest]} {row.change(largest)} %", "0 %")
-    assert sum("≈" in each["most"] for each in told) >= 2 and sum(each["most"] == "" for each in told) == 3
+    assert sum("≈" in each["most"] for each in told) >= 2
+    unknown = {"ball_expansion", "unequal_balls", "seats_out_of_round", "moment_shares"}
+    assert {each["effect"] for each in told if each["most"] == ""} == unknown, "without numbers of the scene, or unlike it"
 
 
 def test_a_switch_leaves_all_other_tables() -> None:

@@ -430,7 +430,7 @@ def drawn_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
             if hasattr(module, part):
                 monkeypatch.setattr(getattr(module, part), "section", stub(part))
     monkeypatch.setattr(effects, "section_of_set", stub("effects of the set"))
-    monkeypatch.setattr(set_document, "_row", lambda solution, number, *others: [Section(f"Row {number}", [])])
+    monkeypatch.setattr(set_document, "rows_sections", lambda *given: [Section("Rows", [])])
     monkeypatch.setattr(set_document, "limits", lambda of: ([], []))
     monkeypatch.setattr(preload_limits, "preload_summary", lambda solution: [])
 

@@ -151,6 +151,9 @@ def test_every_numeric_key_of_a_scene_can_vary(name: str) -> None:
     document: Any = ELASTIC if "elastic_rings" in key.path else MOVED if "traction" in key.path else RINGS
     if name in ARCHED:
         document = OF_ARCHES | {"bearing": OF_ARCHES["bearing"] | ARCHED[name]}  # type: ignore[operator]
+    if name.endswith("_lobe_phase_deg"):  # which is nothing without its amplitude
+        lobes = {name.replace("phase_deg", "amplitude_um"): 3.0}
+        document = RINGS | {"effects": RINGS.get("effects", {}) | {"seats_out_of_round": lobes}}
     if key.path[-1].startswith("thermal_expansion"):
         value = 11e-6
     elif name in keys.COEFFICIENTS:
