@@ -119,11 +119,13 @@ def test_every_judged_row_of_the_record_has_a_reference_of_its_own():
     record = json.loads((records_store.FOLDER / "quick" / "bearing_sector.json").read_text())
     judged = [row for row in record["rows"] if row["tolerance_percent"] is not None]
     assert len(judged) >= 23
-    assert {(row["quantity"], row["why_tolerance"]) for row in record["rows"] if "as read" in row["case"]} - {
-        (row["quantity"], row["why_tolerance"]) for row in judged
-    } == {(f"{race} semi_minor_axis", sector_judgement.WHY_FOUND) for race in ("inner", "outer")}
+    # Of the ellipses b alone is not judged on few elements, and there is at the release level.
+    read = [row for row in record["rows"] if "as read" in row["case"]]
+    open_here = {(row["quantity"], row["why_tolerance"]) for row in read if row["tolerance_percent"] is None}
+    assert open_here == {(f"{race} semi_minor_axis", sector_judgement.WHY_FOUND) for race in ("inner", "outer")}
     release = json.loads((records_store.FOLDER / "release" / "bearing_sector.json").read_text())
-    assert all(row["tolerance_percent"] for row in release["rows"] if "as read" in row["case"] and "rigid" in row["case"])
+    minor = [row for row in release["rows"] if "as read" in row["case"] and row["quantity"] in dict(open_here)]
+    assert minor and all(row["tolerance_percent"] is not None for row in minor)
     for entry in judged:
         row = AgreementRow(**{field.name: entry[field.name] for field in dataclasses.fields(AgreementRow)})
         other = dataclasses.replace(row, reference=2.0 * row.reference, found=row.found if row.reference else 1.0)
