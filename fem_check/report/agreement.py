@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from fem_check.rows import row_text
 from fem_check.rows.record import Record, RowRecord, computed_value, deviation_percent
+from qsbearing.documents.numbers import plain
 
 QUANTITIES = {
     "approach": ("approach δ", "µm", 1e6),
@@ -18,7 +18,6 @@ QUANTITIES = {
 }
 """Of each quantity: name, unit, and one of its SI unit in that."""
 TRUE, HALF_SPACES = "true contact", "half-spaces"
-_CASE = re.compile(r"(?P<name>.+) (?P<race>inner|outer), Q = (?P<load>\d+) N at (?P<angle>[\d.]+)°: (?P<method>.+)")
 HEADINGS = ("contact", "quantity", "Hertz", "half-spaces − Hertz, %", "true bodies", "true bodies − Hertz, %")
 
 
@@ -50,21 +49,26 @@ class ContactAgreement:
 
 def contacts_of(record: Record) -> list[ContactAgreement]:
     """Every contact of a record of `true_geometry` that was solved, in its order."""
-    found: dict[tuple[str, str], ContactAgreement] = {}
-    for row in record["rows"]:
-        told = _CASE.fullmatch(row["case"])
-        if told is None or told["method"] not in (TRUE, HALF_SPACES) or row["found"] is None:
-            continue
-        contact = found.setdefault(
-            (told["race"], told["load"]),
-            ContactAgreement(told["name"], told["race"], float(told["load"]), told["angle"]),
-        )
-        (contact.true if told["method"] == TRUE else contact.half_spaces)[row["quantity"]] = row
-    for each in record["pictures"].get("pressures", []):
-        key = each["race"], f"{each['load_N']:.0f}"
-        if key in found:
-            found[key].pressure = each
-    return [contact for contact in found.values() if contact.true.keys() == QUANTITIES.keys()]
+    pressures = {(each["race"], each["load_N"]): each for each in record["pictures"].get("pressures", [])}
+    contacts = [
+        _contact(record, race, load, pressures.get((race, load)))
+        for race, curves in record["pictures"].get("true_geometry", {}).items()
+        for load in curves["load_N"]
+    ]
+    return [contact for contact in contacts if contact.true.keys() == QUANTITIES.keys()]
+
+
+def _contact(record: Record, race: str, load: float, pressure: dict[str, Any] | None) -> ContactAgreement:
+    """One that was solved; bearing and angle stand in the names of its cases alone, around what its data say."""
+    of = f" {race}, Q = {load:.0f} N at "
+    own = [row for row in record["rows"] if of in row["case"] and row["found"] is not None]
+    bearing, _, rest = own[0]["case"].partition(of) if own else ("", "", "")
+    angle = rest.partition("°")[0]
+    true, half_spaces = (
+        {row["quantity"]: row for row in own if row["case"] == f"{bearing}{of}{angle}°: {method}"}
+        for method in (TRUE, HALF_SPACES)
+    )
+    return ContactAgreement(bearing, race, load, angle, true, half_spaces, pressure)
 
 
 def lines(contacts: Sequence[ContactAgreement]) -> list[list[str]]:
@@ -98,7 +102,7 @@ def solved_right(contacts: Sequence[ContactAgreement]) -> str:
     worst, doubt = max(rows, key=lambda row: abs(deviation_percent(row))), max(_doubt(row) for row in rows)
     return (
         f"On half-spaces, where Hertz is exact, all {len(contacts)} contacts agree with his formulas within "
-        f"{abs(deviation_percent(worst)):.2g} % (± {doubt:.2g} % at most)."
+        f"{plain(abs(deviation_percent(worst)), '.2g')} % (± {plain(doubt, '.2g')} % at most)."
     )
 
 

@@ -14,7 +14,7 @@ from fem_check.report.rows import as_read
 from fem_check.report.sections import previous, traceability
 from fem_check.running import suite
 from qsbearing import __version__
-from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Table
+from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Section, Table
 from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
@@ -22,8 +22,8 @@ BLANK = "\N{NO-BREAK SPACE}" * 34
 RANDOM = "Random scenes: each row a population of its own"
 
 
-def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence | None) -> list[Block]:
-    """All of it."""
+def blocks(evidence: Evidence, questions: Sequence[Question]) -> list[Block]:
+    """All of it; who releases it is last."""
     return [
         Facts(_facts(evidence)),
         verdict(evidence, questions),
@@ -39,12 +39,20 @@ def blocks(evidence: Evidence, questions: Sequence[Question], before: Evidence |
             ("approval", "name", "date", "signature"),
             [[f"{word} by", *[BLANK] * 3] for word in ("Prepared", "Reviewed", "Released")], "llll",
         ),
+    ]  # fmt: skip
+
+
+def scope(evidence: Evidence, before: Evidence | None) -> Section:
+    """What page 1 covers, its words, what changed and which commits the records are of: more than the page has room
+    for."""
+    blocks: list[Block] = [
         Paragraph(Md(f"**Scope.** {_scope(evidence)}")),
         Paragraph(Md(f"**± means:** {_coverage(evidence)}")),
         *([Paragraph(Md(random_scenes.STRENGTH))] if evidence.random_scenes else []),
         Paragraph(Md(f"**Changes since the last release.** {previous.summary(evidence, before)}")),
         _traceability(evidence),
-    ]  # fmt: skip
+    ]
+    return Section("Scope of page 1, and its words", blocks, "scope")
 
 
 def _facts(evidence: Evidence) -> list[tuple[str, Cell]]:

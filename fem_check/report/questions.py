@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -20,8 +19,6 @@ EXPECTED = ("within 1e-9", "explained by its condition", "as expected")
 """Verdicts of a hard case that gives the expected result."""
 RINGS = ("contact_at_the_edge", "elastic_ring")
 """Checks of what Hertz and rigid rings leave out."""
-
-
 MEASURES = ("loads", "angles", "displacements", "stiffness")
 """Of a scene against its solution with fifty digits."""
 
@@ -96,7 +93,8 @@ def of_limit(share: float) -> str:
 
 def in_short(row: RowRecord) -> str:
     """Why a row has its tolerance, up to the first stop; the annex has it in full."""
-    return re.split("[;:,]", as_read(row["why_tolerance"] or ""))[0]
+    text = as_read(row["why_tolerance"] or "")
+    return text[: min((place for stop in ";:," if (place := text.find(stop)) >= 0), default=len(text))]
 
 
 def _elements(evidence: Evidence) -> Question:
@@ -246,10 +244,10 @@ def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
     rows = [(row, kept) for kept in expected for row in kept.data["rows"] if row["tolerance_percent"]]
     near, case = max((each for each in rows if not is_count(each[0])), key=lambda each: used(each[0]))
     told, more = row_text.of_row(near), _and_more(records, expected)
-    found = difference(near) if told.deviation or not near["reference"] else told.found
+    off = difference(near) if told.deviation or not near["reference"] else told.found
     return question._replace(
         answer=f"{len(expected)} cases{more}; nearest to its limit: {case.data['title']}",
-        worst=f"{found}, {of_limit(used(near))}",
+        worst=f"{off}, {of_limit(used(near))}",
         limit=told.tolerance, basis=in_short(near),
         verdict=judged(not missed, f"{good} of {len(expected)}"), missed=missed, may="" if missed else may,
     )  # fmt: skip

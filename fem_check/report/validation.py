@@ -1,5 +1,5 @@
-"""The validation report: page 1 decides, page 2 has Hertz beside true bodies, cards answer, an annex has the reasons;
-everything in it is on record."""
+"""The validation report: page 1 decides, page 2 has Hertz beside true bodies, then come scope, cards that answer and
+an annex with the reasons; everything in it is on record."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def document(evidence: Evidence, before: Evidence | None = None) -> Document:
             traceability.reproducing(evidence),
             annex.notes(evidence),
         ],
-        head=[*page_one.blocks(evidence, answers, before), agreement.section(evidence)],
+        head=[*page_one.blocks(evidence, answers), agreement.section(evidence), page_one.scope(evidence, before)],
         depth=1,
     )
 

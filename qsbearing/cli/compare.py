@@ -89,14 +89,15 @@ def _settings(texts: tuple[str, ...]) -> list[OtherValue]:
     """Keys, their values, and the scene that each is meant for."""
     if not texts:
         return []
+    from qsbearing.model.validation import whole_number
     from qsbearing.studies.design.compare import OtherValue
 
     numbers, pairs = [], []
     for text in texts:
-        head, is_numbered, rest = text.partition(":")
-        is_numbered = is_numbered if head.isdecimal() else ""
-        numbers.append(int(head) if is_numbered else None)
-        pairs.append(rest if is_numbered else text)
+        head, colon, rest = text.partition(":")
+        number = whole_number(head) if colon else None
+        numbers.append(number)
+        pairs.append(text if number is None else rest)
     return [OtherValue(number, *pair) for number, pair in zip(numbers, settings_of(pairs), strict=True)]
 
 

@@ -28,9 +28,7 @@ def test_the_product_goes_as_free_balls_do() -> None:
     assert failing(rows) == set()
     assert len(rows) == 18
     # The moment is a large part of what turns the contact lines: not a row that any product would pass.
-    without = replace(
-        next(iter(free_ball.scenes().values())), ball_effects=(qs.CentrifugalForce(),), raceway_control=None
-    )
+    without = replace(next(iter(free_ball.scenes().values())), ball_effects=(qs.CentrifugalForce(),))
     angle = qs.solve(without).inner.angle[0] / qs.deg
     (row,) = [row for row in rows[:6] if row.quantity == "inner angle"]
     assert abs(angle - row.reference) > 50.0 * 0.01 * row.tolerance_percent * row.reference

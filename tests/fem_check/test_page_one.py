@@ -30,10 +30,11 @@ def shipped() -> Evidence:
 
 
 def text_of(records: Evidence) -> str:
-    """All of page 1; what it links to is empty here."""
+    """All of page 1, and its scope; what it links to is empty here."""
     asked = questions.all_of(records)
     places = [Section("Place", [], name) for name in dict.fromkeys(each.see for each in asked)]
-    document = Document("Title", "Kind", places, head=page_one.blocks(records, asked, None))
+    head = [*page_one.blocks(records, asked), page_one.scope(records, None)]
+    document = Document("Title", "Kind", places, head=head)
     return re.sub(r"\s+", " ", Page.of(html(document)).text)
 
 

@@ -38,6 +38,6 @@ def test_f_lies_above_that_of_the_static_rating_by_what_rigidities_ask_for() -> 
         of_c0 = usual - ABOVE_C0[1]
         assert least == pytest.approx(of_c0 + ABOVE_C0[0] - rounding, abs=1e-9)
         assert most == pytest.approx(of_c0 + ABOVE_C0[2] + rounding, abs=1e-9)
-        pitch = float(found.bearing.pitch_diameter[3 * place])  # type: ignore[index]
+        pitch = float(np.broadcast_to(found.bearing.pitch_diameter, found.set_number.shape)[3 * place])
         rating = known.ball_count * np.cos(angle) * weaker_load(of_c0, ball, pitch, angle) / 5.0
         assert rating == pytest.approx(static, rel=1e-3)
