@@ -70,6 +70,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     if into != carried:
         if carried is not None:
             copytree(carried, into, dirs_exist_ok=True)
+            _bring_pictures(into)
         else:
             what = "--html needs" if target is not None else "--open needs"
             check_installed(what, ("mkdocs", "material", "mkdocstrings"), "docs")
@@ -78,6 +79,19 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
     if is_opened:
         page, _, section = (topic or "index").partition("#")
         click.launch((into / f"{page}.html").resolve().as_uri() + (f"#{section}" if section else ""))
+
+
+def _bring_pictures(into: Path) -> None:
+    """A site that a wheel carries shows those of the guide beside it; a copy needs its own."""
+    from shutil import copyfile
+
+    from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages
+
+    for name in beside_pages():
+        (into / name).parent.mkdir(parents=True, exist_ok=True)
+        copyfile(FOLDER / name, into / name)
+    for page in into.glob("*.html"):
+        page.write_text(page.read_text(encoding="utf-8").replace(OF_GUIDE, ""), encoding="utf-8")
 
 
 def _build(into: Path) -> None:

@@ -11,6 +11,8 @@ from qsbearing.documents.formula import in_text
 from qsbearing.documents.model import anchor_of
 
 FOLDER = Path(__file__).parents[1] / "guide"
+OF_GUIDE = "../../guide/"
+"""Where a site that a wheel carries (`qsbearing/site/built`) finds the pictures of its pages."""
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
 
@@ -71,6 +73,12 @@ def topics(folder: Path = FOLDER, lists: Lists | None = None) -> dict[str, Page]
         order = {topic: place for place, topic in enumerate(named)}  # the last place: lists follow pictures
         pages = dict(sorted(pages.items(), key=lambda each: order.get(each[0], len(order))))
     return pages
+
+
+def beside_pages() -> list[str]:
+    """Pictures and notebooks that pages show or lead to, by their place in the guide's folder."""
+    paths = (path for path in FOLDER.rglob("*") if path.suffix in {".svg", ".png", ".ipynb"})
+    return sorted(path.relative_to(FOLDER).as_posix() for path in paths)
 
 
 def skill_text() -> str:

@@ -20,7 +20,7 @@ from typing import Any
 
 import click
 
-from qsbearing.documents.guide import FOLDER, topics
+from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages, topics
 from qsbearing.model.version import __version__
 from qsbearing.reports.guide_lists import LISTS
 from qsbearing.site.reference import command_pages, key_page, python_pages, result_page
@@ -92,11 +92,21 @@ def _parts(guide: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _copy_pictures(folder: Path) -> None:
     """Pictures, data and the gallery; the pages themselves are written."""
-    for path in FOLDER.rglob("*"):
-        if path.is_file() and path.suffix in {".svg", ".png", ".ipynb"}:
-            target = folder / path.relative_to(FOLDER)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, target)
+    for name in beside_pages():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(FOLDER / name, folder / name)
+
+
+def share_with_guide(site: Path) -> None:
+    """Leave out what a wheel has beside the guide's pages, and lead there instead."""
+    names = beside_pages()
+    for name in names:
+        (site / name).unlink(missing_ok=True)
+    for page in site.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        for name in names:
+            text = text.replace(f'"{name}"', f'"{OF_GUIDE}{name}"')
+        page.write_text(text, encoding="utf-8")
 
 
 def _of_site(text: str) -> str:
@@ -131,6 +141,8 @@ def main(target: Path, kept: Path | None) -> None:
         config.write_text(configured(pages.resolve(), target.resolve(), write_pages(pages)), encoding="utf-8")
         command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "-f", str(config)]
         ended = subprocess.run(command, env=os.environ | {"NO_MKDOCS_2_WARNING": "1"}, check=False)
+    if target == BUILT and not ended.returncode:
+        share_with_guide(target)
     for pattern in (*UNUSED, *(IN_FILES if target == BUILT else ())):
         for path in target.glob(pattern):
             path.unlink()

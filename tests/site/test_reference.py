@@ -24,12 +24,13 @@ def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: 
     """As a wheel carries it: copied, and opened where it is."""
     carried = tmp_path / "carried"
     carried.mkdir()
-    (carried / "index.html").write_text("first", encoding="utf-8")
+    (carried / "index.html").write_text('<img src="../../guide/section.svg">', encoding="utf-8")
     monkeypatch.setattr(sys.modules["qsbearing.cli.guide"], "_carried", lambda: carried)
     opened: list[str] = []
     monkeypatch.setattr("click.launch", opened.append)
     assert CliRunner().invoke(cli, ["guide", "--html", str(tmp_path / "new")]).exit_code == 0
-    assert (tmp_path / "new" / "index.html").read_text(encoding="utf-8") == "first"
+    assert (tmp_path / "new" / "index.html").read_text(encoding="utf-8") == '<img src="section.svg">'
+    assert (tmp_path / "new" / "section.svg").is_file() and (tmp_path / "new" / "gallery" / "speed.svg").is_file()
     assert CliRunner().invoke(cli, ["guide", "limits#hypotheses", "--open"]).exit_code == 0
     assert opened == [(carried / "limits.html").as_uri() + "#hypotheses"]
 
@@ -37,6 +38,7 @@ def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: 
 def test_without_its_engine_the_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     import importlib.util
 
+    monkeypatch.setattr(sys.modules["qsbearing.cli.guide"], "_carried", lambda: None)
     seek = importlib.util.find_spec
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name, *more: None if name == "mkdocs" else seek(name, *more)
