@@ -139,7 +139,9 @@ def test_what_effects_change_is_what_explain_solves(scene: dict[str, Any]) -> No
             assert each["most"] in (f"{WORDS[largest]} {row.change(largest)} %", "0 %")
     assert sum("≈" in each["most"] for each in told) >= 2
     unknown = {"ball_expansion", "unequal_balls", "seats_out_of_round", "moment_shares"}
-    assert {each["effect"] for each in told if each["most"] == ""} == unknown, "without numbers of the scene, or unlike it"
+    assert {each["effect"] for each in told if each["most"] == ""} == unknown, (
+        "without numbers of the scene, or unlike it"
+    )
 
 
 def test_a_switch_leaves_all_other_tables() -> None:
