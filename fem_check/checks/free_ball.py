@@ -106,12 +106,12 @@ def moment_rows(level: MeshLevel) -> Iterator[AgreementRow]:
                 100.0 * limits["load"], WHY,
             )  # fmt: skip
         assert product.orbital_speed is not None and product.gyroscopic_moment is not None
-        for quantity, unit, reference, found in (
+        for quantity, unit, reference, measured in (
             ("orbital speed", "rad/s", still(end.orbit)[number], product.orbital_speed[0]),
             ("gyroscopic moment", "N m", still(end.moment)[number], product.gyroscopic_moment[0]),
         ):
             yield AgreementRow(
-                name, quantity, unit, float(reference), POINTS, float(found), None, 100.0 * limits[quantity], WHY
+                name, quantity, unit, float(reference), POINTS, float(measured), None, 100.0 * limits[quantity], WHY
             )
 
 
@@ -154,12 +154,12 @@ def balance_rows(progress: Progress) -> Iterator[AgreementRow]:
     )  # fmt: skip
     speed = float(np.asarray(of_control.operation.speed))
     assert product.orbital_speed is not None
-    for quantity, unit, reference, found, within in (
+    for quantity, unit, reference, measured, within in (
         ("axial displacement", "m", end.displacement[0], product.displacement[0], FEW_POINTS[0]),
         ("orbital speed", "rad/s", end.orbit[0], product.orbital_speed[0], FEW_POINTS[1] * speed),
     ):
         yield AgreementRow(
-            at, quantity, unit, float(reference), ELLIPSES, float(found), None, 100.0 * within / float(reference),
+            at, quantity, unit, float(reference), ELLIPSES, float(measured), None, 100.0 * within / float(reference),
             "set beforehand: what few points of an ellipse differ by",
         )  # fmt: skip
 

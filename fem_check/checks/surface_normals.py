@@ -44,7 +44,7 @@ def rows(solved: TrueContactStudy) -> list[AgreementRow]:
             if name == "approach"
             else inclined.ratio[name] / axis.ratio[name]
         )
-        found, doubt = solved.ratio("surface", "exact_gap", name)
+        effect, doubt = solved.ratio("surface", "exact_gap", name)
         is_found = name == "approach" and len(solved.surface) < 3
         doubt += 0.01 * (inclined.uncertainty_percent[name] + axis.uncertainty_percent[name])
         table.append(
@@ -54,7 +54,7 @@ def rows(solved: TrueContactStudy) -> list[AgreementRow]:
                 "1",
                 reference,
                 boundary_element.ALONG_NORMALS,
-                found,
+                effect,
                 100.0 * doubt,
                 None if is_found else limit(solved.groove, solved.load),
                 WHY_FOUND if is_found else WHY,

@@ -48,11 +48,11 @@ def is_both(entry: ContactsRecord) -> bool:
 def true_rows(entry: ContactsRecord) -> dict[str, dict[str, RowRecord]]:
     """Of contacts solved both ways, those as true bodies: by the case of their half-spaces, then by quantity."""
     cases = {contact["true_case"]: contact["case"] for contact in entry["contacts"] if "true_case" in contact}
-    found: dict[str, dict[str, RowRecord]] = {case: {} for case in cases.values()}
+    rows_of: dict[str, dict[str, RowRecord]] = {case: {} for case in cases.values()}
     for row in entry["rows"]:
         if row["case"] in cases:
-            found[cases[row["case"]]][row["quantity"]] = row
-    return found
+            rows_of[cases[row["case"]]][row["quantity"]] = row
+    return rows_of
 
 
 def heading(entry: ContactsRecord) -> Callout:

@@ -38,7 +38,7 @@ def reach(sizes: Table, printed: NDArray) -> NDArray:
 
 def computed(sizes: Table, read_as_tangent: bool = False) -> dict[str, NDArray]:
     """Rigidities of pairs and triple sets [daN/µm]; of pairs alone as tangents at the preload."""
-    found = {name: np.empty(sizes["Z"].size) for name in SETS}
+    values = {name: np.empty(sizes["Z"].size) for name in SETS}
     for count in np.unique(sizes["Z"]):  # one call solves sets with as many balls
         of_count = sizes["Z"] == count
         rows = rows_of({key: values[of_count] for key, values in sizes.items()})
@@ -47,8 +47,8 @@ def computed(sizes: Table, read_as_tangent: bool = False) -> dict[str, NDArray]:
             stiffness = (
                 pair_rigidities(rows, preload)[0] if read_as_tangent else unloading_stiffness(carrying, rows, preload)
             )
-            found[name][of_count] = stiffness / DEKANEWTON
-    return found
+            values[name][of_count] = stiffness / DEKANEWTON
+    return values
 
 
 def spread(case: str, each: NDArray, bounds: NDArray, names: NDArray) -> list[AgreementRow]:
@@ -70,8 +70,8 @@ def run() -> CaseResult:
     """All sizes with one groove; what the same numbers would be as tangents."""
     sizes = columns_of("snfa_veb_rigidities")
     printed = {"pair": sizes["pair_daN_um"], "triple set": sizes["triple_daN_um"]}
-    found, tangent = computed(sizes), computed(sizes, read_as_tangent=True)["pair"]
-    off = {name: 100.0 * (each / printed[name] - 1.0) for name, each in found.items()}
+    values, tangent = computed(sizes), computed(sizes, read_as_tangent=True)["pair"]
+    off = {name: 100.0 * (each / printed[name] - 1.0) for name, each in values.items()}
     bounds = {name: reach(sizes, each) for name, each in printed.items()}
     as_tangent = 100.0 * (tangent / printed["pair"] - 1.0)
     rows, panels = [], []
@@ -99,7 +99,7 @@ def run() -> CaseResult:
     all_off, all_bounds = (np.concatenate(list(each.values())) for each in (off, bounds))
     within = int((np.abs(all_off) <= all_bounds).sum())
     rms = {name: np.sqrt((each**2).mean()) for name, each in off.items()}
-    ratio = (found["triple set"] / found["pair"]).mean()
+    ratio = (values["triple set"] / values["pair"]).mean()
     return CaseResult(
         f"With f = {COEFFICIENT} for all sizes {within} of {all_off.size} rigidities are met within the rounding of "
         f"what is printed, as unloading stiffnesses: pairs rms {rms['pair']:.2f} %, triple sets "
