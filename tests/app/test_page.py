@@ -81,10 +81,7 @@ def wait(browser: Browser, script: str) -> None:
 
 def drag(browser: Browser, slider: str, pixels: float) -> None:
     """The thumb in the middle of a slider to the right."""
-    x, y = browser.value(
-        f"(() => {{ const e = {slider}; e.scrollIntoView({{block: 'center'}}); const r = e.getBoundingClientRect();"
-        " return [r.x + r.width / 2, r.y + r.height / 2]; })()"
-    )
+    x, y = browser.middle(slider)
     for kind, at in (("mousePressed", x), ("mouseMoved", x + pixels / 2), ("mouseMoved", x + pixels)):
         browser.ask("Input.dispatchMouseEvent", type=kind, x=at, y=y, button="left", buttons=1, clickCount=1)
     browser.ask("Input.dispatchMouseEvent", type="mouseReleased", x=x + pixels, y=y, button="left", clickCount=1)

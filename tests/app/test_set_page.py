@@ -58,11 +58,7 @@ def number(page: Browser, key: str) -> float:
 
 def drag(page: Browser, name: str, right: float, down: float, count: int = 1) -> None:
     """What has this id by its ring, knob or dot, in steps as a hand makes them."""
-    x, y = page.value(
-        f"(e => {{ e.scrollIntoView({{block: 'center'}}); const r = e.getBoundingClientRect();"
-        " return [r.x + r.width / 2, r.y + r.height / 2]; })"
-        f"(document.getElementById({name!r}).querySelector('.ring, .knob, .dot'))"
-    )
+    x, y = page.middle(f"document.getElementById({name!r}).querySelector('.ring, .knob, .dot')")
     for part in range(5):
         kind, at = ("mousePressed", 0.0) if part == 0 else ("mouseMoved", part / 4.0)
         where = {"x": x + at * right, "y": y + at * down}

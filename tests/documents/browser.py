@@ -112,12 +112,24 @@ class Browser:
         assert "exceptionDetails" not in found, found["exceptionDetails"]
         return found["result"].get("value")
 
+    def middle(self, script: str) -> tuple[float, float]:
+        """Where what the expression finds is, once it is in view and stands still: results that arrive above move it,
+        and what is scrolled is hit only from the next frame on."""
+        x, y = self.value(
+            f"(async () => {{ const found = () => {script}, frame = () => new Promise(requestAnimationFrame);"
+            " const at = () => { const r = found().getBoundingClientRect();"
+            " return [r.x + r.width / 2, r.y + r.height / 2]; };"
+            " let before, now = [NaN, NaN];"
+            " for (let k = 0, same = 0; k < 120 && same < 3; k++) {"
+            "  found().scrollIntoView({block: 'center'}); await frame(); [before, now] = [now, at()];"
+            "  same = now.join() === before.join() ? same + 1 : 0; }"
+            " return now; })()"
+        )
+        return x, y
+
     def click(self, script: str) -> None:
         """A real click of the mouse in the middle of what the expression finds."""
-        x, y = self.value(
-            f"(() => {{ const e = {script}; e.scrollIntoView({{block: 'center'}}); const r = e.getBoundingClientRect();"
-            " return [r.x + r.width / 2, r.y + r.height / 2]; })()"
-        )
+        x, y = self.middle(script)
         for kind in ("mousePressed", "mouseReleased"):
             self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
