@@ -92,14 +92,19 @@ def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limit
         "Both contact angles of every ball by its azimuth, for each row.",
         "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
     )
-    grooves = picture(
+    # Of more rows than a pair it takes half a page, and `run --picture groove` draws it.
+    grooves = [_grooves(solution)] if len(solution.rows) <= 2 else []
+    parts: list[Block] = [
+        Section("Preload", [Bullets(preload_summary(solution, changes))]),
+        Section("Load distribution", [*drawn, angles, *grooves]),
+    ]
+    return Section("Results", [*side_by_side(tables), *parts])
+
+
+def _grooves(solution: SetSolution) -> Block:
+    return picture(
         ellipse_on_groove(solution),
         "The contact ellipse of the most loaded ball on each groove of each row, with the edges of its shoulders.",
         "The most loaded ellipse of each ring of each row, seen along its normal; dark: shoulders; dash-dot: the "
         "groove's bottom",
     )
-    parts: list[Block] = [
-        Section("Preload", [Bullets(preload_summary(solution, changes))]),
-        Section("Load distribution", [*drawn, angles, grooves]),
-    ]
-    return Section("Results", [*side_by_side(tables), *parts])

@@ -62,8 +62,10 @@ more for them than the solver's word."""
 ROUNDING = 1e-12
 """Of scalar products of unit vectors."""
 
-FALLING, MOST_THRUST = 1e-5, 1e15
-"""Of the thrust: how far apart that with an equilibrium and that without may lie; so many times its own is none."""
+FALLING = 1e-5
+"""Of the thrust: how far apart that with an equilibrium and that without may lie."""
+MOST_THRUST = 9.9e7
+"""Of a bearing [N], which is within the bounds of `Operation`: where no thrust up to it has an equilibrium, none is."""
 AT_SHOULDER = 1e-3
 """Cosine of a contact angle that is a right angle at the last thrust, which is FALLING from none."""
 WITHOUT_LOAD = 1e3
@@ -220,7 +222,7 @@ def end_under_thrust(scene: qs.Scene) -> str:
     low, high = 1.0, 2.0
     while not (last := under(high)).converged.all():
         low, high = high, 2.0 * high
-        if high > 2.0 * MOST_THRUST:
+        if high * np.abs(np.asarray(loads[0], float)).max() > MOST_THRUST:
             return NONE
     while high > (1.0 + FALLING) * low:
         middle = 0.5 * (low + high)
