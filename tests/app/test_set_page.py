@@ -28,6 +28,8 @@ LENGTH = "shaft.section 1.length_mm"
 MAP, POINT = "document.getElementById('map')", "map-point"
 SPEED, LOAD = "operation.speed_rpm", "operation.axial_load_N"
 SAID = "document.getElementById('map-said').textContent"
+SETTLED = f"!{UNDO}.disabled && JSON.stringify(workbench.page.now) === workbench.page.settled"
+"""What was done can be undone: the server has answered."""
 DRAWN = "document.getElementById('map-progress')?.hidden === true && document.getElementById('map-point') !== null"
 
 
@@ -91,7 +93,7 @@ def shows(found: dict[str, Any]) -> str:
 def test_a_row_is_dragged_along_the_shaft(page: Browser, tmp_path: Path) -> None:
     before, first = page.value(KEY), boxes(page, ROW, "drawn row 1.position_mm")
     drag(page, ROW, 60.0, 4.0)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    wait(page, f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
     place = number(page, PLACE)
     after = boxes(page, ROW, "drawn row 1.position_mm")
     distances = [found[ROW][0] - found["drawn row 1.position_mm"][0] for found in (first, after)]
@@ -218,7 +220,7 @@ def test_the_point_of_the_map_is_dragged(page: Browser, tmp_path: Path) -> None:
     before, speed, load = page.value(KEY), number(page, SPEED), number(page, LOAD)
     shown_map(page)
     drag(page, POINT, 70.0, -40.0)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    wait(page, f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
     now = {"speed_rpm": number(page, SPEED), "axial_load_N": number(page, LOAD)}
     assert now["speed_rpm"] > speed and now["axial_load_N"] > load
     found = run_with(tmp_path, lambda tables: tables["operation"].update(now))
