@@ -41,12 +41,6 @@ def address() -> Iterator[str]:
         yield found
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with Browser() as found:
-        yield found
-
-
 @pytest.fixture
 def page(browser: Browser, address: str) -> Browser:
     browser.open(address)
