@@ -4,7 +4,8 @@ visits. What it shows is what `run` prints of the same input."""
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +67,21 @@ def keys(browser: Browser, text: str) -> None:
     for letter in text:
         browser.ask("Input.dispatchKeyEvent", type="keyDown", key=letter, text=letter)
         browser.ask("Input.dispatchKeyEvent", type="keyUp", key=letter)
+
+
+def by_keys(browser: Browser, of: str, act: Callable[[], None], script: str) -> None:
+    """Keys in a field, as often as it takes: a list forgets the first letter where the second comes a second later, as
+    on a machine that has much else to do."""
+    for _ in range(5):
+        browser.value(f"(e => {{ e.focus(); e.select?.(); }})({of})")
+        act()
+        press(browser, "Tab", 9)
+        until = time.monotonic() + 12.0
+        while time.monotonic() < until:
+            if browser.value(script):
+                return
+            time.sleep(0.05)
+    raise AssertionError(script)
 
 
 def upload(browser: Browser, file: Path) -> None:
@@ -143,10 +159,9 @@ def test_fits_for_a_hot_pair(page: Browser, tmp_path: Path, drawn: None) -> None
     ready(page)
     assert page.value(f"{field('effects.ring_expansion.shaft_fit')}.checkVisibility()")
     assert page.value(f"{field('effects.ring_expansion.bore_diameter_mm')}.value") == "50"
-    page.value(f"{field('effects.ring_expansion.shaft_fit')}.focus()")
-    keys(page, "k5")
-    press(page, "Tab", 9)
-    wait(page, "workbench.page.now.document.effects.ring_expansion.shaft_fit === 'k5'")
+    fit = field("effects.ring_expansion.shaft_fit")
+    picked = "workbench.page.now.document.effects.ring_expansion.shaft_fit === 'k5'"
+    by_keys(page, fit, lambda: keys(page, "k5"), picked)
     for name, value in (("inner_ring_temperature_C", "60"), ("outer_ring_temperature_C", "45")):
         write(page, field(f"effects.ring_expansion.{name}"), value)
     ready(page)
@@ -167,10 +182,8 @@ def test_a_second_state_is_compared_and_saved(page: Browser, address: str, tmp_p
     """And is there again after a reload, as what it is compared with is."""
     page.click(field("pin"))
     first = page.value("workbench.page.found.key")
-    page.value(f"(e => {{ e.focus(); e.select(); }})({field('operation.speed_rpm')})")
-    page.type("12000")
-    press(page, "Tab", 9)
-    wait(page, "workbench.page.shown.document.operation.speed_rpm === 12000")
+    faster = "workbench.page.shown.document.operation.speed_rpm === 12000"
+    by_keys(page, field("operation.speed_rpm"), lambda: page.type("12000"), faster)
     ready(page)
     file = saved(page, "save", tmp_path, "7210c.toml")
     found = ran(file)
