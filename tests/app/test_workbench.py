@@ -94,14 +94,15 @@ def upload(browser: Browser, file: Path) -> None:
 def saved(browser: Browser, button: str, folder: Path, file: str) -> Path:
     """What a button hands out."""
     browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
-    browser.click(field(button))
-    until = folder / file
-    wait(browser, SOLVED)
-    for _ in range(600):
-        if until.exists() and until.stat().st_size:
-            break
-        browser.value("new Promise(done => setTimeout(done, 100))")
-    return until
+    path = folder / file
+    for _ in range(5):  # a click may miss what moves as an answer comes
+        wait(browser, SOLVED)
+        browser.click(field(button))
+        for _ in range(150):
+            if path.exists() and path.stat().st_size:
+                return path
+            browser.value("new Promise(done => setTimeout(done, 100))")
+    raise AssertionError(f"{button} hands out no {file}")
 
 
 def largest(found: dict[str, Any], side: str, name: str) -> float:

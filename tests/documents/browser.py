@@ -128,10 +128,20 @@ class Browser:
         return x, y
 
     def click(self, script: str) -> None:
-        """A real click of the mouse in the middle of what the expression finds."""
-        x, y = self.middle(script)
-        for kind in ("mousePressed", "mouseReleased"):
-            self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+        """A real click of the mouse in the middle of what the expression finds; again where it moved meanwhile, so
+        that something else was hit."""
+        heard = (
+            "window.wasHit = false;"
+            f" addEventListener('click', e => {{ window.wasHit ||= {script}?.contains(e.target); }},"
+            " {once: true, capture: true})"
+        )
+        for _ in range(5):
+            self.value(heard)
+            x, y = self.middle(script)
+            for kind in ("mousePressed", "mouseReleased"):
+                self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+            if self.value("window.wasHit ?? true"):  # another page has been opened by it
+                return
 
     def type(self, text: str) -> None:
         """Keys into what has the focus."""
