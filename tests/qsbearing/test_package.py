@@ -33,9 +33,10 @@ def test_the_import_itself_loads_nothing_heavy() -> None:
 
 @pytest.mark.heavy
 def test_the_wheel_is_small(tmp_path: Path) -> None:
-    """2.8 MB, and 1.0 MB of machine code for five platforms, in place of 216 MB of a compiler. A third of that is the
-    balance of balls that friction moves, between grooves of one arc and of two."""
+    """2.9 MB, and 1.0 MB of machine code for five platforms, in place of 216 MB of a compiler. A third of that is the
+    balance of balls that friction moves, between grooves of one arc and of two. With the site, if it has been made, it
+    is 1.4 MB more."""
     root = Path(qs.__file__).parents[1]
     subprocess.run([sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", root, "-w", tmp_path], check=True)
     (wheel,) = tmp_path.glob("*.whl")
-    assert wheel.stat().st_size <= 3.9e6
+    assert wheel.stat().st_size <= 4.1e6
