@@ -23,7 +23,7 @@ import click
 from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages, topics
 from qsbearing.model.version import __version__
 from qsbearing.reports.guide_lists import LISTS
-from qsbearing.site.reference import command_pages, key_page, python_pages, result_page
+from qsbearing.site.reference import command_pages, key_pages, python_pages, result_pages
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -46,9 +46,9 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
         (folder / f"{page.topic}.md").write_text(_of_site(page.text), encoding="utf-8")
     reference = [
         {"Python": list(_written(folder, python_pages()))},
-        {"Files": list(_written(folder, key_page()))},
+        {"Files": list(_written(folder, key_pages()))},
         {"Commands": list(_written(folder, command_pages()))},
-        {"Results": list(_written(folder, result_page()))},
+        {"Results": list(_written(folder, result_pages()))},
         {"Names that stay": "interface.md"},
     ]
     about = [{"About": _about(folder)}] if (ROOT / "CHANGELOG.md").is_file() else []

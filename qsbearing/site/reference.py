@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from qsbearing.model.solution.result_keys import ROW, Group, Place, printed_unit
 from qsbearing.site.meanings import meanings
 
 GROUPS: dict[str, tuple[str, str, tuple[str, ...]]] = {
@@ -106,7 +107,7 @@ def _readings() -> str:
 # Keys of files --------------------------------------------------------------------------------------------------------
 
 
-def key_page() -> Pages:
+def key_pages() -> Pages:
     """A page for each table of a scene, set or study file."""
     from qsbearing.studies.schema import file_schema
 
@@ -170,21 +171,14 @@ def _values(given: Mapping[str, Any], whole: Mapping[str, Any]) -> str:
     values = []
     for each in _branches(given, whole):
         if "enum" in each:
-            values.append(
-                ", ".join(f"`{_toml(value)}`" for value in each["enum"][:12])
-                + (", …" if len(each["enum"]) > 12 else "")
-            )
+            values.append(_words(each["enum"]))
         elif "const" in each:
             values.append(f"`{_toml(each['const'])}`")
         elif "minimum" in each or "maximum" in each:
             values.append(f"{each.get('minimum', -float('inf')):.6g} to {each.get('maximum', float('inf')):.6g}")
         elif "type" in each:
             kinds = each["type"] if isinstance(each["type"], list) else [each["type"]]
-            values.append(
-                {"string": "a word", "array": "a list", "object": "a table", "boolean": "`true`, `false`"}.get(
-                    kinds[0], "a number"
-                )
-            )
+            values.append(KINDS.get(kinds[0], "a number"))
     return _cell("; or ".join(dict.fromkeys(values)))
 
 
@@ -205,10 +199,10 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|").replace("\n", " ")
 
 
+# Commands -------------------------------------------------------------------------------------------------------------
+
 PROGRAMS = {"qsbearing": "qsbearing.cli", "fem-check": "fem_check.cli"}
 """Both programs, and where their commands are; loaded by name, as no module of qsbearing imports its check."""
-
-# Commands -------------------------------------------------------------------------------------------------------------
 
 
 def command_pages() -> Pages:
@@ -235,33 +229,33 @@ def _command(title: str, command: click.Command) -> str:
 # Results --------------------------------------------------------------------------------------------------------------
 
 
-def result_page() -> Pages:
+def result_pages() -> Pages:
     """Every result by its name, with unit, meaning and source."""
     from qsbearing.model.solution.groups import GROUPS as OF_BEARINGS
-    from qsbearing.model.solution.result_keys import Group
     from qsbearing.readings.asked import READINGS
-    from qsbearing.systems.sets import set_groups
+    from qsbearing.systems.sets.set_groups import OF_ROWS, OF_SHAFT, PLAY, SLIDE, SYSTEM, TORQUES
 
-    of_sets = [each for each in vars(set_groups).values() if isinstance(each, Group)]
-    pages = {
+    of_readings = [group for each in READINGS.values() for group in each.groups]
+    return {
         "results/bearing.md": ("Of a bearing", _results("Results of a bearing", OF_BEARINGS)),
-        "results/set.md": ("Of a set", _results("Results of a set", of_sets)),
+        "results/readings.md": ("Of readings", _results("Results of readings", of_readings)),
+        "results/row.md": ("Of a row", _results("Results of a row of a set", OF_ROWS, f"{ROW}_1_")),
+        "results/set.md": ("Of a set", _results("Results of a set", (*OF_SHAFT, SLIDE, PLAY, TORQUES, SYSTEM))),
     }
-    groups = [group for each in READINGS.values() for group in each.groups]
-    pages["results/readings.md"] = ("Of readings", _results("Results of readings", groups))
-    return pages
 
 
-def _results(title: str, groups: Iterable[Any]) -> str:
-    from qsbearing.model.solution.result_keys import printed_unit
+ROW_TOLD = "A row has these and all of a bearing, with its number before the name."
 
+
+def _results(title: str, groups: Iterable[Group], row: str = "") -> str:
+    """A table of them under the names that studies and limits take."""
     rows = []
     for group in groups:
         for each in group.results:
-            whose = ".".join(filter(None, (group.reading or group.raceway, each.key)))
             symbol = f"${each.symbol}$" if each.symbol else ""
             unit, source = printed_unit(each.unit) or "none", each.source or group.source
-            rows.append(f"| {' | '.join(map(_cell, (f'`{whose}`', each.plain_name, unit, symbol, source)))} |\n")
+            name = f"`{row}{Place(group, each).column}`"
+            rows.append(f"| {' | '.join(map(_cell, (name, each.plain_name, unit, symbol, source)))} |\n")
     head = "| name | meaning | unit | symbol | source |\n|---|---|---|---|---|\n"
-    said = "By these names results are found in JSON and tables, and asked for in `[require]`, limits and studies."
-    return f"# {title}\n\n{said}\n\n{head}{''.join(dict.fromkeys(rows))}"
+    said = "Under these names results are asked for in `[require]`, limits and studies, and stand in tables."
+    return f"# {title}\n\n{said}{f' {ROW_TOLD}' if row else ''}\n\n{head}{''.join(rows)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -18,6 +19,25 @@ def test_every_public_name_stands_on_one_page() -> None:
     named = [name for _, _, names in GROUPS.values() for name in names]
     modules = {"readings", "__version__"}
     assert sorted(named) == sorted(set(qs.__all__) - modules)
+
+
+def test_results_stand_under_the_names_that_stay() -> None:
+    """Those that studies and limits take; of points, places and supports of a shaft the names are the user's."""
+    from qsbearing.site.reference import result_pages
+    from tests.guide.interface import kept
+
+    told = {name: set(re.findall(r"^\| `(\w+)`", text, re.MULTILINE)) for name, (_, text) in result_pages().items()}
+    told["results/row.md"] = {each.removeprefix("row_1_") for each in told["results/row.md"]}
+    pages = {
+        "of a bearing": told["results/bearing.md"] | told["results/readings.md"],
+        "of a row": told["results/row.md"],
+        "of a set": told["results/set.md"],
+    }
+    for group, names in kept()["results"].items():
+        without_unit = {
+            name for name in names if not any(each == name or each.startswith(f"{name}_") for each in pages[group])
+        }
+        assert without_unit == set(), group
 
 
 def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
