@@ -6,17 +6,14 @@ from collections.abc import Iterable
 from typing import Any
 
 from fem_check.contacts.record import ContactRecord, ContactsRecord, MaterialRecord
+from fem_check.report.agreement import QUANTITIES
 from fem_check.rows import row_text
 from fem_check.rows.record import RowRecord, computed_value
 from qsbearing.documents.model import Badge, Block, Callout, Paragraph, RowGroup, Table
 from qsbearing.documents.numbers import plain
 from qsbearing.documents.terminal import STYLES
 
-SHOWN = {
-    "approach": ("approach δ", "µm", 1e6),
-    "semi_major_axis": ("semi-axis a", "mm", 1e3),
-    "semi_minor_axis": ("semi-axis b", "mm", 1e3),
-    "max_pressure": ("pressure p0", "MPa", 1e-6),
+SHOWN = QUANTITIES | {
     "max_shear_stress": ("shear τmax", "MPa", 1e-6),
     "max_shear_depth": ("depth of τmax", "mm", 1e3),
 }

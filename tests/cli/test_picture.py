@@ -9,23 +9,10 @@ import pytest
 from click.testing import CliRunner
 
 from qsbearing.cli import cli
+from tests.systems.sets.arrangements import PAIR_FILE
 
 pytest.importorskip("matplotlib")
 
-PAIR = """
-[bearing]
-name = "7210C"
-[[rows]]
-position_mm = 0
-carries = "+x"
-[[rows]]
-position_mm = 20
-carries = "-x"
-[preload]
-rigid_N = 300
-[operation]
-speed_rpm = 6000
-"""
 SHAFT = """
 [[shaft.sections]]
 length_mm = 120
@@ -49,7 +36,7 @@ def test_every_picture_of_a_bearing_is_written(name: str, tmp_path: Path) -> Non
 
 def test_what_cannot_be_drawn_is_refused_in_a_sentence(tmp_path: Path) -> None:
     rigid, target = tmp_path / "pair.toml", str(tmp_path / "a.svg")
-    rigid.write_text(PAIR)
+    rigid.write_text(PAIR_FILE)
     assert ended("b218", "--picture", "groove") == (
         2,
         "qsbearing: --picture says what --plot draws: give --plot FILE\n",
@@ -66,7 +53,7 @@ def test_what_cannot_be_drawn_is_refused_in_a_sentence(tmp_path: Path) -> None:
 @pytest.mark.skipif(find_spec("ross") is not None, reason="ROSS is installed")
 def test_a_campbell_diagram_needs_the_rotor_program(tmp_path: Path) -> None:
     bent = tmp_path / "bent.toml"
-    bent.write_text(PAIR + SHAFT)
+    bent.write_text(PAIR_FILE + SHAFT)
     code, said = ended(str(bent), "--plot", str(tmp_path / "a.svg"), "--picture", "campbell")
     assert (
         code == 2 and said.startswith("qsbearing: --picture campbell needs ross: pip install") and said.count("\n") == 1

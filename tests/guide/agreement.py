@@ -6,13 +6,10 @@ from __future__ import annotations
 import textwrap
 from typing import Any
 
-import matplotlib.pyplot as plt
-
 from fem_check.report import agreement
-from fem_check.report.figures.ellipses import ellipses
+from fem_check.report.sections import agreement as section
 from fem_check.report.sections.agreement import CHECK, QUESTION, alt, caption
 from fem_check.running import records_store
-from qsbearing.documents.drawing import picture
 from tests.guide.pages import GUIDE
 
 PAGE, PICTURE = GUIDE / "agreement.md", GUIDE / "agreement.svg"
@@ -79,11 +76,7 @@ def _wrapped(part: str) -> str:
 
 def drawn(of: dict[str, Any]) -> str:
     """The picture."""
-    contacts = agreement.contacts_of(of)
-    figure = ellipses(contacts)
-    image = picture(figure, alt(contacts), caption(contacts), 1.0)
-    plt.close(figure)
-    return image.data.decode("utf-8")
+    return section.drawn(agreement.contacts_of(of)).data.decode("utf-8")
 
 
 def main() -> None:

@@ -34,11 +34,11 @@ from tests.qsbearing.scenes import BOTH
 from tests.verification.campaign import friction
 from tests.verification.campaign.batches import Batch, per_row, run
 from tests.verification.campaign.checks import Contacts, hertz_error
-from tests.verification.campaign.friction import AtContacts, Recomputed, of_both, recomputed
+from tests.verification.campaign.friction import UNEXPLAINED, AtContacts, Recomputed, of_both, recomputed
 
 BATCH, RADIAL = 104, 4
 """Bearings of a batch, and how many of them are under radial load."""
-FREED, LOST = "balls without load at rest", "unexplained"
+FREED = "balls without load at rest"
 """Why a case has no solution: balls that only their weight in motion presses are lost at times, under radial load."""
 
 
@@ -137,11 +137,11 @@ def ends(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> list[str
     """How each case ended, in words."""
     is_dragged = traction.cage_drag > 0.0 or traction.drag_coefficient is not None
     is_radial = scene.operation.radial_load_y is not None
-    why = "drag" if is_dragged else FREED if is_radial else LOST
+    why = ": drag" if is_dragged else f": {FREED}" if is_radial else ""
     words = []
     for status, reason in zip(found.status, found.reason, strict=True):
         if status == "not_converged":
-            words.append(f"not_converged: {why}")
+            words.append(UNEXPLAINED + why)
         else:
             words.append(f"{status}: {reason}".removesuffix(": "))
     return words

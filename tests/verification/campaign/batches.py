@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 import qsbearing as qs
 from qsbearing.results import provenance
 from tests.verification.campaign.certificates import NOT_PROVED
-from tests.verification.campaign.envelope import allowed_of
+from tests.verification.campaign.envelope import ENVELOPES, allowed_of
 
 
 @dataclass
@@ -54,11 +54,6 @@ def of_sets(solution: qs.SetSolution, wrong: dict[str, NDArray], is_proved: Call
     return found
 
 
-PER_BEARING = 3e-4
-"""Of bearings or rows, that may end as not converged: as many as of mounted scenes (envelope.py), the limit that stands
-in the guide. A set has as many chances as rows."""
-
-
 @dataclass(frozen=True)
 class Limit:
     """How many cases of a campaign may end as not converged, beside those whose reason is known and counted apart."""
@@ -75,8 +70,9 @@ class Limit:
 
 def per_row(rows: float = 1.0) -> Limit:
     """The limit of cases with so many bearings on average, set after the first runs."""
+    # As many as of mounted scenes, the limit that stands in the guide; a set has as many chances as rows.
     by_rows = f" × {rows:g} rows" if rows > 1.0 else ""
-    return Limit(PER_BEARING * rows, f"2026-11-28: mounted{by_rows}")
+    return Limit(ENVELOPES["mounted"].rate * rows, f"2026-11-28: mounted{by_rows}")
 
 
 def run(
