@@ -21,6 +21,7 @@ from click.testing import CliRunner
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
+from fem_check.report.figures import drawn as figures
 from fem_check.report.rows import as_read, quantity, table, worst
 from fem_check.report.sections import agreement, previous, tolerances
 from fem_check.rows.agreement import AgreementRow
@@ -204,6 +205,12 @@ def test_the_same_records_are_the_same_report(drawn: None) -> None:
     few = dataclasses.replace(few, checks={name: few.checks[name] for name in SMALL})
     first, second = (html(validation.document(few)) for _ in range(2))
     assert first == second
+
+
+@pytest.mark.parametrize("path", sorted((records_store.FOLDER / "quick").glob("*.json")), ids=lambda path: path.stem)
+def test_pictures_of_the_quick_level_draw(path: Path, drawn: None) -> None:
+    """Whose records hold less, as a single load."""
+    assert all(b"<svg" in each.data for each in figures.one(json.loads(path.read_text(encoding="utf-8"))))
 
 
 def test_what_is_missing_is_said(records: Path) -> None:
