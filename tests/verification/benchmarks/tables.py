@@ -294,7 +294,7 @@ def free_ball() -> str:
     for row in records_store.read_all()["free_ball"]["rows"]:
         told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
         numbers = (row_text.with_unit(each, unit if unit != "1" else "") for each in (told.reference, told.found))
-        share = f"{100.0 * used(row):.0f} %"
+        share = f"{100.0 * used(row):.0f} %" if row["tolerance_percent"] else ""
         rows.append([as_read(row["case"]), quantity(row["quantity"]), *numbers, difference(row), told.tolerance, share])
     headings = ["case", "", "by Newton's laws", "qsbearing", "difference", "limit", "of the limit"]
     return markdown(headings, rows)
