@@ -109,6 +109,7 @@ def all_steps(level: MeshLevel) -> list[Step]:
             ("book/*.json",),
             partial(integrity.of_rows, digits=BOOK_DIGITS),
             drift.of_check,
+            is_alone=False,
         ),
         Step("reports", "fem-check report", _report),
     ]
@@ -162,7 +163,7 @@ def _of_release() -> list[Step]:
         ),
         _elsewhere("relations", "relations", _failed("file", "files"), is_alone=False),
         _elsewhere("errata", "verification.reference.errata", is_alone=False),
-        _elsewhere("automatic effects", "verification.benchmarks.auto_accuracy"),
+        _elsewhere("automatic effects", "verification.benchmarks.auto_accuracy", is_alone=False),
         _elsewhere("times", "verification.benchmarks.record"),
         _elsewhere("times against the release before", "verification.benchmarks.before"),
         _elsewhere(
