@@ -21,6 +21,7 @@ from click.testing import CliRunner
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
+from fem_check.report.figures import series
 from fem_check.report.rows import as_read, quantity, table, worst
 from fem_check.report.sections import agreement, previous, tolerances
 from fem_check.rows.agreement import AgreementRow
@@ -87,6 +88,17 @@ def drawn_whole() -> Document:
     """With its pictures, which the release gate draws too, at each level."""
     with drawing():
         return validation.document(evidence.read())
+
+
+@pytest.mark.parametrize("level", ["quick", "release"])
+def test_contacts_of_one_load_are_drawn_as_those_of_several(level: str) -> None:
+    """On an axis that all four pictures share, without a warning; the quick level has one load."""
+    record = json.loads((records_store.FOLDER / level / "true_geometry.json").read_text("utf-8"))
+    figure = series.true_geometry(record)
+    assert {axes.get_xscale() for axes in figure.axes} == {"log"}
+    low, high = figure.axes[0].get_xlim()
+    loads = [load for part in record["pictures"]["true_geometry"].values() for load in part["load_N"]]
+    assert low < min(loads) <= max(loads) < high
 
 
 @pytest.mark.heavy

@@ -77,9 +77,9 @@ def true_geometry(entry: Record) -> Figure:
                 )  # fmt: skip
             values = part["boundary_elements_percent"][name]
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
-        axes.axhline(0.0, **HERTZ)  # before the scale: on a logarithmic axis its ends at 0 and 1 warn
-        axes.set_xscale("log")
+        axes.axhline(0.0, **HERTZ)  # before the scale, which all axes share: on a logarithmic one its ends 0 and 1 warn
         axes.set(title=quantity(name), ylabel="off Hertz by, %")
+    grid[0, 0].set_xscale("log")
     for axes in grid[1]:
         load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
     handles, labels = grid[0, 0].get_legend_handles_labels()
