@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import qsbearing as qs
 
 yaml = pytest.importorskip("yaml")
 ROOT = Path(__file__).parents[1]
+CHANGES = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
 
 ALLOWED = {
     *("abstract", "authors", "cff-version", "commit", "contact", "date-released", "doi", "identifiers", "keywords"),
@@ -40,5 +42,7 @@ def test_it_is_of_this_version_and_licence(found):
     with (ROOT / "pyproject.toml").open("rb") as file:
         project = tomllib.load(file)["project"]
     assert str(found["version"]) == qs.__version__
+    released = re.search(rf"^## {re.escape(qs.__version__)} \((\S+)\)$", CHANGES, flags=re.MULTILINE)
+    assert released and str(found["date-released"]) == released[1], "the day is that of the list of changes"
     assert found["license"] == project["license"]
     assert found["title"].startswith(project["name"])

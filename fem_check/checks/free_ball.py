@@ -29,6 +29,8 @@ DISPLACED: dict[str, Any] = {"ball_effects": BOTH, "orbit_radius": "displaced"}
 """Balls go round where they are pressed, as free ones do."""
 POINTS = "Newton's and Euler's laws, friction at points of the outer raceway alone, from outer control's axis"
 ELLIPSES = "Newton's and Euler's laws, friction over both ellipses, 6 x 16 points"
+HYPOTHESIS, OTHER_FRICTION = "; raceway control: ", "; friction coefficient "
+"""Begin the ends of cases in which the product assumes the balls' axes, or has other friction than the free balls."""
 SLIP_SPEED = 0.02
 """[m/s] Nothing drives the balls: the creep below this speed slows them in proportion to it. It and twice as much,
 extrapolated to none, leave its square."""
@@ -48,6 +50,9 @@ SHARED = 22.40e-6, 0.01e-6
 """Displacement of B218's ring with friction at both points [m]: another code's, to its last digit."""
 SETTLING, SETTLING_STEP = 0.15, 5e-6
 """Of friction over ellipses [s]: the slowest decay is by 90 1/s."""
+FRICTION_BAND = 0.03, 0.1
+"""Of oiled contacts: nobody knows the coefficient of a bearing nearer than that."""
+HYPOTHESES = [each for each in qs.RacewayControl if each is not qs.RacewayControl.FRICTION]
 FEW_POINTS = 0.05e-6, 2e-4
 """Of displacement [m] and orbit over the ring's speed: what 6 x 16 points and other few ones differ by."""
 
@@ -161,6 +166,18 @@ def balance_rows(progress: Progress) -> Iterator[AgreementRow]:
         yield AgreementRow(
             at, quantity, unit, float(reference), ELLIPSES, float(measured), None, 100.0 * within / float(reference),
             "set beforehand: what few points of an ellipse differ by",
+        )  # fmt: skip
+    assumed: dict[str, dict[str, Any]] = {
+        f"{HYPOTHESIS}{each.replace('_', ' ')}": {"raceway_control": each} for each in HYPOTHESES
+    }
+    for mu in FRICTION_BAND:
+        law = Traction(mu, ELLIPSE_SLIP)
+        assumed[f"{OTHER_FRICTION}{mu:g}"] = {"raceway_control": qs.RacewayControl.FRICTION, "traction": law}
+    for end_of_case, changes in assumed.items():
+        yield AgreementRow(
+            f"{at}{end_of_case}", "axial displacement", "m", float(end.displacement[0]), ELLIPSES,
+            float(qs.solve(replace(of_control, **changes)).displacement[0]), None, None,
+            f"a finding: what an assumption makes of it; the balls have a friction coefficient of {ELLIPSE_FRICTION:g}",
         )  # fmt: skip
 
 

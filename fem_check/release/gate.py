@@ -9,12 +9,13 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass
+from math import inf
 from pathlib import Path
 from typing import Any, TypedDict
 
 from fem_check.release import integrity, manifest, previous, tree
 from fem_check.release.previous import Previous
-from fem_check.release.steps import LONGEST, GateFolders, Step, write_tables
+from fem_check.release.steps import GateFolders, Step, write_tables
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import kept_files, records_store
 from fem_check.running.records_store import RecordError
@@ -90,6 +91,17 @@ def run(
             _end(step, _run(step, place), place, journal, ended)
 
 
+def seconds_before(place: GateFolders) -> dict[str, float]:
+    """That each step took in the previous gate; none where its journal is not on record, or damaged."""
+    if place.previous is None:
+        return {}
+    try:
+        journal = json.loads((place.previous / "gate" / place.level / "steps.json").read_text(encoding="utf-8"))
+        return {name: float(done["seconds"]) for name, done in journal["steps"].items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return {}
+
+
 def _end(step: Step, entry: StepRun, place: GateFolders, journal: Journal, ended: Callable[[str], None]) -> None:
     journal[step.name] = entry
     _enter(place, journal)
@@ -114,8 +126,10 @@ def _run_shared(number: int, place: GateFolders) -> StepRun:
 
 
 def _side_by_side(steps: list[Step], place: GateFolders, workers: int) -> Iterator[tuple[Step, StepRun]]:
-    """Run steps in processes, the longest first, and hand out each as it ends."""
-    _shared[:] = sorted(steps, key=lambda step: step.name not in LONGEST)
+    """Run steps in processes, the longest of the gate before first, and hand out each as it ends: else all cores but
+    one wait at the end for a long one. Steps that it did not have may be long."""
+    before = seconds_before(place)
+    _shared[:] = sorted(steps, key=lambda step: -before.get(step.name, inf))
     pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork"))
     try:
         submitted = {pool.submit(_run_shared, number, place): step for number, step in enumerate(_shared)}

@@ -60,7 +60,8 @@ def _about(folder: Path) -> list[dict[str, str]]:
     changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
     (folder / "changes.md").write_text(_of_site(changes), encoding="utf-8")
     (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
-    return [{"Changes": "changes.md"}, {"How to cite": "cite.md"}]
+    shutil.copy(ROOT / "THIRD_PARTY_LICENSES.md", folder / "licences.md")
+    return [{"Changes": "changes.md"}, {"How to cite": "cite.md"}, {"Licences of others": "licences.md"}]
 
 
 def _written(folder: Path, pages: dict[str, tuple[str, str]]) -> Iterator[dict[str, str]]:

@@ -59,14 +59,6 @@ def test_the_balls_influence_is_symmetric_and_moves_no_ring_as_a_body():
     assert 0.0 < part < 1e-3
 
 
-@pytest.mark.heavy  # the release gate judges these rows at each level
-def test_the_model_is_right():
-    for rows in (elastic_ring.compliance_rows, elastic_ring.opposed_rows, elastic_ring.load_rows):
-        judged = rows(MeshLevel.QUICK)
-        assert failing(judged) == set()
-        assert {row.verdict for row in judged} >= {"pass"}
-
-
 @pytest.mark.heavy
 def test_one_pitch_in_three_dimensions_sees_the_shoulders(monkeypatch):
     """In bending; with the rectangle that the groove's bottom leaves, the model would deflect four times as far."""

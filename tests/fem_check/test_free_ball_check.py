@@ -54,14 +54,3 @@ def test_an_error_in_the_product_is_seen(
 
     monkeypatch.setattr(qs, "solve", off)
     assert failing(run()) >= seen
-
-
-@pytest.mark.heavy
-def test_friction_divides_and_leads_as_the_product_says() -> None:
-    rows = run(MeshLevel.RELEASE)
-    assert failing(rows) == set()
-    assert {row.case.partition(": ")[2] for row in rows} == {
-        "",
-        "friction at both points",
-        "friction over both ellipses",
-    }

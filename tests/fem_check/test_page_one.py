@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from fem_check.checks.free_ball import HYPOTHESIS
 from fem_check.report import evidence, page_one, questions, random_scenes
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.sections import traceability
@@ -169,6 +170,43 @@ def test_page_one_counts_how_every_random_scene_ended(shipped: Evidence) -> None
         assert sum(random_scenes.reasons(kept).values()) == refused
     table = random_scenes.table(shipped.random_scenes, "")
     assert [row[0] for row in table.rows] == [random_scenes.scenes(kept).name for kept in shipped.random_scenes]  # type: ignore[index]
+
+
+def test_one_row_says_what_the_motion_of_balls_rests_on(shipped: Evidence) -> None:
+    """Its counts and deviations follow the records: hypotheses, friction, referee, what is not measured."""
+
+    def row(records: Evidence) -> questions.Question:
+        (found,) = [each for each in questions.all_of(records) if each.text.startswith("What does the balls' motion")]
+        return found
+
+    assert shipped.reference
+    cases = shipped.reference.data["cases"]
+    turning = [each for each in cases if each["raceway_control"]]
+    assert 0 < len(turning) < len(cases)
+    controls = len({each["raceway_control"] for each in turning})
+    assert f"{controls} hypotheses of raceway control ({len(turning)} scenes" in row(shipped).answer
+    balances = shipped.reference.data["friction_cases"]
+    assert f"friction itself ({len(balances)} balances" in row(shipped).answer
+    outer = altered(shipped.reference, cases=[each for each in cases if each["raceway_control"] == "outer"])
+    assert "1 hypotheses" in row(dataclasses.replace(shipped, reference=outer)).answer
+
+    free = shipped.checks["free_ball"]
+    assumed = [1e6 * each["found"] for each in free.data["rows"] if HYPOTHESIS in each["case"]]
+    assert len(assumed) == 4
+    assert f"hypotheses give {min(assumed):.3g} to {max(assumed):.3g} µm" in row(shipped).worst
+    assert "friction coefficients of 0.03 to 0.1 give" in row(shipped).worst
+    fails = dataclasses.replace(shipped, checks=shipped.checks | {"free_ball": altered(free, verdict="fail")})
+    assert (row(shipped).verdict.kind, row(fails).verdict.kind) == ("finding", "fail")
+
+    measured = [each for kept in shipped.book.values() if kept.data["kind"] == "M" for each in kept.data["rows"]]
+    assert f"0 of {len(measured)} measured numbers" in row(shipped).answer
+    name, kept = next((name, kept) for name, kept in shipped.book.items() if kept.data["kind"] == "M")
+    more = altered(kept, rows=[*kept.data["rows"], kept.data["rows"][0] | {"unit": "deg"}])
+    now = row(dataclasses.replace(shipped, book=shipped.book | {name: more})).answer
+    assert f"1 of {len(measured) + 1} measured numbers" in now
+
+    friction = recomputed(campaign="friction", count=208, wrong=["0/3: energy"])
+    assert "208 random friction, 1 wrong" in row(dataclasses.replace(shipped, recomputed=[friction])).answer
 
 
 def recomputed(**changes: Any) -> Kept:

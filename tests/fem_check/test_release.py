@@ -370,6 +370,33 @@ def test_steps_for_one_core_share_the_cores_and_the_others_follow(place, monkeyp
     assert all(float(processes["reports"][1]) > float(processes[name][1]) for name in CHECKS)
 
 
+def test_the_longest_of_the_gate_before_begin_first(place):
+    """One that it did not have may be the longest; a journal that cannot be read orders nothing."""
+    before = place / "before" / "gate" / "quick" / "steps.json"
+    before.parent.mkdir(parents=True)
+    where = GateFolders(place, MeshLevel.QUICK, place / "new", "", before.parents[2])
+
+    def begun(seconds: dict[str, float]) -> list[str]:
+        before.write_text(json.dumps({"steps": {name: {"seconds": each} for name, each in seconds.items()}}))
+        ran, order = place / "order", ("short", "long", "new")
+        ran.write_text("")
+
+        def run(name: str, where: GateFolders) -> None:
+            with ran.open("a") as file:
+                file.write(f"{name} ")
+
+        listed = [Step(name, "nothing", partial(run, name), is_alone=False) for name in order]
+        list(gate._side_by_side(listed, where, 1))
+        return ran.read_text().split()
+
+    assert begun({"short": 1.0, "long": 2.0}) == ["new", "long", "short"]
+    before.write_text("damaged")
+    assert gate.seconds_before(where) == {}
+    assert gate.seconds_before(replace(where, previous=None)) == {}
+    real = gate.seconds_before(GateFolders(ROOT, MeshLevel.RELEASE, place, "", ROOT / RECORDS))
+    assert real["check bearing_sector"] > 60.0, "the records of the repository have the times of their gate"
+
+
 def test_a_step_whose_process_is_killed_has_failed(place, monkeypatch):
     def killed(where: GateFolders) -> None:
         os.kill(os.getpid(), signal.SIGKILL)

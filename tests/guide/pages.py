@@ -131,14 +131,12 @@ def run_program(text: str, folder: Path, names: dict[str, object]) -> None:
         assert expected in printed.getvalue().splitlines(), f"{expected!r} is not among\n{printed.getvalue()}"
 
 
-def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
-    """Run the page's blocks in order; how many heavy ones there were."""
+def run_page(page: Path, folder: Path, *, heavy: bool) -> None:
+    """Run the page's blocks in order, those that take minutes only if asked to."""
     names: dict[str, object] = {"__name__": "page"}
-    count = 0
     said: set[str] = set()
     output = ""
     for block in blocks(page):
-        count += block.is_heavy
         if block.language in ("toml", "xml"):
             write_file(block.text, folder)
         elif block.language == "text" and output:
@@ -159,4 +157,3 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> int:
     if sentences.strip() and page.name not in NO_EXAMPLE:
         lacking = sorted(unmentioned(sentences, said))
         assert lacking == [], f"{page.name} does not mention what its examples remark: {lacking}"
-    return count

@@ -63,9 +63,6 @@ def true_geometry(entry: Record) -> Figure:
     series = entry["pictures"]["true_geometry"]
     figure, grid = plt.subplots(2, 2, figsize=(8.4, 4.0), sharex=True, layout="constrained")
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
-    loads = sorted({load for part in series.values() for load in part["load_N"]})
-    # Before anything is drawn, and by hand: a single load, as at the quick level, spans no axis.
-    grid[0, 0].set(xscale="log", xlim=(loads[0] / 1.2, loads[-1] * 1.2))
     for axes, name in zip(grid.ravel(), names, strict=True):
         for race, part in series.items():
             style = "-" if race == "inner" else "--"
@@ -80,10 +77,11 @@ def true_geometry(entry: Record) -> Figure:
                 )  # fmt: skip
             values = part["boundary_elements_percent"][name]
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
-        axes.axhline(0.0, **HERTZ)
+        axes.axhline(0.0, **HERTZ)  # before the scale, which all axes share: on a logarithmic one its ends 0 and 1 warn
         axes.set(title=quantity(name), ylabel="off Hertz by, %")
+    grid[0, 0].set_xscale("log")
     for axes in grid[1]:
-        load_axis(axes, loads)
+        load_axis(axes, sorted({load for part in series.values() for load in part["load_N"]}))
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=8)
     return figure

@@ -12,6 +12,7 @@ from typing import Any
 import qsbearing as qs
 from fem_check.cost import record as cost_record
 from fem_check.cost import table as cost_table
+from fem_check.release import steps
 from fem_check.release.steps import RECOMPUTED, SCENES
 from fem_check.report import evidence
 from fem_check.report import random_scenes as random_scenes_of
@@ -294,7 +295,7 @@ def free_ball() -> str:
     for row in records_store.read_all()["free_ball"]["rows"]:
         told, unit = row_text.of_row(row), row_text.in_unit(row)[1]
         numbers = (row_text.with_unit(each, unit if unit != "1" else "") for each in (told.reference, told.found))
-        share = f"{100.0 * used(row):.0f} %"
+        share = f"{100.0 * used(row):.0f} %" if row["tolerance_percent"] else ""
         rows.append([as_read(row["case"]), quantity(row["quantity"]), *numbers, difference(row), told.tolerance, share])
     headings = ["case", "", "by Newton's laws", "qsbearing", "difference", "limit", "of the limit"]
     return markdown(headings, rows)
@@ -331,6 +332,30 @@ def errors_of_points() -> str:
     return markdown(["balls", "error of", "median", "in 95 of 100 less than", "largest"], rows)
 
 
+NAMED_STEPS = 6
+"""Of the gate, the longest of each kind."""
+
+
+def gate_minutes() -> str:
+    """How long the last gate took, by how its steps run; those that are new since have no time."""
+    done = read(records_store.FOLDER / "gate" / "release" / "steps.json")["steps"]
+    kinds: dict[str, list[tuple[float, str]]] = {}
+    for step in steps.all_steps(MeshLevel.RELEASE):
+        kind = "first, on all cores" if step.is_first else "alone, at the end" if step.is_alone else ONE_CORE
+        if step.name in done:
+            kinds.setdefault(kind, []).append((done[step.name]["seconds"] / 60.0, step.name.removeprefix("check ")))
+    rows = []
+    for kind, found in kinds.items():
+        found.sort(reverse=True)
+        named = ", ".join(f"{name} {minutes:.1f}" for minutes, name in found[:NAMED_STEPS])
+        others = f", {len(found) - NAMED_STEPS} others" if len(found) > NAMED_STEPS else ""
+        minutes = sum(each for each, _ in found) / (2 if kind == ONE_CORE else 1)
+        rows.append([kind, f"{minutes:.0f}", f"{named}{others}"])
+    return markdown(["steps that run", "minutes of the clock", "minutes of each"], rows)
+
+
+ONE_CORE = "on one core, two at a time"
+
 PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},
     "accuracy.md": {"cost": lambda: cost.table(cost.load())},
@@ -357,6 +382,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "commands": lambda: interface.table("commands", "command"),
         "json": lambda: interface.table("json", "in"),
     },
+    "releasing.md": {"minutes of the gate": gate_minutes},
     "README.md": {"random scenes": random_scenes},
 }
 """Pages, and the tables of each."""

@@ -41,6 +41,7 @@ from tests.verification.campaign import realistic
 from tests.verification.campaign.batches import Batch, per_row, run
 from tests.verification.campaign.certificates import NOT_PROVED
 from tests.verification.campaign.checks import CLOSURE, HERTZ, Contacts, hertz_error
+from tests.verification.campaign.friction_certificates import certificates
 from tests.verification.campaign.group import Group, one_of
 
 BATCH, RADIAL = 208, 8
@@ -351,13 +352,11 @@ def ellipse_points(radii: int = RADII, angles: int = ANGLES) -> tuple[NDArray, N
 
 def ends(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> list[str]:
     """How each case ended, in words."""
-    start, words = found.start, []
-    skids = np.max(np.nan_to_num(drag_at(scene, traction, start)), axis=1) > SKIDDING
-    has_lost = (start.inner.load == 0.0).any(axis=1)
+    words = []
+    skids = np.max(np.nan_to_num(drag_at(scene, traction, found.start)), axis=1) > SKIDDING
     for k, status in enumerate(found.status):
         if status == "not_converged":
-            why = ": skids" if skids[k] else ": balls off the inner ring" if has_lost[k] else ""
-            words.append(UNEXPLAINED + why)
+            words.append(UNEXPLAINED + ": skids" * bool(skids[k]))
         else:
             words.append(f"{status}: {found.reason[k]}".removesuffix(": "))
     return words
@@ -397,13 +396,30 @@ def of_both(
 def solved(scene: qs.Scene, traction: Traction) -> Batch:
     """How the bearings of a call ended."""
     found = friction_motion(scene, traction)
-    return recomputed(Recomputed(scene, traction, found), ends(scene, traction, found))
+    of = recomputed(Recomputed(scene, traction, found), ends(scene, traction, found))
+    of.refusals = Counter(certificates(scene, traction, found, lambda each: holds(scene, traction, each)))
+    return of
+
+
+def holds(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> NDArray:
+    """Whether all that is recomputed of a case agrees."""
+    return np.all([each <= most_of(name) for name, each in all_errors(Recomputed(scene, traction, found)).items()], 0)
+
+
+def all_errors(of: Recomputed) -> dict[str, NDArray]:
+    """By name, (case,)."""
+    with np.errstate(all="ignore"):
+        return of.errors() | {"closure": of.closure(), "hertz": of.hertz()}
+
+
+def most_of(name: str) -> float:
+    """That an error may be."""
+    return {"closure": CLOSURE, "hertz": HERTZ}.get(name, BALANCE)
 
 
 def recomputed(of: Recomputed, words: list[str]) -> Batch:
     """What became of cases that ended so, by what of them is recomputed."""
-    with np.errstate(all="ignore"):
-        return judged(of.found, words, of.errors() | {"closure": of.closure(), "hertz": of.hertz()})
+    return judged(of.found, words, all_errors(of))
 
 
 def merge(of: Batch, more: Batch, first: int) -> None:
@@ -421,8 +437,7 @@ def judged(found: FrictionMotion, words: list[str], errors: dict[str, NDArray]) 
     converged = found.status == "converged"
     of = Batch(Counter(words))
     for name, each in errors.items():
-        most = {"closure": CLOSURE, "hertz": HERTZ}.get(name, BALANCE)
-        for k in np.flatnonzero(converged & ~(each <= most)):
+        for k in np.flatnonzero(converged & ~(each <= most_of(name))):
             of.wrong[int(k)] = f"{of.wrong.get(int(k), '')} {name} {each[k]:.1e}".strip()
         of.largest[name] = float(np.max(each, where=converged, initial=0.0))
     of.refusals = Counter(NOT_PROVED for word in words if word.startswith("no_equilibrium"))

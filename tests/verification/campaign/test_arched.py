@@ -33,18 +33,6 @@ def test_random_four_point_bearings_are_what_their_balls_say() -> None:
     assert set(count) >= {2, 3} and count[3] > 20
 
 
-@compiled_only
-@pytest.mark.heavy
-def test_thousands_of_four_point_bearings_are_what_their_balls_say() -> None:
-    """Without drag none under thrust is left; of those with it, and under radial load, a hundredth may be."""
-    for number in range(20):
-        with np.errstate(all="ignore"):
-            found = batch(np.random.default_rng([2, number]))
-        assert found.wrong == {}
-        assert found.not_converged == []
-        assert found.ended["converged"] >= 94
-
-
 def one_of_each() -> tuple[qs.Scene, Traction, FrictionMotion]:
     """Under thrust and combined load, with drag."""
     law = Traction(cage_drag=3.0)

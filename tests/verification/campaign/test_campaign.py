@@ -61,13 +61,6 @@ def test_hundreds_of_scenes_meet_the_bar(campaigns: Campaigns, envelope: str) ->
 
 
 @compiled_only
-@pytest.mark.heavy
-@pytest.mark.parametrize(("envelope", "count"), [("wild", 20_000), ("realistic", 40_000), ("mounted", 20_000)])
-def test_tens_of_thousands_of_scenes_meet_the_bar(envelope: str, count: int, tmp_path: Path) -> None:
-    assert_bar_is_met(run_campaign(envelope, count, 2, tmp_path))
-
-
-@compiled_only
 def test_most_realistic_scenes_have_an_equilibrium(campaigns: Campaigns) -> None:
     """And some have none: what a catalogue bearing does under a load that it is not chosen for stays in."""
     summary, _ = campaigns["realistic"]

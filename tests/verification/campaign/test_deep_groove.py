@@ -33,12 +33,6 @@ def test_random_sets_are_what_their_rows_say() -> None:
     assert wrong_sets(1, range(20)) == []
 
 
-@compiled_only
-@pytest.mark.heavy
-def test_hundreds_of_random_sets_are_what_their_rows_say() -> None:
-    assert wrong_sets(3, range(200)) == []
-
-
 def loaded(*ways: str, **operation: Any) -> qs.BearingSet:
     """One case along an axis."""
     of = {"axial_load": 300.0, "radial_load_y": 800.0, "radial_load_z": -200.0, "moment_y": 2.0, "moment_z": 1.0}

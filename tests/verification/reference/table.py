@@ -16,9 +16,12 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing.model.effects.traction import Traction
+from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
 from qsbearing.results import provenance
 from tests.verification.hard_cases.table import errors
 from tests.verification.reference.as_scene import scene_of
+from tests.verification.reference.friction import load_reference as load_friction
 from tests.verification.reference.generate import load_reference
 from tests.verification.reference.test_against_reference import TOLERANCE
 
@@ -46,7 +49,57 @@ def rows() -> list[dict[str, Any]]:
         off["stiffness"] = stiffness_error(solution, result, 0.5 * float(case["pitch_diameter"]))
         verdict = "pass" if solution.converged and max(off.values()) <= TOLERANCE else "fail"
         short = {name: float(f"{value:.1e}") for name, value in off.items()}
-        found.append({"case": case["name"], "what": case["why"], **short, "verdict": verdict})
+        about = {"case": case["name"], "what": case["why"], "raceway_control": control_of(case)}
+        found.append({**about, **short, "verdict": verdict})
+    return found
+
+
+def control_of(case: dict[str, Any]) -> str | None:
+    """The hypothesis under which balls turn; None at rest."""
+    is_turning = any(float(case[name]) != 0.0 for name in ("inner_speed_rpm", "outer_speed_rpm"))
+    return str(case["control"]) if is_turning else None
+
+
+def found_of(case: dict[str, Any]) -> FrictionMotion:
+    """The package's answer to a case of friction."""
+    names = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
+    angle = float(case["free_contact_angle_deg"]) * qs.deg
+    bearing = qs.BallBearing(case["ball_count"], *(float(case[name]) for name in names), angle)
+    operation = qs.Operation(speed=float(case["inner_speed_rpm"]) * qs.rpm, axial_load=float(case["axial_load"]))
+    law = Traction(float(case["mu"]), float(case["slip_speed"]))
+    return friction_motion(qs.Scene(bearing, operation), law, radii=case["radii"], angles=case["angles"])
+
+
+def friction_errors(entry: dict[str, Any]) -> dict[str, float]:
+    """Of every result of the balance of friction, over sizes of its kind."""
+    case, found = entry["case"], found_of(entry["case"])
+    expected = {name: float(value) for name, value in entry["result"].items()}
+    speed, load = float(case["inner_speed_rpm"]) * qs.rpm, expected["outer_load"]
+    got = {"d": found.displacement[0], "wm": found.orbital_speed[0], "Mg": found.gyroscopic_moment[0]}
+    got |= dict(zip(("wx", "wy", "wz"), found.angular_velocity[0], strict=True))
+    got["torque"] = found.torque / case["ball_count"]
+    scale = {"d": 1e-5, "Mg": expected["Mg"], "torque": abs(expected["torque"])}
+    scale |= dict.fromkeys(("wx", "wy", "wz", "wm"), speed)
+    quantities = {"angle": "angle", "load": "load", "approach": "approach", "T": "traction", "Y": "sideways"}
+    quantities |= {"Mn": "spin_moment", "Mt": "roll_moment", "My": "turn_moment", "heat": "heat"}
+    forces = {"T": load, "Y": load} | dict.fromkeys(("Mn", "Mt", "My"), load * float(case["ball_diameter"]))
+    for side in ("inner", "outer"):
+        for name, quantity in quantities.items():
+            key = f"{side}_{name}"
+            got[key] = getattr(getattr(found, side), quantity)[0]
+            scale[key] = forces.get(name, abs(expected[key]))
+    assert set(expected) - set(got) == {"X1", "X2", "residual"}
+    return {name: abs(got[name] - expected[name]) / scale[name] for name in got}
+
+
+def friction_rows() -> list[dict[str, Any]]:
+    """A row for every case of friction, with the largest of its errors."""
+    found = []
+    for entry in load_friction():
+        error = max(friction_errors(entry).values())
+        verdict = "pass" if error <= TOLERANCE else "fail"
+        about = {"case": entry["case"]["name"], "what": entry["case"]["why"]}
+        found.append(about | {"error": float(f"{error:.1e}"), "verdict": verdict})
     return found
 
 
@@ -57,6 +110,7 @@ def main() -> None:
         "tolerance": TOLERANCE,
         "why_tolerance": WHY,
         "cases": rows(),
+        "friction_cases": friction_rows(),
     }
     target = Path(sys.argv[1]) if sys.argv[1:] else DATA
     target.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")

@@ -9,45 +9,16 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-import qsbearing as qs
-from qsbearing.model.effects.traction import Traction
-from qsbearing.model.solution.friction_motion import FrictionMotion, friction_motion
 from tests.verification.reference.friction import CASES, Thrust, gauss_of_squares, load_reference, solve
+from tests.verification.reference.table import friction_errors
+from tests.verification.reference.test_against_reference import TOLERANCE
 
-TOLERANCE = 1e-10
 ENTRIES = load_reference()
-
-
-def found_of(case: dict[str, Any]) -> FrictionMotion:
-    """The package's answer."""
-    names = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
-    angle = float(case["free_contact_angle_deg"]) * qs.deg
-    bearing = qs.BallBearing(case["ball_count"], *(float(case[name]) for name in names), angle)
-    operation = qs.Operation(speed=float(case["inner_speed_rpm"]) * qs.rpm, axial_load=float(case["axial_load"]))
-    law = Traction(float(case["mu"]), float(case["slip_speed"]))
-    return friction_motion(qs.Scene(bearing, operation), law, radii=case["radii"], angles=case["angles"])
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=[each["case"]["name"] for each in ENTRIES])
 def test_every_result_to_ten_digits(entry: dict[str, Any]) -> None:
-    case, found = entry["case"], found_of(entry["case"])
-    expected = {name: float(value) for name, value in entry["result"].items()}
-    speed, load = float(case["inner_speed_rpm"]) * qs.rpm, expected["outer_load"]
-    got = {"d": found.displacement[0], "wm": found.orbital_speed[0], "Mg": found.gyroscopic_moment[0]}
-    got |= dict(zip(("wx", "wy", "wz"), found.angular_velocity[0], strict=True))
-    got["torque"] = found.torque / case["ball_count"]
-    scale = {"d": 1e-5, "Mg": expected["Mg"], "torque": abs(expected["torque"])}
-    scale |= dict.fromkeys(("wx", "wy", "wz", "wm"), speed)
-    quantities = {"angle": "angle", "load": "load", "approach": "approach", "T": "traction", "Y": "sideways"}
-    quantities |= {"Mn": "spin_moment", "Mt": "roll_moment", "My": "turn_moment", "heat": "heat"}
-    forces = {"T": load, "Y": load} | dict.fromkeys(("Mn", "Mt", "My"), load * float(case["ball_diameter"]))
-    for side in ("inner", "outer"):
-        for name, quantity in quantities.items():
-            key = f"{side}_{name}"
-            got[key] = getattr(getattr(found, side), quantity)[0]
-            scale[key] = forces.get(name, abs(expected[key]))
-    assert set(expected) - set(got) == {"X1", "X2", "residual"}
-    off = {name: abs(got[name] - expected[name]) / scale[name] for name in got}
+    off = friction_errors(entry)
     print({name: f"{each:.0e}" for name, each in off.items()})
     assert max(off.values()) < TOLERANCE
 
