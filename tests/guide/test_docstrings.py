@@ -178,9 +178,12 @@ def test_arrays_of_solutions_have_the_shapes_that_are_told(described: dict[str, 
             value = None if name.startswith("_") or name in OF_OTHERS else getattr(holder, name, None)
             if not isinstance(value, np.ndarray):
                 continue
-            told = AXES.findall(text) or AXES.findall(inspect.getdoc(type(holder)) or "")
-            tails = [tuple(lengths.get(axis) or int(axis) for axis in axes.split(", ")[1:]) for axes in told]
-            assert value.shape[:2] == (2, 3) and value.shape[2:] in tails, f"{of}.{name}: {value.shape}, told {told}"
+            told = [
+                each.split(", ")[1:] for each in AXES.findall(text) or AXES.findall(inspect.getdoc(type(holder)) or "")
+            ]
+            tails = [tuple(str(lengths.get(axis, axis)) for axis in axes) for axes in told]
+            assert value.shape[:2] == (2, 3), f"{of}.{name}: {value.shape}"
+            assert tuple(map(str, value.shape[2:])) in tails, f"{of}.{name}: {value.shape}, told {told}"
             compared += 1
     assert compared > 55
 
