@@ -13,30 +13,18 @@ if TYPE_CHECKING:
     from qsbearing.model.scene.scene import Scene
     from qsbearing.systems.sets.bearing_set import BearingSet
 
-OF_BEARING = {
-    "overview": "overview",
-    "load": "under_load",
-    "section": "section",
-    "groove": "ellipse_on_groove",
-    "ellipses": "contact_ellipses",
-}
-"""Names on the command line, and functions of `qsbearing.pictures`."""
-OF_SET = {
-    "overview": "overview",
-    "load": "under_load",
-    "groove": "ellipse_on_groove",
-    "shaft": "deformed_shaft",
-    "campbell": "campbell",
-}
+OF_BEARING = ("overview", "under_load", "section", "ellipse_on_groove", "contact_ellipses")
+"""Functions of `qsbearing.pictures`, and what they are called on the command line."""
+OF_SET = ("overview", "under_load", "ellipse_on_groove", "deformed_shaft", "campbell")
 USUAL = "overview"
 
 picture_option = click.option(
     "--picture",
     metavar="NAME",
-    type=click.Choice(list(OF_BEARING | OF_SET)),
-    help="What --plot draws: overview (the default), load, groove (the most loaded contact ellipses on their grooves, "
-    "with the shoulders' edges); of a bearing also section and ellipses; of a set also shaft, and campbell (natural "
-    "frequencies over the speed and critical speeds; needs ROSS).",
+    type=click.Choice(list(dict.fromkeys(OF_BEARING + OF_SET))),
+    help="What --plot draws: overview (the default), under_load, ellipse_on_groove (the most loaded contact ellipses, "
+    "with the shoulders' edges); of a bearing also section and contact_ellipses; of a set also deformed_shaft, and "
+    "campbell (natural frequencies over the speed and critical speeds; needs ROSS).",
 )
 
 
@@ -53,7 +41,7 @@ def check_picture(name: str | None, target: str | None, of: Scene | BearingSet) 
     if name not in known:
         refuse(f"--picture {name}: is none of a {'set' if is_set else 'bearing'}; {', '.join(known)} are")
     shaft: Any = getattr(of, "shaft", None)
-    if name in ("shaft", "campbell") and (shaft is None or not shaft.sections):
+    if name in ("deformed_shaft", "campbell") and (shaft is None or not shaft.sections):
         refuse(f"--picture {name}: this set's shaft is rigid: give its [[shaft.sections]]")
     if name == "campbell":
         check_installed("--picture campbell needs", ("ross",), "ross")
@@ -63,9 +51,8 @@ def drawn(solution: Any, name: str | None, target: str) -> bytes:
     """The picture in the form that the name of its file says."""
     from qsbearing import pictures
 
-    known = OF_BEARING | OF_SET
     try:
-        figure = getattr(pictures, known[name or USUAL])(solution)
+        figure = getattr(pictures, name or USUAL)(solution)
     except ValueError as error:  # a shaft that stands still
         refuse(f"--picture {name}: {error}")
     return picture_bytes(figure, target)

@@ -77,14 +77,15 @@ def table(
         of, changes, problems = _checked(stack, scene, settings, files, problems, (error, points, interpolation, seed))
         writers = claimed(stack, files, problems, scene)
         from qsbearing.files.csv_table import csv_bytes
-        from qsbearing.studies.force_table.force_table import force_table
+        from qsbearing.results.remarks import blocks
+        from qsbearing.studies.force_table.force_table import CHECKED, tabulated
         from qsbearing.studies.force_table.shown import blocks_of, columns_of
 
         try:
             with progress_bar() as progress:
-                made = force_table(
-                    of, axes, wished_error=error / 100.0, most_points=points, interpolation=interpolation, seed=seed,
-                    progress=progress,
+                made, remarks = tabulated(
+                    of, axes, wished_error=error / 100.0, most_points=points, interpolation=interpolation,
+                    checked_points=CHECKED, seed=seed, progress=progress,
                 )  # fmt: skip
         except SceneError as wrong:
             refuse_all(_told(wrong.errors))
@@ -97,7 +98,8 @@ def table(
                 "--csv": lambda: csv_bytes(columns_of(made)),
             }
             write_files(writers, make)
-    _note_remarks(of)
+    for remark in blocks(remarks):
+        note_remark(remark)
     if not solved:
         note("no point is solved: nothing is written")
         sys.exit(UNSOLVED)
@@ -185,14 +187,3 @@ def _by_option(error: ErrorDetail) -> Any:
         return replace(translate(replace(error, field=f"operation.{field}")), key=f"--over {KEYS[field].name}")
     said = translate(error)
     return replace(said, key=_OPTIONS.get(error.field, said.key))
-
-
-def _note_remarks(of: Any) -> None:
-    """What there is to say of the scene itself, which holds of its table too."""
-    from qsbearing.cli.scene import solve
-    from qsbearing.results.remarks import blocks, every_remark
-
-    solution = solve(of)
-    if solution.converged:
-        for remark in blocks(every_remark(solution)):
-            note_remark(remark)

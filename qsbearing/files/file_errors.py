@@ -24,9 +24,11 @@ class FileErrorDetail:
     key: str
     """Table and key, e.g. `bearing.ball_diameter_mm`; empty where it is the whole file."""
     problem: str
+    """What is wrong, in a sentence."""
     value: Any = None
     """As the file gives it."""
     unit: str = ""
+    """Of the key, as files have it; empty where it has none."""
     allowed: tuple[float, float] | None = None
     """Inclusive range, in the file's unit."""
     cause: str = ""
@@ -76,7 +78,9 @@ class SceneFileError(SceneError):
 
     def __init__(self, file: str, errors: Iterable[FileErrorDetail]) -> None:
         self.file = file
+        """What was read."""
         self.errors = tuple(errors)  # type: ignore[arg-type]
+        """Everything that is wrong, each a `FileErrorDetail`."""
         count = f"{len(self.errors)} errors" if len(self.errors) != 1 else "1 error"
         lines = [f"{printable(file)}: {count}", *map(str, self.errors[:MOST_SHOWN])]
         if len(self.errors) > MOST_SHOWN:

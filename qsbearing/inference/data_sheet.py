@@ -94,7 +94,9 @@ class DataSheet:
     clearance_class: ClearanceClass | None = field(default=None, metadata=one_of(ClearanceClass))
     """In place of both, of a deep groove bearing: the clearance of ISO 5753-1 by its bore, usual, least and largest."""
     kind: BearingKind = field(default=BearingKind.ANGULAR_CONTACT, metadata=one_of(BearingKind))
+    """Angular-contact or deep-groove."""
     maker: str = ""
+    """Whose catalogue it is, such as SKF: by it follow the rules by which C and C0 are printed."""
     rating_practice: RatingPractice | None = field(default=None, metadata=one_of(RatingPractice))
     """What C and C0 mean; None: as the maker is known to use them, or unknown."""
     dynamic_rating_factor: float | None = field(default=None, metadata=given_in())
@@ -117,6 +119,7 @@ class DataSheet:
     ball_spin: float | None = field(default=None, metadata=given_in())
     """How often a ball turns about itself, or twice that, as makers print it [-]; a check."""
     ball_count: int | None = field(default=None, metadata=given_in("balls"))
+    """If it is known."""
     ball_diameter: float | None = field(default=None, metadata=given_in("mm"))
     """Where it is known [m]."""
     pitch_diameter: float | None = field(default=None, metadata=given_in("mm"))
@@ -128,6 +131,7 @@ class DataSheet:
     ball_material: Material = STEEL
     ring_material: Material = STEEL
     name: str = ""
+    """The designation, for headings and errors."""
 
     @property
     def clearances(self) -> tuple[float, ...]:

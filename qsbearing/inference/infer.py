@@ -83,7 +83,9 @@ class InferredBearing:
     practice: NDArray
     """What C and C0 were read as."""
     sheet: DataSheet
+    """What it was inferred from."""
     remarks: tuple[Warned, ...] = ()
+    """What there is to beware of, in sentences."""
     others: tuple[DataSheet, ...] = ()
     """Those of other makers, whose sets are in the list too."""
 

@@ -77,6 +77,7 @@ class BallBearing:
     ring_material: Material = field(default=STEEL, metadata=A_MATERIAL)
     kind: BearingKind = field(default=BearingKind.ANGULAR_CONTACT, metadata=one_of(BearingKind))
     name: str = ""
+    """Its designation, for headings; no solve looks at it."""
     radial_interference: ArrayLike = 0.0
     """How much less room, radially, the grooves leave than the balls need [m]: a negative clearance, as growing rings
     make it. 0 where there is a free contact angle. The pitch circle is then where balls would just touch the outer

@@ -34,7 +34,9 @@ class Material:
     thermal_expansion: ArrayLike | None = field(default=None, metadata=given_in("1/K", RANGES["thermal_expansion"]))
     """Linear expansion [1/K]; needed by ring and ball expansion where temperatures are given, and by nothing else."""
     name: str = "unnamed"
+    """For headings and files."""
     source: str = ""
+    """Where its numbers come from."""
 
 
 STEEL = Material(

@@ -148,6 +148,7 @@ class ErrorDetail:
     value: Any = None
     """The offending value, SI; the first one of an array."""
     quantity: Quantity | None = None
+    """What kind of number it is, with its unit; None: none."""
     allowed: tuple[float, float] | None = None
     """Inclusive range, SI."""
     cause: str = ""
@@ -173,6 +174,7 @@ class SceneError(ValueError):
 
     def __init__(self, errors: Iterable[ErrorDetail]) -> None:
         self.errors = tuple(errors)
+        """Everything that is wrong, each an `ErrorDetail`."""
         super().__init__("\n".join(map(str, self.errors)))
 
 

@@ -60,10 +60,15 @@ class Series(StrEnum):
     """Dimension series of deep-groove bearings in SKF's table; angular-contact ones have one row for all."""
 
     S60 = "60"
+    """60xx."""
     S62 = "62"
+    """62xx."""
     S63 = "63"
+    """63xx."""
     S618 = "618"
+    """618xx."""
     S619 = "619"
+    """619xx."""
 
 
 class _Groove(NamedTuple):
@@ -107,11 +112,13 @@ class FrictionEstimates(Remarked):
     """What catalogues would estimate; None for an estimate whose numbers are not given."""
 
     skf: FrictionEstimate
+    """By SKF's model."""
     palmgren: FrictionEstimate | None
+    """By Palmgren's; None where C0 is not given."""
     speed_factor: NDArray
-    """n dm: speed of one ring against the other by the mean of bore and outside diameter [m rad/s]."""
+    """n dm: speed of one ring against the other by the mean of bore and outside diameter; shape (*cases) [m rad/s]."""
     speed_over_rating: NDArray | None
-    """That speed over the bearing's rating [-]; None without it."""
+    """That speed over the bearing's rating; shape (*cases) [-]; None without it."""
 
     @property
     def models(self) -> tuple[FrictionModel, ...]:

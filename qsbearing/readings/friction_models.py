@@ -9,9 +9,13 @@ class FrictionModel(NamedTuple):
     """Sentences on a model, as text, report and JSON show them."""
 
     name: str
+    """In words."""
     contains: str
+    """What it counts."""
     lacks: str
+    """What it leaves out."""
     range: str
+    """For which bearings and conditions it holds."""
     heat: str
     """What of the heat to use it for."""
 

@@ -24,7 +24,7 @@ WHOLE = 1e-6
 
 @dataclass(frozen=True)
 class SpectrumLife:
-    """Life under all operating points together; the axis of the points is gone from its arrays."""
+    """Life under all operating points together; of shape (*cases) less the axis of the points."""
 
     life: NDArray
     """Revolutions of one ring against the other, as mixed as the spectrum [rev]."""

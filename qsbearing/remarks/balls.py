@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from qsbearing.model.effects.traction import FRICTION_COEFFICIENT
 from qsbearing.model.scene.moved_by_friction import friction_instead
+from qsbearing.model.solution.of_cases import may_solve_alike
 from qsbearing.model.solution.ring_forces import radial_forces
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.case_range import CaseRange, Subject
@@ -40,7 +41,7 @@ NOTICEABLE = 1e-3
 
 def instead_of_slip(solution: Solution, *, without_bound: bool = False) -> dict[str, str]:
     """What to write so that slip is solved for, as a value of a remark; nothing for a row of a set."""
-    return {} if solution.solve_alike is None else friction_instead(solution.scene, without_bound=without_bound)
+    return friction_instead(solution.scene, without_bound=without_bound) if may_solve_alike(solution) else {}
 
 
 def by_friction(values: Mapping[str, Any], words: Words) -> list[str]:

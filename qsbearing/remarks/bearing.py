@@ -19,7 +19,8 @@ from qsbearing.model.solution.groups import CONTACTS, MAX_PRESSURE
 from qsbearing.model.solution.judgement import estimated, settings_to_add
 from qsbearing.model.solution.limit import Limit, spare
 from qsbearing.model.solution.result_keys import MAX, Place
-from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solution import Solution, preloaded_of
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.model.solution.status import Reason, Status
 from qsbearing.model.units import MPa, mm
 from qsbearing.remarks.balls import BALLS
@@ -37,7 +38,7 @@ from qsbearing.remarks.wording import Words
 def message(solution: Solution, index: Index = None) -> str:
     """One sentence on how a case ended; of several cases without an index, how many ended how."""
     if index is None and solution.shape:
-        return f"{solution.maker.count} cases: {solution.counts()}."
+        return f"{len(solution.codes)} cases: {solution.counts()}."
     k = solution.flat_index(index)
     status, residual, iterations = (
         np.ravel(each)[k] for each in (solution.status, solution.residual, solution.iterations)
@@ -47,9 +48,9 @@ def message(solution: Solution, index: Index = None) -> str:
             f"Balls and ring are in equilibrium: largest imbalance {residual:.1e} of the largest force, "
             f"after {iterations} iterations."
         )
-    if solution.preloaded is not None:
-        preloaded = solution.preloaded
-        numbers = np.arange(preloaded.maker.count).reshape(preloaded.shape)
+    preloaded = preloaded_of(solution)
+    if preloaded is not None:
+        numbers = np.arange(len(preloaded.codes)).reshape(preloaded.shape)
         number = int(np.broadcast_to(numbers, solution.shape).reshape(-1)[k])
         if not np.ravel(preloaded.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, preloaded.shape))) if preloaded.shape else None
@@ -71,13 +72,14 @@ def message(solution: Solution, index: Index = None) -> str:
 
 
 def _why_no_equilibrium(solution: Solution, k: int) -> str:
-    case = solution.maker.make(k, k + 1)[0]
+    solved = solved_of(solution)
+    case = solved.maker.make(k, k + 1)[0]
     reason = np.ravel(solution.reason)[k]
     if reason == Reason.UNSUPPORTED:
         free = solution.free_channels
         if not free.size:
             return "No equilibrium: at the prescribed displacements, nothing supports the balls."
-        ring = np.nan_to_num(np.abs(solution.results["displacement"][k][free]), nan=np.inf)
+        ring = np.nan_to_num(np.abs(solved.results["displacement"][k][free]), nan=np.inf)
         names = " and ".join(CHANNELS[i].label for i in free[ring > 0.5 * ring.max()])
         return f"No equilibrium: nothing supports the load in channel {names}, and the ring moves away without limit."
     if reason == Reason.FRICTION_WITHOUT_LOAD:

@@ -14,6 +14,7 @@ from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.scene.moved_by_friction import friction_instead
 from qsbearing.model.solution.changes import Change, alternatives, requested, rows_of
 from qsbearing.model.solution.judgement import WORTH_A_WARNING, judge
+from qsbearing.model.solution.of_cases import may_solve_alike
 from qsbearing.model.solution.ranges import ranges
 from qsbearing.remarks.case_range import CaseRange
 from qsbearing.remarks.kinds import INCOMPLETE, SEE_HYPOTHESES, Kind
@@ -59,7 +60,7 @@ HYPOTHESES_DIFFER = Kind(
 def hypotheses(of: CaseRange) -> Iterator[Holding]:
     """Of a scene or set, where few cases may be solved again; a row of a set has nothing to say of itself."""
     solution, part = of.solution, of.part
-    if not of.may_solve or solution.solve_alike is None or requested(solution).raceway_control in (None, "friction"):
+    if not of.may_solve or not may_solve_alike(solution) or requested(solution).raceway_control in (None, "friction"):
         return
     if np.prod(solution.shape) > MOST_CASES or not np.any(_inertia(solution) > WORTH_A_SOLVE):
         return

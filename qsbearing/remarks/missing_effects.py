@@ -30,6 +30,7 @@ from qsbearing.model.solution.judgement import (
     shifted,
     unit_of,
 )
+from qsbearing.model.solution.of_cases import may_solve_alike
 from qsbearing.model.units import um
 from qsbearing.model.validation import Field, Sentence, Setting
 from qsbearing.remarks.case_range import CaseRange
@@ -175,7 +176,7 @@ EFFECT_UNKNOWN_TO_FRICTION = Kind(
 def missing_effects(of: CaseRange) -> Iterator[Holding]:
     """Of a scene or set; a row of a set has nothing to say of itself."""
     solution, part = of.solution, of.part
-    if solution.solve_alike is None:
+    if not may_solve_alike(solution):
         return
     are_few = of.may_solve and int(np.prod(solution.shape)) <= MOST_CASES
     yield from _of_known(solution, part, are_few)

@@ -256,6 +256,7 @@ class Remarked:
     """A reading that has something to say of its numbers."""
 
     remarks: Remarks
+    """Each with the cases in which it holds; `warnings` says them in sentences."""
 
     @property
     def warnings(self) -> tuple[Warned, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 from qsbearing.model.bearing import BearingKind
 from qsbearing.model.operation import CHANNELS
 from qsbearing.model.solution.ring_stiffness import SOFTEST, scaled_tangents
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.model.units import mrad, um
 from qsbearing.remarks.case_range import CaseRange, Subject
 from qsbearing.remarks.kinds import CHECK, SEE_STATUSES, WRONG, Kind
@@ -46,7 +47,8 @@ def _soft_directions(of: CaseRange) -> Iterator[Holding]:
     if solution.friction is not None or solution.opposite is not None:
         return
     free = solution.free_channels
-    stiffness, _ = scaled_tangents(solution.solved, part, solution.maker.make(part.start, part.stop))
+    solved = solved_of(solution)
+    stiffness, _ = scaled_tangents(solved, part, solved.maker.make(part.start, part.stop))
     stiffness = np.nan_to_num(stiffness, nan=0.0)
     values, vectors = np.linalg.eigh(0.5 * (stiffness + stiffness.swapaxes(-1, -2)))
     soft = np.abs(values) <= SOFTEST * np.abs(values).max(axis=-1, keepdims=True, initial=np.finfo(float).tiny)

@@ -92,7 +92,7 @@ def _results(solution: SetSolution, readings: Sequence[Readings], changes: Limit
         "Both contact angles of every ball by its azimuth, for each row.",
         "Contact angles of each ball by its azimuth, for each row; the dotted line is the free contact angle",
     )
-    # Of more rows than a pair it takes half a page, and `run --picture groove` draws it.
+    # Of more rows than a pair it takes half a page, and `run --picture ellipse_on_groove` draws it.
     grooves = [_grooves(solution)] if len(solution.rows) <= 2 else []
     parts: list[Block] = [
         Section("Preload", [Bullets(preload_summary(solution, changes))]),

@@ -83,13 +83,17 @@ class Study(Plotted):
     document: dict[str, Any]
     """The tables of the scene file."""
     variables: tuple[Variable, ...]
+    """What varies, each with its values or its distribution."""
     label: str = ""
     """Name of the bearing where the catalogue gives none."""
     file: str = "study"
     """What to call it in errors."""
     samples: int = 0
+    """Of distributions: how many points are drawn."""
     sampling: Sampling = Sampling.SOBOL
+    """How they are drawn."""
     seed: int = 0
+    """Of the random numbers; the same seed draws the same points."""
     quantities: tuple[str, ...] = ()
     """Names of the results to keep; none: all, or the main ones of many points."""
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from qsbearing.cli import cli
+from qsbearing import pictures
+from qsbearing.cli import cli, pictured
 from tests.systems.sets.arrangements import PAIR_FILE
 
 pytest.importorskip("matplotlib")
@@ -27,7 +28,7 @@ def ended(*arguments: str) -> tuple[int, str]:
     return found.exit_code, found.stderr
 
 
-@pytest.mark.parametrize("name", ["overview", "load", "section", "groove", "ellipses"])
+@pytest.mark.parametrize("name", pictured.OF_BEARING)
 def test_every_picture_of_a_bearing_is_written(name: str, tmp_path: Path) -> None:
     target = tmp_path / "picture.svg"
     assert ended("b218", "--plot", str(target), "--picture", name)[0] == 0
@@ -37,12 +38,12 @@ def test_every_picture_of_a_bearing_is_written(name: str, tmp_path: Path) -> Non
 def test_what_cannot_be_drawn_is_refused_in_a_sentence(tmp_path: Path) -> None:
     rigid, target = tmp_path / "pair.toml", str(tmp_path / "a.svg")
     rigid.write_text(PAIR_FILE)
-    assert ended("b218", "--picture", "groove") == (
+    assert ended("b218", "--picture", "section") == (
         2,
         "qsbearing: --picture says what --plot draws: give --plot FILE\n",
     )
     code, said = ended("b218", "--plot", target, "--picture", "campbell")
-    assert code == 2 and "is none of a bearing; overview, load, section" in said
+    assert code == 2 and "is none of a bearing; overview, under_load, section" in said
     code, said = ended(str(rigid), "--plot", target, "--picture", "section")
     assert code == 2 and "is none of a set" in said
     code, said = ended(str(rigid), "--plot", target, "--picture", "campbell")
@@ -58,3 +59,7 @@ def test_a_campbell_diagram_needs_the_rotor_program(tmp_path: Path) -> None:
     assert (
         code == 2 and said.startswith("qsbearing: --picture campbell needs ross: pip install") and said.count("\n") == 1
     )
+
+
+def test_pictures_have_the_names_that_they_have_in_python() -> None:
+    assert {*pictured.OF_BEARING, *pictured.OF_SET} <= set(pictures.__all__)

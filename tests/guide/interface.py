@@ -4,10 +4,14 @@ names to those that stay (interface.json), of which none is dropped or renamed; 
 
 from __future__ import annotations
 
+import ast
+import inspect
 import json
-from collections.abc import Iterable
-from inspect import isfunction
+from collections.abc import Iterable, Iterator
+from enum import Enum
+from inspect import isclass
 from pathlib import Path
+from textwrap import dedent
 from typing import Any
 
 import click
@@ -62,18 +66,37 @@ DEEPEST = 4
 
 
 def python() -> Names:
-    """Names of `qs`, and of what it solves."""
-    values = {name: getattr(qs, name) for name in qs.__all__}
-    of = {"qs": sorted(values)}
-    of |= {f"qs.{name}": _public(values[name]) for name in ("Solution", "RacewayContacts", "SetSolution")}
-    of |= {f"qs.{name}": [str(each.value) for each in values[name]] for name in ("Status", "Reason")}
-    readings = {name: getattr(qs.readings, name) for name in dir(qs.readings) if name.islower() and name[0] != "_"}
-    return of | {"qs.readings": sorted(name for name, value in readings.items() if isfunction(value))}
+    """Names of `qs` and `qs.readings`, and of every class there."""
+    holders = {"qs": qs, "qs.readings": qs.readings}
+    of = {name: sorted(holder.__all__) for name, holder in holders.items()}
+    return of | {name: _public(each) for name, each in classes().items()}
+
+
+def classes() -> dict[str, type]:
+    """The public ones, by their names."""
+    holders = {"qs": qs, "qs.readings": qs.readings}
+    values = {f"{at}.{name}": getattr(of, name) for at, of in holders.items() for name in of.__all__}
+    return {name: value for name, value in values.items() if isclass(value)}
 
 
 def _public(of: type) -> list[str]:
-    named = {*dir(of), *getattr(of, "__dataclass_fields__", {})}
+    """Words of a choice; of other classes what they have without an underscore, and what their methods set."""
+    if issubclass(of, Enum):
+        return [str(each.value) for each in of]
+    own = [each for each in of.__mro__ if each.__module__.partition(".")[0] == "qsbearing"]
+    named = {name for each in own for name in {*vars(each), *inspect.get_annotations(each), *_set_by(each)}}
     return sorted(name for name in named if not name.startswith("_"))
+
+
+def words_of(of: type, shown: Iterable[str]) -> set[str]:
+    """What names of the reference are among those that stay: of a choice its members' words."""
+    return {str(of[name].value) for name in shown} if issubclass(of, Enum) else set(shown)
+
+
+def _set_by(of: type) -> Iterator[str]:
+    for node in ast.walk(ast.parse(dedent(inspect.getsource(of)))):
+        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+            yield from [node.attr] if isinstance(node.value, ast.Name) and node.value.id == "self" else []
 
 
 def commands() -> Names:

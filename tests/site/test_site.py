@@ -60,14 +60,15 @@ def test_every_page_of_the_guide_is_there(site: tuple[Path, Path]) -> None:
 
 
 def test_the_names_that_stay_are_those_that_are_shown(site: tuple[Path, Path]) -> None:
-    from tests.guide.interface import kept
+    from tests.guide.interface import classes, kept, words_of
 
     made, _ = site
     text = "".join(path.read_text(encoding="utf-8") for path in (made / "reference" / "python").glob("*.html"))
     places = set(re.findall(r'id="qsbearing\.([\w.]+)"', text))
-    for name in ("Solution", "SetSolution", "RacewayContacts"):
-        shown = {place.partition(".")[2] for place in places if place.startswith(f"{name}.")}
-        assert shown == set(kept()["python"][f"qs.{name}"])
+    for name, of in classes().items():
+        path = f"{name.removeprefix('qs.')}."
+        shown = {place.removeprefix(path) for place in places if place.startswith(path)}
+        assert words_of(of, shown) == set(kept()["python"][name]), name
 
 
 def test_every_key_has_a_meaning(site: tuple[Path, Path]) -> None:

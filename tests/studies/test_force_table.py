@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,6 +19,8 @@ from scipy.interpolate import RegularGridInterpolator
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from qsbearing.model.solution import solver
+from qsbearing.results.remarks import blocks, every_remark
 from qsbearing.studies.force_table.refined_grid import GridPoints, RefinedGrid
 from qsbearing.studies.force_table.spline import Interpolation, interpolated
 
@@ -213,6 +216,23 @@ def test_the_command_writes_what_python_returns(scene: qs.Scene, tmp_path: Path)
     assert float(last[names.index("axial_load_N")]) == made["axial_load_N"].values[-1, -1]
     assert float(last[names.index("k_x_tilt_z_SI")]) == made["stiffness_SI"].values[-1, -1, 0, 4]
     assert last[names.index("status")] == "converged"
+
+
+def test_the_command_solves_the_scene_once_and_says_its_remarks(monkeypatch: pytest.MonkeyPatch) -> None:
+    given, solve = qs.load_scene("7210c"), solver.solve
+    own = []
+
+    def counted(scene: qs.Scene, **how: Any) -> qs.Solution:
+        own.extend([scene] if solver._is_equal(scene, given) else [])
+        return solve(scene, **how)
+
+    monkeypatch.setattr(solver, "solve", counted)
+    held = ["--over", "axial_displacement_um=10:20", "--over", "speed_rpm=0:12000"]
+    code, _, said = run("7210c", *held, "--error", "10")
+    assert code == 0
+    assert len(own) == 1
+    remarks = blocks(every_remark(qs.solve(given)))
+    assert remarks and all(each.said in said for each in remarks)
 
 
 def test_exit_codes(tmp_path: Path) -> None:

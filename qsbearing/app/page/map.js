@@ -2,7 +2,7 @@
 import {ask} from "./ask.js";
 import {$, at, leaves, make, put} from "./dom.js";
 import {svg} from "./set_drawing.js";
-import {STEPS, nice, rounded, settle, shown, type} from "./typed.js";
+import {STEPS, nice, printed, rounded, settle, type} from "./typed.js";
 
 const HEIGHT = 380, WIDEST = 760, MARGIN = {left: 70, right: 86, top: 14, bottom: 46};  // px
 const COLOURS = ["#f7fbff", "#c6dbef", "#6baed6", "#2171b5", "#08306b"].map(each => [1, 3, 5].map(k => parseInt(each.slice(k, k + 2), 16)));
@@ -194,7 +194,7 @@ function render() {
   const texts = [], lines = levels.map((level, k) => {
     const pieces = line(level, on);
     const [at] = pieces[Math.floor(pieces.length * (0.3 + 0.4 * (k % 3) / 2))] ?? [];
-    if (at && texts.every(([p, q]) => Math.hypot(p - at[0], q - at[1]) > 24)) texts.push([...at, shown(level)]);
+    if (at && texts.every(([p, q]) => Math.hypot(p - at[0], q - at[1]) > 24)) texts.push([...at, printed(level)]);
     return svg("path", {class: "level", d: pieces.map(([[a, b], [c, d]]) => `M${a.toFixed(1)} ${b.toFixed(1)}L${c.toFixed(1)} ${d.toFixed(1)}`).join("")});
   });
   const ticks = (low, high, count) => {
@@ -207,11 +207,11 @@ function render() {
   plot.replaceChildren(
     svg("rect", {class: "area", x: MARGIN.left, y: MARGIN.top, width: w, height: h}),
     svg("g", {"aria-hidden": true, class: "scale"}, ...lines, ...texts.map(([p, q, text]) => svg("text", {class: "on-line", x: p, y: q + 4}, text)),
-      ...ticks(xs[0], xs.at(-1), w / 80).map(each => svg("text", {x: X(each), y: foot + 16}, shown(each))),
-      ...ticks(ys[0], ys.at(-1), h / 50).map(each => svg("text", {class: "left", x: MARGIN.left - 6, y: Y(each) + 4}, shown(each))),
+      ...ticks(xs[0], xs.at(-1), w / 80).map(each => svg("text", {x: X(each), y: foot + 16}, printed(each))),
+      ...ticks(ys[0], ys.at(-1), h / 50).map(each => svg("text", {class: "left", x: MARGIN.left - 6, y: Y(each) + 4}, printed(each))),
       svg("text", {x: MARGIN.left + w / 2, y: foot + 36, class: "title"}, called(x) + unitOf(x)),
       svg("text", {x: 14, y: MARGIN.top + h / 2, transform: `rotate(-90 14 ${MARGIN.top + h / 2})`, class: "title"}, called(y) + unitOf(y)),
-      ...(on.high >= on.low ? bar : []), ...levels.map(each => svg("text", {class: "unit", x: right + 30, y: foot - on.part(each) * h + 4}, shown(each)))),
+      ...(on.high >= on.low ? bar : []), ...levels.map(each => svg("text", {class: "unit", x: right + 30, y: foot - on.part(each) * h + 4}, printed(each)))),
     svg("g", {id: "map-point", class: "state", tabindex: 0, role: "slider"}, svg("circle", {class: "ring", r: 14}), svg("circle", {class: "dot", r: 7}), svg("text", {y: -14})));
   plot.setAttribute("aria-label", `Map of ${result.words} over ${called(x)} and ${called(y)}`);
   follow();
@@ -228,7 +228,7 @@ function follow() {
   point.toggleAttribute("hidden", !Number.isFinite(a) || !Number.isFinite(b));
   if (!Number.isFinite(a) || !Number.isFinite(b)) return;
   const within = (value, all) => Math.min(Math.max(value, all[0]), all.at(-1)), value = isOld ? undefined : valueAt(a, b);
-  const text = Number.isFinite(value) ? `≈ ${shown(value.toPrecision(3))} ${result.unit}`.trim() : "";
+  const text = Number.isFinite(value) ? `≈ ${printed(value, 3)} ${result.unit}`.trim() : "";
   point.setAttribute("transform", `translate(${X(within(a, xs)).toFixed(1)} ${Y(within(b, ys)).toFixed(1)})`);
   const label = point.querySelector("text");
   label.textContent = text;
@@ -236,7 +236,7 @@ function follow() {
   label.setAttribute("y", Y(within(b, ys)) < MARGIN.top + 34 ? 28 : -16);
   const said = {
     "aria-label": `State in the map: ${called(x)} by left and right, ${called(y)} by up and down`, "aria-valuenow": a, "aria-valuemin": Math.min(a, xs[0]), "aria-valuemax": Math.max(a, xs.at(-1)),
-    "aria-valuetext": `${called(x)} ${shown(a)} ${x.unit}, ${called(y)} ${shown(b)} ${y.unit}${text ? `: ${result.words} ${text}` : ""}`};
+    "aria-valuetext": `${called(x)} ${printed(a)} ${x.unit}, ${called(y)} ${printed(b)} ${y.unit}${text ? `: ${result.words} ${text}` : ""}`};
   for (const [name, each] of Object.entries(said)) point.setAttribute(name, each);
 }
 

@@ -1,6 +1,6 @@
 // Rows and shaft of a set, to scale. What can be moved is a slider; what it moves is a field of the page.
 import {$, at, kept, make} from "./dom.js";
-import {STEPS, choose, nice, open, rounded, settle, shown, type} from "./typed.js";
+import {STEPS, choose, nice, open, printed, rounded, settle, type} from "./typed.js";
 
 const ASIDE = 46, TALLEST = 230, ARROW = 34, LINE = 16, LETTER = 6.3, GRIP = 12, DISC = 12, NARROWEST = 608;  // px
 const HOW = "Drag rows, loads, ends and edges, or move them by arrow keys; a double click or Enter opens the number.";
@@ -120,7 +120,7 @@ function prepare(figure) {
 function handle(thing, one, right, upwards, ...children) {
   const field = fieldOf(one);
   if (!field) return svg("g", {}, ...children);
-  const value = number(one), text = `${shown(value)} ${field.unit}`;
+  const value = number(one), text = `${printed(value)} ${field.unit}`;
   return svg("g", {
     id: `drawn ${field.key}`, class: faults.has(field.key) ? "handle wrong" : "handle", tabindex: 0, role: "slider",
     "aria-label": `${thing.name}, ${field.words}`, "aria-valuenow": value, "aria-valuetext": text,
@@ -227,14 +227,14 @@ function standing(thing, {all, texts, X, Y}) {
 // A thing's name, and what of its numbers is not zero.
 function said(thing) {
   const own = thing.parts.filter(each => !["along", "across"].includes(each.moves) && number(each) && fieldOf(each));
-  const values = own.map(each => `${fieldOf(each).words} ${shown(number(each))} ${fieldOf(each).unit}`);
+  const values = own.map(each => `${fieldOf(each).words} ${printed(number(each))} ${fieldOf(each).unit}`);
   return [thing.name, ...values].join(", ").replace(", ", values.length ? ": " : ", ");
 }
 
 function scale(X, y) {
   const step = nice((view.high - view.low) / Math.min((X(view.high) - X(view.low)) / 45, 8)), ticks = [];
   for (let x = Math.ceil(view.low / step) * step; x <= view.high + step / 1e3; x += step) {
-    ticks.push(path([[X(x), y], [X(x), y + 4]], {class: "axis"}), svg("text", {x: X(x), y: y + 16}, shown(rounded(x, step))));
+    ticks.push(path([[X(x), y], [X(x), y + 4]], {class: "axis"}), svg("text", {x: X(x), y: y + 16}, printed(rounded(x, step))));
   }
   const head = svg("defs", {}, svg("marker", {id: "drawn-head", viewBox: "0 0 8 8", refX: 6, refY: 4, markerWidth: 10, markerHeight: 10, markerUnits: "userSpaceOnUse", orient: "auto-start-reverse"}, svg("path", {d: "M0 0L8 4L0 8z"})));
   return [head, svg("g", {"aria-hidden": true, class: "scale"}, path([[X(view.low), y], [X(view.high), y]], {class: "axis"}), ...ticks,

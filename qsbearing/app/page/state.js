@@ -1,5 +1,6 @@
 // What the page knows. The scene is the page's own.
 import {leaves} from "./dom.js";
+import {printed} from "./typed.js";
 
 export const page = {
   now: {document: {}, label: ""}, settled: "", past: [], future: [], busy: false, again: false, turn: 0,
@@ -11,8 +12,6 @@ export const page = {
 
 export const isSet = () => "rows" in page.now.document;
 
-export const printed = value => typeof value === "number" ? value.toLocaleString("en-GB", {maximumFractionDigits: 9}) : value;
-
 // What an input has that is not so in another one.
 export function differences(one, other) {
   const before = leaves(one.document), after = leaves(other.document);
@@ -21,7 +20,7 @@ export function differences(one, other) {
     const {words, group, unit} = page.fields.get(key) ?? {words: key.replace(/^require\./, "limit "), group: "", unit: ""};
     const name = /\d/.test(group) ? `${group}, ${words}` : words;
     if (!before.has(key)) return `no ${name}`;
-    return `${name} ${printed(before.get(key))} ${unit}`.trim();
+    return `${name} ${printed(before.get(key), 12)} ${unit}`.trim();
   });
   return [...told, ...(keys.length > 3 ? ["..."] : [])].join(", ");
 }

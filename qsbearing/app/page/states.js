@@ -6,6 +6,7 @@ import {download} from "./files.js";
 import {keyResults} from "./results.js";
 import {goTo} from "./scene.js";
 import {differences, page} from "./state.js";
+import {printed} from "./typed.js";
 
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
@@ -50,10 +51,7 @@ export function differenceOf(parts, other) {
   }).join(" / ");
 }
 
-function signed(value) {
-  const text = String(Number(Math.abs(value).toPrecision(3)));
-  return Math.abs(value) < 5e-5 ? "0" : (value < 0 ? "−" : "+") + text;
-}
+const signed = value => printed(Math.abs(value) < 5e-5 ? 0 : value, 3, {signDisplay: "exceptZero"});
 
 export function states() {
   const {pins, found, shown} = page;

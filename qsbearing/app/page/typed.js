@@ -37,7 +37,9 @@ export function nice(value) {
 
 export const rounded = (value, step) => Number((Math.round(value / step) * step).toPrecision(12)) || 0;
 
-export const shown = value => Number(Number(value).toPrecision(6)).toLocaleString("en-GB", {maximumFractionDigits: 9}).replace("-", "−");
+// A number for reading, in so many digits; a word as it is.
+export const printed = (value, digits = 6, more = {}) => typeof value !== "number" ? value
+  : Number(value.toPrecision(digits)).toLocaleString("en-GB", {maximumFractionDigits: 9, ...more}).replace("-", "−");
 
 // By keys: how many steps each is worth.
 export const STEPS = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10};

@@ -136,6 +136,7 @@ class ElasticRings:
     )
     """Of the inner ring, as `outer_compliance` of the outer."""
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    """Set by the solver: 0 where a clearance stays open, so that the outer ring is free, else 1."""
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     """Set by the solver: 0 where a clearance stays open, so that the ring is free, else 1."""
     name: ClassVar[str] = "elastic_rings"

@@ -139,6 +139,7 @@ class RingExpansion:
     )
     """[m]; needed with a housing."""
     housing_material: Material | None = field(default=None, metadata=A_MATERIAL)
+    """None: that of the rings."""
     housing_temperature: ArrayLike | None = field(default=None, metadata=given_in("C", goes_last=True))
     """[K]; None: as the outer ring."""
     reference_temperature: ArrayLike = field(default=20.0 + zero_celsius, metadata=given_in("C", goes_last=True))
@@ -146,9 +147,11 @@ class RingExpansion:
     yield_strength: float = field(default=1700e6, metadata=given_in("MPa", RANGES["yield_strength"], goes_last=True))
     """Of the rings [Pa]; hardened bearing steel yields at 1700 to 2000 MPa, by the usual handbook values."""
     shaft_fit: Fit | None = field(default=None, compare=False, repr=False)
+    """Of which the interference is the mean. No solve looks at it: it tells what the limits of a fit do."""
     housing_fit: Fit | None = field(default=None, compare=False, repr=False)
     """Of which the interference is the mean. No solve looks at them: they tell what the limits of a fit do."""
     shaft_touches: ArrayLike | None = field(default=None, init=False, repr=False)
+    """Set by the solver: 1 where the balls close the gap of elastic rings, 0 where they do not."""
     housing_touches: ArrayLike | None = field(default=None, init=False, repr=False)
     """Set by the solver: 1 where the balls close the gap of elastic rings, 0 where they do not."""
     name: ClassVar[str] = "ring_expansion"

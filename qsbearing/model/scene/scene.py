@@ -70,8 +70,11 @@ class Scene(InNotebooks):
     """
 
     bearing: BallBearing
+    """Whose balls and rings are solved for."""
     operation: Operation = field(default_factory=Operation)
+    """Speeds, and of each channel its load or its displacement."""
     ball_effects: tuple[BallEffect, ...] = ()
+    """Centrifugal force, gyroscopic moment: what a ball's motion asks of its contacts."""
     raceway_control: RacewayControl | None = field(default=None, metadata=one_of(RacewayControl))
     """Needed by the ball effects, and by nothing else."""
     hertz_angle: HertzAngle = field(default=HertzAngle.FREE, metadata=one_of(HertzAngle))
@@ -150,7 +153,8 @@ class Scene(InNotebooks):
 
     @property
     def axial_datum_shift(self) -> NDArray:
-        """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m].
+        """By how much further in +x the inner ring touches at the free contact angle than at rest and cold [m],
+        over the cases that it depends on.
 
         Displacements count from where it does so at rest and cold; heat moves the groove centres axially in their
         rings, fits and rotation do not.

@@ -23,6 +23,7 @@ from qsbearing.model.effects.entry import Assumed, has_size
 from qsbearing.model.effects.hypotheses import FRICTION, under_control
 from qsbearing.model.effects.raceway_control import RacewayControl
 from qsbearing.model.solution.comparison import by_quantity
+from qsbearing.model.solution.of_cases import solve_alike
 from qsbearing.model.validation import SceneError
 
 
@@ -93,7 +94,7 @@ def _judged_at(entry: Entry, solution: Any) -> Any:
         return solution
     if solution not in _UNDER_OUTER:
         under = under_control(requested(solution), RacewayControl.OUTER)
-        _UNDER_OUTER[solution] = solution.solve_alike(under)
+        _UNDER_OUTER[solution] = solve_alike(solution, under)
     return _UNDER_OUTER[solution]
 
 
@@ -160,7 +161,7 @@ def _against_others(entry: Entry, solution: Any) -> list[Change]:
     others = [] if members is None else members.others(requested(solution))
     finest = None if members is None else members.finest
     by_it = [each for each in others if finest is not None and getattr(each.of, entry.switch.slot) == finest]
-    solutions = [(each, solution.solve_alike(each.of)) for each in by_it or others]
+    solutions = [(each, solve_alike(solution, each.of)) for each in by_it or others]
     if entry.hypothesis:
         solutions = [(each, solution if _is_same(other, solution) else other) for each, other in solutions]
     return [
@@ -190,7 +191,7 @@ def _with_it(entry: Entry, solution: Any) -> list[Assumed]:
 
 
 def _change(assumed: Assumed, solution: Any) -> Change:
-    full = solution if assumed.of is requested(solution) else solution.solve_alike(assumed.of)
+    full = solution if assumed.of is requested(solution) else solve_alike(solution, assumed.of)
     return _made(assumed, by_quantity(solution, full), full)
 
 

@@ -27,7 +27,7 @@ from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import COMMON_MOTION
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.solution.solved_cases import SolvedCases
+from qsbearing.model.solution.solved_cases import SolvedCases, solved_of
 
 AGREED = 1e-10
 """Of the rings' speeds: a motion is common within this."""
@@ -48,12 +48,12 @@ def solve_common(scene: Scene, start: Solution | None, solve_with: SolveWith) ->
     if not fastest(solution).any():
         return solution
     motion = _first_motion(solution)
-    iterations, seconds = solution.results["iterations"].copy(), solution.seconds
+    iterations, seconds = solved_of(solution).results["iterations"].copy(), solution.seconds
     size, step = fastest(solution)[:, None], np.zeros_like(motion[:, :2])
     apart, inverse = step, np.broadcast_to(-np.eye(2), (motion.shape[0], 2, 2)).copy()
     for k in range(MOST_ROUNDS):
         solution = solve_with(scene, solution, _by_name(motion, solution.shape))
-        iterations, seconds = iterations + solution.results["iterations"], seconds + solution.seconds
+        iterations, seconds = iterations + solved_of(solution).results["iterations"], seconds + solution.seconds
         change = np.nan_to_num(mean_motion(solution) - motion)
         differs = (np.abs(change) > AGREED * size).any(axis=-1)
         if not differs.any():
@@ -64,9 +64,10 @@ def solve_common(scene: Scene, start: Solution | None, solve_with: SolveWith) ->
         step = -np.einsum("cij,cj->ci", inverse, apart)
         change[:, ACTING] = step
         motion = motion + change
-    solution.results["iterations"], solution.seconds = iterations, seconds
-    solution.results["status"][differs & (solution.results["status"] == CONVERGED)] = NOT_CONVERGED
-    solution.solved.following = cache(lambda: following(solution, solve_with))
+    solved, solution.seconds = solved_of(solution), seconds
+    solved.results["iterations"] = iterations
+    solved.results["status"][differs & (solution.codes == CONVERGED)] = NOT_CONVERGED
+    solved.following = cache(lambda: following(solution, solve_with))
     return solution
 
 
@@ -88,11 +89,13 @@ def fastest(of: Solution) -> NDArray:
 
 def mean_motion(of: Solution) -> NDArray:
     """Mean of what raceway control asks of each ball: (case, `COMMON_MOTION`), in rad/s; NaN where not solved."""
-    solved = of.solved
-    own = SolvedCases(of.maker.with_own_motion, None, solved.results, solved.positions, solved.controls, of.threads)
+    solved = solved_of(of)
+    own = SolvedCases(
+        solved.maker.with_own_motion, None, solved.results, solved.positions, solved.controls, solved.threads
+    )
     requested = results.ORBITAL_SPEED, results.AXIAL_ROTATION, results.RADIAL_ROTATION
     own.read_all([(results.OF_BALL, what) for what in requested])
-    balls = of.maker.ball_axis
+    balls = solved.maker.ball_axis
     of_balls = np.stack([own.read(results.OF_BALL, what).reshape(-1, balls) for what in requested], axis=-1)
     is_there = np.isfinite(of.azimuth).reshape(-1, balls, 1)
     return np.asarray(np.where(is_there, of_balls, 0.0).sum(axis=1) / is_there.sum(axis=1))
@@ -124,7 +127,7 @@ def following(of: Solution, solve_with: SolveWith) -> NDArray:
     tilt = 2.0 * STEP * diameter / np.asarray(bearing.pitch_diameter, float)
     steps = [np.broadcast_to(each, of.shape) for each in (STEP * diameter,) * 3 + (tilt,) * 2]
     steps += [SPEED_STEP * fastest(of).reshape(of.shape)] * 2
-    motion = np.stack([np.broadcast_to(of.maker.motion[name], of.shape) for name in COMMON_MOTION], axis=-1)
+    motion = np.stack([np.broadcast_to(solved_of(of).maker.motion[name], of.shape) for name in COMMON_MOTION], axis=-1)
     where = np.zeros((2, 7, *of.shape, 8))
     where[...] = np.concatenate([np.nan_to_num(of.displacement), motion], axis=-1)
     for k, column in enumerate((0, 1, 2, 3, 4, 5, 7)):
@@ -140,7 +143,7 @@ def following(of: Solution, solve_with: SolveWith) -> NDArray:
         for each in (moved.load.reshape(2, 7, -1, 5), mean_motion(moved)[:, ACTING].reshape(2, 7, -1, 2))
     )
     load, requested = np.moveaxis(load, 0, -1), np.moveaxis(requested, 0, -1)  # (case, load or motion, by what)
-    solved = of.results["status"] == CONVERGED
+    solved = of.codes == CONVERGED
     out = np.full((solved.size, 5, 5), np.nan)
     turned = np.linalg.solve(np.eye(2) - requested[solved][..., 5:], requested[solved][..., :5])
     out[solved] = load[solved][..., 5:] @ turned

@@ -22,6 +22,7 @@ from qsbearing.model.kernel.traction import contact_points
 from qsbearing.model.kernel.traction_balance import MOTION, PLACES, solve_motions
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.ring_moments import ring_moments
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.model.solution.status import STATUS_OF_CODE, reasons
 
 INNER, OUTER = range(2)
@@ -285,8 +286,8 @@ def balanced(
         results, arcs = np.zeros(count, RESULT), 4
         results["status"] = NOT_CONVERGED
     else:
-        which, arcs = spanned(start.maker.shape, shape), 2
-        results, positions = start.results[which], np.ascontiguousarray(start.positions[which][..., :3])
+        before, which, arcs = solved_of(start), spanned(start.shape, shape), 2
+        results, positions = before.results[which], np.ascontiguousarray(before.positions[which][..., :3])
     laws, points = laws_of(cases, traction, shape), contact_points(radii, angles)
     places = np.full((count, balls, len(PLACES)), np.nan)
     contacts, torques = np.full((count, balls, arcs, kernel.CONTACT_QUANTITIES), np.nan), np.full(count, np.nan)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from qsbearing.model.solution.of_cases import may_solve_alike, solve_alike
 from qsbearing.model.solution.solution import Solution
 
 COUNT = 17
@@ -32,11 +33,11 @@ class Band(NamedTuple):
 def friction_band(solution: Solution) -> Band | None:
     """Of a solution whose law of friction has a range; None without one, and at rest."""
     law = solution.scene.traction
-    if law is None or law.friction_range is None or solution.friction is None or solution.solve_alike is None:
+    if law is None or law.friction_range is None or solution.friction is None or not may_solve_alike(solution):
         return None
     of_cases = np.geomspace(*law.friction_range, COUNT).reshape(-1, *[1] * len(solution.shape))
     many = replace(solution.scene, traction=replace(law, friction_coefficient=of_cases), readings={})
-    band = solution.solve_alike(many)
+    band: Solution = solve_alike(solution, many)
 
     least, most = law.friction_range
     is_within = (solution.friction.friction_coefficient >= least) & (solution.friction.friction_coefficient <= most)

@@ -12,6 +12,7 @@ from qsbearing.model.effects.traction import ANGLES, RADII, Traction
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, laws_of, read
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.model.solution.solver import solve
 
 __all__ = ["FrictionMotion", "friction_motion", "laws_of"]
@@ -46,4 +47,6 @@ def friction_motion(
     if moved.bearing.is_arched:
         return read(balanced(None, CaseMaker(moved), traction, radii, angles, carried=carried))
     start = solve(under_control(moved, RacewayControl.OUTER))
-    return read(balanced(start, CaseMaker(moved, start.maker.axial), traction, radii, angles, carried=carried))
+    return read(
+        balanced(start, CaseMaker(moved, solved_of(start).maker.axial), traction, radii, angles, carried=carried)
+    )

@@ -13,6 +13,7 @@ from qsbearing.model.solution.friction_balance import ContactFriction, FrictionM
 from qsbearing.model.solution.motion_stiffness import motion_stiffness
 from qsbearing.model.solution.raceway_contacts import CODES
 from qsbearing.model.solution.ring_stiffness import inverse
+from qsbearing.model.solution.solved_cases import solved_of
 
 MEAN_OVER_MAX = 2.0 / 3.0
 """Of Hertz's pressure."""
@@ -48,7 +49,7 @@ class Moved:
                 values = arrays[kernel.OF_BALL, CODES[name]]
                 arrays[kernel.OF_BALL, CODES[name]] = np.where(still & there(self.motion), 0.0, values)
         elif self._still.any():
-            solved = self.motion.start.solved
+            solved = solved_of(self.motion.start)
             solved.read_all(arrays)
             arrays = {place: self._with_static(values, solved.read(*place), 1) for place, values in arrays.items()}
         return arrays

@@ -21,7 +21,8 @@ from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import Unread, balanced, spanned
 from qsbearing.model.solution.moved import STRAIGHT, Moved
-from qsbearing.model.solution.solution import Solution
+from qsbearing.model.solution.solution import Solution, preloaded_of
+from qsbearing.model.solution.solved_cases import solved_of
 
 ASSUMED = Traction()
 """The law where a scene gives none."""
@@ -45,15 +46,16 @@ def solve_moved(
         start = start.friction.start
     # A scene whose balls friction may move is one under outer control too: it is not checked again.
     under_outer = solve(with_found(scene, {"raceway_control": RacewayControl.OUTER, "traction": None}), start=start)
-    maker = CaseMaker(scene, under_outer.maker.axial)
+    before = solved_of(under_outer)
+    maker = CaseMaker(scene, before.maker.axial)
     balance = balanced(under_outer, maker, law, law.radial_points, law.points_around, threads=workers)
-    which, cases, results = spanned(under_outer.maker.shape, maker.shape), balance.inside.cases, balance.inside.results
+    which, cases, results = spanned(before.maker.shape, maker.shape), balance.inside.cases, balance.inside.results
     turns = cases["inner_speed"] != cases["outer_speed"]
     if not turns.all():
-        results[~turns] = under_outer.results[which][~turns]
-    states = cases, results, under_outer.positions[which], under_outer.controls[which]
+        results[~turns] = before.results[which][~turns]
+    states = cases, results, before.positions[which], before.controls[which]
     moved = Moved(balance, turns, which)
-    return Solution(maker, *states, time.perf_counter() - began, workers, under_outer.preloaded, again, moved)
+    return Solution(maker, *states, time.perf_counter() - began, workers, preloaded_of(under_outer), again, moved)
 
 
 def _turns(balance: Unread) -> NDArray:

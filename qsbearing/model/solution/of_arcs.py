@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class SolutionOfArcs(SolutionOfCases):
     """What a solution says of its arcs, by what it knows of both raceways."""
 
-    moved: Moved | None
+    _moved: Moved | None
     scene: Scene
     displacement: Any
 
@@ -37,9 +37,9 @@ class SolutionOfArcs(SolutionOfCases):
     def opposite(self) -> OppositeContacts | None:
         """Of a four-point bearing, the contacts of its other arcs; then `inner` and `outer` are those of the arcs for
         angles above zero, or of a ring's one arc. None of other bearings."""
-        if self.moved is None or self.moved.opposite is None:
+        if self._moved is None or self._moved.opposite is None:
             return None
-        return OppositeContacts(*(None if each is None else RacewayContacts(each.get) for each in self.moved.opposite))
+        return OppositeContacts(*(None if each is None else RacewayContacts(each.get) for each in self._moved.opposite))
 
     @property
     def arcs(self) -> tuple[RacewayContacts, ...]:
@@ -55,7 +55,8 @@ class SolutionOfArcs(SolutionOfCases):
 
     @property
     def inner_load(self) -> NDArray:
-        """On each ball of the inner raceway: of a four-point bearing, the sum of its two contacts [N]."""
+        """On each ball of the inner raceway: of a four-point bearing, the sum of its two contacts; shape
+        (*cases, ball) [N]."""
         other = None if self.opposite is None else self.opposite.inner
         return self.inner.load if other is None else self.inner.load + np.nan_to_num(other.load)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -45,14 +46,17 @@ class Choice:
 class SolutionOfCases(Plotted):
     """Arrays lead with the case axes: none for a single case."""
 
-    shape: tuple[int, ...]
-    """Of the case axes."""
-    seconds: float
-    """Wall time of the solve [s]."""
     choice: Choice | None = None
     """What was chosen and left out where effects were chosen automatically; None where they are named."""
     thermal: Any = None
     """Temperatures and heats (`systems/heat/state.py`), where their steady state is asked for."""
+
+    def __init__(self, shape: tuple[int, ...], seconds: float, solve_alike: Callable[[Any], Any] | None) -> None:
+        self.shape = shape
+        """Of the case axes; () for a single case."""
+        self.seconds = seconds
+        """Wall time of the solve [s]."""
+        self._solve_alike = solve_alike  # None where nothing is solved besides
 
     if TYPE_CHECKING:  # what each kind has of its own
 
@@ -74,7 +78,7 @@ class SolutionOfCases(Plotted):
     @property
     @abstractmethod
     def codes(self) -> NDArray:
-        """How each of the flattened cases ended, by the kernel's codes."""
+        """How each of the flattened cases ended, by the kernel's codes; shape (case)."""
 
     def _shaped(self, array: NDArray, *tail: int) -> Any:
         shaped = array.reshape(self.shape + tail)
@@ -166,6 +170,16 @@ class SolutionOfCases(Plotted):
 
     @property
     def preload_share(self) -> Any:
-        """What of the given preload is there in operation without external loads; NaN where none is given; None without
-        preload."""
+        """What of the given preload is there in operation without external loads [-]; shape (*cases), of a set
+        (*cases, row); NaN where none is given; None without preload."""
         return None if self.preload_loads is None else preload_state.share(self.preload_loads)[()]
+
+
+def may_solve_alike(solution: SolutionOfCases) -> bool:
+    """Whether another scene or set may be solved as this one was; not so of a row of a set, which is solved with it."""
+    return solution._solve_alike is not None
+
+
+def solve_alike(solution: Any, of: Any) -> Any:
+    """Another scene or set with the threads, and of a set the tolerance, of this solution."""
+    return solution._solve_alike(of)

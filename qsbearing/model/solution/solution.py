@@ -61,40 +61,30 @@ class Solution(SolutionOfArcs):
         solve: Callable[[Scene], Solution] | None = None,
         moved: Moved | None = None,
     ) -> None:
-        self.scene: Scene = maker.scene
-        self.shape = maker.shape
-        self.maker = maker
-        """Of the records that the kernel solved."""
-        self.preloaded = preloaded
-        """At rest and cold under the preload, as it is given; None without one that holds the rings."""
-        self.solve_alike = solve
-        """Another scene, with these threads and tolerance; None where nothing is solved besides."""
-        self.moved = moved
-        """Arrays and stiffness where friction moves the balls; None by a hypothesis."""
-        known = None if moved is None else moved.known
-        self.solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
-        """As the kernel has left them, like `results`, `positions` and `controls`: flattened, in its units."""
-        self.results = results
-        self.positions = positions
-        self.controls = controls
-        self.seconds = seconds
+        super().__init__(maker.shape, seconds, solve)
         self.threads = threads
         """At most so many solved it, and read it off."""
+        self.scene: Scene = maker.scene
+        """What was solved, with the effects that were chosen."""
+        self._preloaded = preloaded
+        self._moved = moved  # arrays and stiffness where friction moves the balls; None by a hypothesis
+        known = None if moved is None else moved.known
+        self._solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
 
     @property
     def balance(self) -> FrictionMotion | None:
         """Of friction, where it moves the balls: without numbers at rest; None by a hypothesis."""
-        return None if self.moved is None else self.moved.motion
+        return None if self._moved is None else self._moved.motion
 
     @property
     def friction(self) -> FrictionMotion | None:
         """The same; None at rest as well."""
-        return None if self.moved is None or self.moved.is_at_rest else self.moved.motion
+        return None if self._moved is None or self._moved.is_at_rest else self._moved.motion
 
     @property
     def codes(self) -> NDArray:
-        """How each of the flattened cases ended, by the kernel's codes."""
-        return np.asarray(self.results["status"])
+        """How each of the flattened cases ended, by the kernel's codes; shape (case)."""
+        return np.asarray(self._solved.results["status"])
 
     def mark_unsolved(self, cases: NDArray, code: int) -> None:
         """Count these cases as not solved, before anything is read off: they are in equilibrium, but not for long.
@@ -123,7 +113,7 @@ class Solution(SolutionOfArcs):
     def __repr__(self) -> str:
         name = f"Solution of {self.scene.bearing.name or 'a bearing'}"
         if self.shape:
-            return f"{name}: {self.maker.count} cases {self.shape}, {self.counts()}"
+            return f"{name}: {self._solved.maker.count} cases {self.shape}, {self.counts()}"
         if not self.converged:
             return f"{name}: {self._summary()}{', ' if self.reason else ''}{self.reason}"
         lines = [f"{name}: {self._summary()}", *self._channels()]
@@ -145,7 +135,7 @@ class Solution(SolutionOfArcs):
         """
         of_contacts = [(row, name) for row in (results.AT_INNER, results.AT_OUTER) for name in contacts]
         requested = [*of_contacts, *((results.OF_BALL, name) for name in balls)]
-        self.solved.read_all([(row, CODES[name]) for row, name in requested if self._has(name)])
+        self._solved.read_all([(row, CODES[name]) for row, name in requested if self._has(name)])
 
     def _has(self, name: str) -> bool:
         """Whether the scene calls for an array of contacts or balls."""
@@ -153,13 +143,13 @@ class Solution(SolutionOfArcs):
 
     def _array(self, name: str, row: int = results.OF_BALL) -> NDArray | None:
         if name not in CODES:
-            return self.moved.apex.get(row) if self.moved is not None else None
-        return self.solved.read(row, CODES[name]) if self._has(name) else None
+            return self._moved.apex.get(row) if self._moved is not None else None
+        return self._solved.read(row, CODES[name]) if self._has(name) else None
 
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = reasons(self.results)
+        names = reasons(self._solved.results)
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
@@ -168,23 +158,24 @@ class Solution(SolutionOfArcs):
 
         Asked only under per-ball control; True elsewhere.
         """
-        return self._shaped((self.results["notes"] & NO_CONSISTENT_CONTROL) == 0)
+        return self._shaped((self._solved.results["notes"] & NO_CONSISTENT_CONTROL) == 0)
 
     @property
     def ring_is_unloaded(self) -> Any:
         """Whether no load acts on the ring and nothing holds it, so that its position is arbitrary; shape (*cases)."""
-        return self._shaped((self.results["notes"] & UNLOADED_RING) != 0)
+        return self._shaped((self._solved.results["notes"] & UNLOADED_RING) != 0)
 
     @property
     def iterations(self) -> Any:
         """Newton iterations spent, fallbacks included; shape (*cases)."""
-        return self._shaped(self.results["iterations"])
+        return self._shaped(self._solved.results["iterations"])
 
     @property
     def residual(self) -> Any:
-        """Largest imbalance of a ball or the ring over the largest applied or inertial force; NaN: not computed."""
-        is_known = (self.results["status"] == CONVERGED) | (self.results["iterations"] > 0)
-        return self._shaped(np.where(is_known, self.results["residual"], np.nan))
+        """Largest imbalance of a ball or the ring over the largest applied or inertial force; shape (*cases) [-].
+        NaN: not computed."""
+        is_known = (self._solved.results["status"] == CONVERGED) | (self._solved.results["iterations"] > 0)
+        return self._shaped(np.where(is_known, self._solved.results["residual"], np.nan))
 
     @property
     def speed_reached(self) -> Any:
@@ -192,7 +183,7 @@ class Solution(SolutionOfArcs):
 
         1 but where an equilibrium continued in speed was found to end below it: then the part that shows it.
         """
-        return self._shaped(self.results["reached"])
+        return self._shaped(self._solved.results["reached"])
 
     @cached_property
     def displacement(self) -> NDArray:
@@ -200,17 +191,17 @@ class Solution(SolutionOfArcs):
 
         Axially from where the free contact angle is just reached at rest and cold; ring effects do not move that place.
         """
-        out = self._known(self.results["displacement"])
-        for part, cases in self.solved.stretches():
+        out = self._known(self._solved.results["displacement"])
+        for part, cases in self._solved.stretches():
             out[part, :3] *= cases["length"][:, None]
-        out[:, 0] += self.maker.axial_datum_shift()
+        out[:, 0] += self._solved.maker.axial_datum_shift()
         return self._shaped(out, 5)
 
     @cached_property
     def load(self) -> NDArray:
         """On the inner ring, reactions of prescribed displacements included; shape (*cases, 5) [N, N, N, N m, N m]."""
-        out = self._known(self.results["load"])
-        for part, cases in self.solved.stretches():
+        out = self._known(self._solved.results["load"])
+        for part, cases in self._solved.stretches():
             out[part] *= cases["force"][:, None]
             out[part, 3:] *= cases["length"][:, None]
         return self._shaped(out, 5)
@@ -218,7 +209,7 @@ class Solution(SolutionOfArcs):
     @cached_property
     def azimuth(self) -> NDArray:
         """Of the balls, from +y towards +z; shape (*cases, ball) [rad]."""
-        balls = self.maker.ball_axis
+        balls = self._solved.maker.ball_axis
         count = np.asarray(self.scene.bearing.ball_count, float)[..., None]
         first = np.asarray(self.scene.operation.first_ball_azimuth, float)[..., None]
         index = np.arange(balls)
@@ -229,11 +220,14 @@ class Solution(SolutionOfArcs):
     def ball_diameter_deviation(self) -> NDArray | None:
         """Of each ball, as the scene gives it; shape (*cases, ball) [m]; None where it names no unequal balls."""
         given = self.scene.ball_diameter_deviations
-        return None if given is None else np.broadcast_to(given.array, (*self.shape, self.maker.ball_axis))
+        return None if given is None else np.broadcast_to(given.array, (*self.shape, self._solved.maker.ball_axis))
 
-    centrifugal_force = Lazy[NDArray | None]("Of each ball [N]; None where the scene does not name it.")
+    centrifugal_force = Lazy[NDArray | None](
+        "Of each ball; shape (*cases, ball) [N]; None where the scene does not name it."
+    )
     gyroscopic_moment = Lazy[NDArray | None](
-        "Mg of each ball, signed: negative under a turning inner ring [N m]; None where the scene does not name it."
+        "Mg of each ball, signed: negative under a turning inner ring; shape (*cases, ball) [N m]. None where the "
+        "scene does not name it."
     )
 
     @cached_property
@@ -245,22 +239,27 @@ class Solution(SolutionOfArcs):
         moment = self.scene.gyroscopic_moment
         if moment is None or moment.friction_coefficient is None:
             return None
-        return np.asarray(self.solved.read(results.OF_BALL, results.SLIPS) == 1.0)
+        return np.asarray(self._solved.read(results.OF_BALL, results.SLIPS) == 1.0)
 
     orbital_speed = Lazy[NDArray | None](
-        "omega_m of each ball's centre about the bearing axis [rad/s]; None without a ball effect."
+        "omega_m of each ball's centre about the bearing axis; shape (*cases, ball) [rad/s]. None without ball effects."
     )
     rotation_speed = Lazy[NDArray | None](
-        "omega_R of each ball about its own axis, signed: negative under a turning inner ring [rad/s]; None "
-        "without a ball effect."
+        "omega_R of each ball about its own axis, signed: negative under a turning inner ring; shape (*cases, ball) "
+        "[rad/s]; None without a ball effect."
     )
     attitude_angle = Lazy[NDArray | None](
-        "beta of each ball's rotation axis against the bearing axis, in the ball's plane [rad]: its rotation is "
-        "omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball effect. Where "
-        "friction moves balls, the axis also leaves this plane, by `friction.yaw_angle`; omega_R is the whole rotation."
+        "beta of each ball's rotation axis against the bearing axis, in the ball's plane; shape (*cases, ball) [rad]. "
+        "Its rotation is omega_R (cos(beta) e_x - sin(beta) e_r), e_r outward at its azimuth; None without a ball "
+        "effect. Where friction moves balls, the axis also leaves this plane, by `friction.yaw_angle`; omega_R is the "
+        "whole rotation."
     )
-    axial_rotation = Lazy[NDArray | None]("omega_R cos(beta) about +x [rad/s]; None without a ball effect.")
-    radial_rotation = Lazy[NDArray | None]("omega_R sin(beta), towards the axis [rad/s]; None without a ball effect.")
+    axial_rotation = Lazy[NDArray | None](
+        "omega_R cos(beta) about +x; shape (*cases, ball) [rad/s]; None without a ball effect."
+    )
+    radial_rotation = Lazy[NDArray | None](
+        "omega_R sin(beta), towards the axis; shape (*cases, ball) [rad/s]; None without a ball effect."
+    )
 
     @cached_property
     def raceway_control(self) -> NDArray | None:
@@ -273,7 +272,7 @@ class Solution(SolutionOfArcs):
         names = np.array(["outer", "inner", "", str(RacewayControl.MINIMUM_DISSIPATION)])
         if self.scene.raceway_control is RacewayControl.FRICTION:
             return np.where(np.isnan(self.azimuth), "", str(RacewayControl.FRICTION))
-        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self.controls, self.maker.ball_axis))
+        index = np.where(np.isnan(self.azimuth), 2, self._shaped(self._solved.controls, self._solved.maker.ball_axis))
         return names[index]
 
     @cached_property
@@ -286,7 +285,7 @@ class Solution(SolutionOfArcs):
         preload = self.scene.preload
         if preload is None:
             return None
-        at_rest = preload.spring if self.preloaded is None else self.preloaded.load[..., 0]
+        at_rest = preload.spring if self._preloaded is None else self._preloaded.load[..., 0]
         return np.broadcast_to(np.asarray(at_rest, float), self.shape)[()]
 
     @cached_property
@@ -302,19 +301,19 @@ class Solution(SolutionOfArcs):
     @cached_property
     def preload_in_operation(self) -> Any:
         """The axial load in operation without radial loads and moments, straight and centred; None without preload."""
-        if self.preloaded is None or self.solve_alike is None:
+        if self._preloaded is None or self._solve_alike is None:
             return self.preload_at_rest
         unloaded = replace(self.scene, operation=self.scene.operation.unloaded, readings={})
-        return self._preload_of(self.solve_alike(unloaded))
+        return self._preload_of(self._solve_alike(unloaded))
 
     def at_rest(self, fitted: bool) -> Solution | None:
         """The bearing before or after fitting, the rings where the preload holds them; None where none does."""
-        if self.preloaded is None or self.solve_alike is None or self.scene.preload is None:
+        if self._preloaded is None or self._solve_alike is None or self.scene.preload is None:
             return None
         if fitted == self.scene.preload.is_given_mounted:
-            return self.preloaded
-        held = np.nan_to_num(self.preloaded.displacement[..., 0])[()]
-        return self.solve_alike(self.scene.at_rest(fitted, axial_displacement=held))
+            return self._preloaded
+        held = np.nan_to_num(self._preloaded.displacement[..., 0])[()]
+        return self._solve_alike(self.scene.at_rest(fitted, axial_displacement=held))
 
     def _preload_of(self, other: Solution | None) -> Any:
         if other is None:
@@ -355,8 +354,8 @@ class Solution(SolutionOfArcs):
         """By how much elastic rings' grooves part at each ball; shape (*cases, ball) [m]; None between rigid rings."""
         if self.scene.elastic_rings is None:
             return None
-        out = self.positions[..., 3].copy()
-        for part, cases in self.solved.stretches():
+        out = self._solved.positions[..., 3].copy()
+        for part, cases in self._solved.stretches():
             out[part] *= cases["length"][:, None]
         return np.where(np.isnan(self.inner.load), np.nan, out.reshape(*self.shape, -1))
 
@@ -364,10 +363,10 @@ class Solution(SolutionOfArcs):
     def elastic_share(self) -> Any:
         """What part of the axial displacement is the rings' give, by a solve between rigid ones; (*cases)."""
         rings = self.scene.elastic_rings
-        if rings is None or self.solve_alike is None:
+        if rings is None or self._solve_alike is None:
             return None
         rest = tuple(effect for effect in self.scene.ring_effects if effect is not rings)
-        rigid = self.solve_alike(replace(self.scene, ring_effects=rest, readings={}))
+        rigid = self._solve_alike(replace(self.scene, ring_effects=rest, readings={}))
         return share_of_displacement(self, rigid)[()]
 
     def _ring_state(self, which: int) -> RingState | None:
@@ -386,9 +385,9 @@ class Solution(SolutionOfArcs):
         gyroscopic moment and with fixed inertia forces; at speed the inertia forces follow the contact angles and it
         need not be.
         """
-        if self.moved is not None:
-            return self.moved.stiffness()
-        return self._shaped(ring_stiffness.tangents_of_all(self.solved), 5, 5)
+        if self._moved is not None:
+            return self._moved.stiffness()
+        return self._shaped(ring_stiffness.tangents_of_all(self._solved), 5, 5)
 
     @cached_property
     def compliance(self) -> NDArray:
@@ -397,14 +396,14 @@ class Solution(SolutionOfArcs):
         NaN for channels whose displacement is prescribed, where a case is not solved, and where nothing resists some
         free direction.
         """
-        if self.moved is not None:
-            return self.moved.compliance(self.stiffness, self.free_channels)
-        return self._shaped(ring_stiffness.compliance(self.solved), 5, 5)
+        if self._moved is not None:
+            return self._moved.compliance(self.stiffness, self.free_channels)
+        return self._shaped(ring_stiffness.compliance(self._solved), 5, 5)
 
     @property
     def free_channels(self) -> NDArray:
-        """Numbers of the channels whose load is prescribed."""
-        return self.maker.free_channels
+        """Numbers of the channels whose load is prescribed; shape (channel)."""
+        return self._solved.maker.free_channels
 
     def to_dataframe(self, more: Mapping[str, NDArray] | None = None) -> pandas.DataFrame:
         """One row per ball of every case, units in the column names; needs pandas (the `frame` extra).
@@ -443,3 +442,8 @@ class Solution(SolutionOfArcs):
             ImportError: ROSS is not installed.
         """
         return qs.ross_element(self, n, index, **arguments)
+
+
+def preloaded_of(solution: Solution) -> Solution | None:
+    """The bearing at rest and cold under its preload, as it is given; None without one that holds the rings."""
+    return solution._preloaded

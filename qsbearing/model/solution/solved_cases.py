@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +40,8 @@ class SolvedCases:
         self.results = results
         self.positions = positions
         self.controls = controls
-        self._threads = threads
+        self.threads = threads
+        """At most so many solved them, and read them off."""
         self._all_known = known
         self.following: Callable[[], NDArray] | None = None
         """What of the stiffness comes from motion that is common to all balls (case, 5, 5); None where each has its
@@ -66,7 +68,7 @@ class SolvedCases:
         def do(part: slice) -> None:
             work(part, self.maker.make(part.start, part.stop) if self._cases is None else self._cases[part])
 
-        in_threads(do, self.maker.count, self._threads)
+        in_threads(do, self.maker.count, self.threads)
 
     def given(
         self, part: slice, cases: NDArray
@@ -102,3 +104,9 @@ class SolvedCases:
             self._cases = self.maker.make()
         if self._cases is not None and self._own is None:
             self._own = self.maker.own_balls(self._cases)
+
+
+def solved_of(solution: Any) -> SolvedCases:
+    """Those of a `Solution`."""
+    solved: SolvedCases = solution._solved
+    return solved

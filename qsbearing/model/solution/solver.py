@@ -24,7 +24,7 @@ from qsbearing.model.solution.common_motion import solve_common
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solve_records import solve_records
-from qsbearing.model.solution.solved_cases import KEPT
+from qsbearing.model.solution.solved_cases import KEPT, solved_of
 from qsbearing.model.validation import ErrorDetail, check_kind, raise_if_any
 
 TOLERANCE = 1e-12
@@ -148,14 +148,15 @@ def _start(start: Solution | None, maker: CaseMaker) -> tuple[NDArray, NDArray, 
         return results, positions, controls
     if not isinstance(start, Solution):
         raise TypeError(f"start = {start!r}: must be a Solution")
-    if start.maker.ball_axis != balls or start.maker.count not in (1, count):
+    before = solved_of(start)
+    if before.maker.ball_axis != balls or before.maker.count not in (1, count):
         raise ValueError(
-            f"start has case axes {start.shape} and {start.maker.ball_axis} balls; the scene has {maker.shape} and "
+            f"start has case axes {start.shape} and {before.maker.ball_axis} balls; the scene has {maker.shape} and "
             f"{balls}: a start must match, or be a single case with as many balls"
         )
-    results[:], controls[:] = start.results, start.controls
-    both = min(positions.shape[-1], start.positions.shape[-1])
-    positions[..., both:], positions[..., :both] = 0.0, start.positions[..., :both]
+    results[:], controls[:] = before.results, before.controls
+    both = min(positions.shape[-1], before.positions.shape[-1])
+    positions[..., both:], positions[..., :both] = 0.0, before.positions[..., :both]
     # A start that failed holds no place to continue from; zero is one that every solve leaves by its own means.
     failed = results["status"] != CONVERGED
     results["displacement"][failed], positions[failed], controls[failed] = 0.0, 0.0, 0

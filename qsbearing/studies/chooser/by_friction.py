@@ -14,6 +14,7 @@ from qsbearing.model.effects.traction import FRICTION_COEFFICIENT, Traction
 from qsbearing.model.scene.moved_by_friction import BOTH
 from qsbearing.model.solution.changes import requested
 from qsbearing.model.solution.friction_band import friction_band
+from qsbearing.model.solution.of_cases import may_solve_alike, solve_alike
 from qsbearing.model.solution.result_keys import DISPLACEMENT, STIFFNESS, Result, printed_unit
 from qsbearing.model.validation import SceneError
 
@@ -36,7 +37,7 @@ def by_friction(entry: Any, solution: Any) -> ByFriction | None:
     of = requested(solution)
     named = {each.name for each in of.ball_effects}
     is_here = entry is RACEWAY_CONTROL and solution.converged and named == BOTH and not hasattr(of, "rows")
-    if not is_here or solution.solve_alike is None:
+    if not is_here or not may_solve_alike(solution):
         return None
     law = getattr(of, "traction", None) or Traction(FRICTION_COEFFICIENT)
     over = law.friction_range or USUAL
@@ -46,7 +47,7 @@ def by_friction(entry: Any, solution: Any) -> ByFriction | None:
     except SceneError as error:
         first = error.errors[0]
         return ByFriction(list(over), {}, {}, f"not told by friction: {first.field} {first.problem}")
-    band = friction_band(solution.solve_alike(moved))
+    band = friction_band(solve_alike(solution, moved))
     if band is None:
         return None
     displacement = {each.key: _span(each, band.displacement) for each in DISPLACEMENT}

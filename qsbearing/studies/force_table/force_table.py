@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,6 +18,7 @@ from qsbearing.model.solution import solver
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.validation import ErrorDetail, alike, check_kind, question, raise_if_any
 from qsbearing.model.version import __version__
+from qsbearing.remarks.remark import Remark
 from qsbearing.results.remarks import every_remark, remarks_record
 from qsbearing.studies.chooser.choose import solve
 from qsbearing.studies.chunk import STATUSES
@@ -51,6 +52,14 @@ class _Task(NamedTuple):
     """Of the scene's own operating point."""
     load: float
     """Size of the force under the scene's own operation [N]; 0: none, or no equilibrium."""
+
+
+class Tabulated(NamedTuple):
+    """A table, and what there is to say of its scene, which holds of the table too."""
+
+    table: xarray.Dataset
+    remarks: list[Remark]
+    """None where the scene's own operating point is not solved."""
 
 
 def force_table(
@@ -105,6 +114,24 @@ def force_table(
         >>> print(f"{at:.0f} N, {table.attrs['wish_is_met']}")
         817 N, 1
     """
+    return tabulated(
+        scene, over, wished_error=wished_error, most_points=most_points, interpolation=interpolation,
+        checked_points=checked_points, seed=seed, progress=progress,
+    ).table  # fmt: skip
+
+
+def tabulated(
+    scene: Scene,
+    over: Mapping[str, tuple[float, float] | None] | None,
+    *,
+    wished_error: float,
+    most_points: int,
+    interpolation: str,
+    checked_points: int,
+    seed: int,
+    progress: Progress | None,
+) -> Tabulated:
+    """What `force_table` gives, with the remarks on the scene, which it solves for its ranges."""
     import xarray
 
     check_kind("force_table", scene, "Scene")
@@ -124,7 +151,9 @@ def force_table(
     scale = size * np.where([each.is_rotation for each in CHANNELS], lever, 1.0)
     errors = grid.refine(wished_error, scale, most_points, checked_points)
     table = xarray.Dataset(_variables(spans, grid, errors, scale), _coordinates(spans, grid))
-    return table.assign_attrs(_attributes(task, grid, errors, wished_error, scale, seed, requested))
+    said = every_remark(task.solution) if task.solution.converged else []
+    attributes = _attributes(task, grid, errors, wished_error, scale, seed, requested, said)
+    return Tabulated(table.assign_attrs(attributes), said)
 
 
 def scene_errors(scene: Scene) -> list[ErrorDetail]:
@@ -229,11 +258,17 @@ def _variables(spans: list[TableAxis], grid: RefinedGrid, errors: Errors, scale:
 
 
 def _attributes(
-    task: _Task, grid: RefinedGrid, errors: Errors, wished: float, scale: NDArray, seed: int, requested: Interpolation
+    task: _Task,
+    grid: RefinedGrid,
+    errors: Errors,
+    wished: float,
+    scale: NDArray,
+    seed: int,
+    requested: Interpolation,
+    said: Sequence[Remark],
 ) -> dict[str, Any]:
     worst = float(np.max(errors.largest / scale))
     status, balls = grid.solved.status, grid.solved.loaded_balls
-    said = every_remark(task.solution) if task.solution.converged else []
     count = int(np.asarray(task.scene.bearing.ball_count))
     return {
         "Conventions": "CF-1.11",

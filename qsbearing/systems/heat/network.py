@@ -40,6 +40,7 @@ class Conductance:
     """Heat flows between two nodes in proportion to the difference of their temperatures."""
 
     between: tuple[str, str]
+    """The two nodes, by name."""
     conductance: float = field(metadata=given_in("W/K"))
     """[W/K]."""
     row: int | None = None
@@ -87,6 +88,7 @@ class Thermal:
     fixed: Mapping[str, float] = field(default_factory=dict)
     """Nodes whose temperatures are given [K], such as ambient."""
     oil: OilFlow | None = None
+    """What flows through the bearing and carries heat away; None: none."""
     friction: str = "contacts"
     """Which model makes the heat, with the arguments of its reading: contacts, skf or palmgren."""
     heat_to_rings: float = field(default=0.5, metadata=given_in())

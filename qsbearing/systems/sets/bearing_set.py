@@ -75,12 +75,17 @@ class BearingSet(InNotebooks):
     """
 
     rows: tuple[Row, ...]
+    """From the first to the last along +x."""
     operation: Operation = field(default_factory=Operation)
+    """Speed, and the loads or displacements of the shaft at the reference position."""
     preload: Preload | None = None
+    """With which the rows press each other; None: with what their offsets and spacers make."""
     reference_position: ArrayLike | None = field(default=None, metadata=given_in("mm"))
     """Where the shaft's channels are meant [m]; None: midway between the first and the last row."""
     ball_effects: tuple[BallEffect, ...] = ()
+    """Of all rows, as `Scene.ball_effects`."""
     raceway_control: RacewayControl | None = None
+    """Of all rows; needed by the ball effects, and by nothing else."""
     hertz_angle: HertzAngle = HertzAngle.FREE
     hertz_form: HertzForm = HertzForm.EXACT
     tilt_lever: TiltLever = TiltLever.GROOVE_CENTRE
@@ -88,8 +93,11 @@ class BearingSet(InNotebooks):
     ball_motion: MotionOfBalls = MotionOfBalls.OWN
     """Each ball's own: a common one is known to a bearing alone."""
     ring_effects: tuple[RingEffect, ...] = ()
+    """Of rows that have none of their own."""
     readings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)
+    """Of rows that have none of their own, as `Scene.readings`."""
     name: str = ""
+    """For headings; no solve looks at it."""
     thermal: Thermal | None = None
     """With it, `qs.solve_set` finds the temperatures at which the set runs."""
     shaft: Shaft | None = None

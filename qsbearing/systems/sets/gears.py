@@ -108,6 +108,7 @@ class Gear:
     drives: bool | None = field(default=None, metadata=one_of(bool))
     """Whether it drives its mate; else its mate drives it. To be given."""
     kind: GearKind | None = field(default=None, metadata=one_of(GearKind))
+    """How its teeth lie; None: as its angles say."""
     hand: Hand | None = field(default=None, metadata=one_of(Hand))
     apex: Apex | None = field(default=None, metadata=one_of(Apex))
     internal: bool = field(default=False, metadata=one_of(bool))

@@ -47,11 +47,12 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     return ross_rotor.rotor(sections, holders, speed, places, [*masses, *disks], longest)
 
 
-def rotor_of(solution: Any, turned: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
+def rotor_of(solution: Any, turned: NDArray, at_rest: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
     """What `SetSolution.to_ross_rotor` gives.
 
     Args:
         turned: how far each row's place on the shaft has turned.
+        at_rest: `Outcome.held`.
     """
     if len(solution.shape) > 1:
         problem = "has several axes of cases; one is wanted, that of speed"
@@ -59,7 +60,7 @@ def rotor_of(solution: Any, turned: NDArray, disks: Sequence[dict[str, Any]], lo
     if not np.all(solution.converged):
         raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
     own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in solution.rows])
-    held = held_by(solution.set, own, turned, solution.outcome.held)
+    held = held_by(solution.set, own, turned, at_rest)
     return rotor(solution.set, held.reshape(len(solution.rows), *solution.shape, 5, 5), disks, longest)
 
 

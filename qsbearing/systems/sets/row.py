@@ -49,6 +49,7 @@ class Row:
     """One row of balls: its bearing and its place in the set. SI units; numbers may be arrays that span cases."""
 
     bearing: BallBearing
+    """Of this row."""
     position: ArrayLike = field(default=0.0, metadata=given_in("mm"))
     """Of the balls' centres along the shaft, where the rings just touch them at the free contact angle, at the
     reference temperature [m]; of a deep-groove row that no preload presses, of the plane of both grooves."""

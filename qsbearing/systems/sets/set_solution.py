@@ -56,22 +56,19 @@ class SetSolution(SolutionOfCases):
         seconds: float,
         solve: Callable[[BearingSet], SetSolution],
     ) -> None:
+        super().__init__(shape, seconds, solve)
         self.set = of
-        self.shape = shape
+        """What was solved, with the effects that were chosen."""
         self._row_solution = row_solution
         self._structure = structure
-        self.outcome = outcome
-        """How the flattened cases ended, and where."""
-        self.sides = sides
-        """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
+        self._outcome = outcome
+        self._sides = sides
         self._unloaded = unloaded
-        self.solve_alike = solve
-        self.seconds = seconds
 
     @property
     def codes(self) -> NDArray:
-        """How each of the flattened cases ended, by the kernel's codes."""
-        return self.outcome.status
+        """How each of the flattened cases ended, by the kernel's codes; shape (case)."""
+        return self._outcome.status
 
     def __getstate__(self) -> dict[str, Any]:
         """Plain data: rows as they are known, and not what the solver works with."""
@@ -123,13 +120,13 @@ class SetSolution(SolutionOfCases):
     @property
     def reason(self) -> Any:
         """`Reason` why there is no equilibrium, as its name; empty where there is one; shape (*cases)."""
-        names = np.full(self.outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
-        names[self.outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
-        for number in np.unique(self.outcome.fault[self.outcome.fault >= 0]):
+        names = np.full(self._outcome.status.shape, "", dtype=f"<U{max(map(len, Reason))}")
+        names[self._outcome.unsupported.any(axis=1)] = Reason.UNSUPPORTED
+        for number in np.unique(self._outcome.fault[self._outcome.fault >= 0]):
             own = np.asarray(self.rows[number].reason).reshape(-1)
-            at = self.outcome.fault == number
+            at = self._outcome.fault == number
             names[at] = own[at]
-        names[self.outcome.status != NO_EQUILIBRIUM] = ""
+        names[self._outcome.status != NO_EQUILIBRIUM] = ""
         return str(names[0]) if not self.shape else self._shaped(names)
 
     @property
@@ -140,17 +137,17 @@ class SetSolution(SolutionOfCases):
     @property
     def residual(self) -> Any:
         """Largest imbalance of the shaft over the largest force on it, applied or of a row; shape (*cases)."""
-        return self._shaped(self.outcome.residual)
+        return self._shaped(self._outcome.residual)
 
     @property
     def iterations(self) -> Any:
         """Newton iterations of the shaft; shape (*cases)."""
-        return self._shaped(self.outcome.iterations)
+        return self._shaped(self._outcome.iterations)
 
     @property
     def row_that_gives_way(self) -> Any:
         """Number of the row, from 0, whose own equilibrium ends before the set's; -1: none; shape (*cases)."""
-        return self._shaped(self.outcome.fault)
+        return self._shaped(self._outcome.fault)
 
     @cached_property
     def displacement(self) -> NDArray:
@@ -159,14 +156,14 @@ class SetSolution(SolutionOfCases):
         Axially from where every row is pressed by its offset and by the preload that is held, and by what heat and
         spacers move it: heat from the reference position, spacers from the row of `BearingSet.axial_datum`.
         """
-        return np.asarray(self._shaped(self._known(self.outcome.q[:, :5]), 5))
+        return np.asarray(self._shaped(self._known(self._outcome.q[:, :5]), 5))
 
     @cached_property
     def slide(self) -> Any:
         """How far the sprung outer rings have slid towards their balls; shape (*cases) [m]; None without a spring."""
         if not any(row.sprung for row in self.set.rows):
             return None
-        return self._shaped(self._known(self.outcome.q[:, SLIDE]))
+        return self._shaped(self._known(self._outcome.q[:, SLIDE]))
 
     @cached_property
     def row_loads(self) -> NDArray:
@@ -184,7 +181,7 @@ class SetSolution(SolutionOfCases):
         prescribed displacement. Loads of the shaft's own, elsewhere, are not in it."""
         beside = -self._structure.load[:, :5]
         if self._structure.elasticity.size:
-            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self.outcome.q)
+            beside = beside + np.einsum("kij,kj->ki", self._structure.elasticity[:, :5], self._outcome.q)
         load = self.row_loads.sum(axis=-2) + self._shaped(beside, 5)
         for i, channel in enumerate(CHANNELS):
             given = getattr(self.set.operation, channel.load)
@@ -197,19 +194,19 @@ class SetSolution(SolutionOfCases):
     def rounding(self) -> NDArray:
         """Up to which size forces on its rows are rounding; shape (*cases) [N]."""
         least = [np.broadcast_to(least_force(row.bearing), self.shape) for row in self.set.rows]
-        return rounding_of(self._shaped(self.outcome.largest), np.max(least, axis=0))
+        return rounding_of(self._shaped(self._outcome.largest), np.max(least, axis=0))
 
     @cached_property
     def axial_loads(self) -> NDArray:
         """Of each row in the direction that it carries, in +x where that is both or none; what is rounding as zero;
         shape (*cases, row) [N]."""
-        loads = self._shaped(self._known(self.outcome.axial.T), len(self.set.rows))
+        loads = self._shaped(self._known(self._outcome.axial.T), len(self.set.rows))
         return without_rounding(loads, self.rounding[..., None])
 
     @property
     def axial_play(self) -> NDArray | None:
         """`location.play`, shape (*cases, 2) [m]; None without rows that stand by their middle planes."""
-        return self._shaped(self._known(self.outcome.play), 2) if any(self.set.is_two_sided) else None
+        return self._shaped(self._known(self._outcome.play), 2) if any(self.set.is_two_sided) else None
 
     @cached_property
     def is_axially_free(self) -> Any:
@@ -242,12 +239,12 @@ class SetSolution(SolutionOfCases):
         if self._structure.elasticity.size:
             total = total + self._structure.elasticity
         total[~np.reshape(self.control_is_consistent, -1)] = np.nan
-        return without_idle_rings(self.set, total, self.outcome.held)
+        return without_idle_rings(self.set, total, self._outcome.held)
 
     @cached_property
     def _deflection(self) -> Deflection:
         loads = np.stack([row.load.reshape(-1, 5) for row in self.rows])
-        return Deflection(self.set, self.shape, self._structure, self.outcome.q, loads, self.load.reshape(-1, 5))
+        return Deflection(self.set, self.shape, self._structure, self._outcome.q, loads, self.load.reshape(-1, 5))
 
     def deflection(self, positions: ArrayLike) -> NDArray:
         """Displacement of the shaft at these positions [m]; shape (*cases, position, 5) [m, m, m, rad, rad].
@@ -353,7 +350,7 @@ class SetSolution(SolutionOfCases):
 
     @property
     def preload_at_rest(self) -> NDArray | None:
-        """The one of the two that is given: the mounted preload with `Preload(mounted=...)`, else the other [N]."""
+        """`preload_mounted` with `Preload(mounted=...)`, else `preload_unmounted`; shape (*cases, row) [N]; or None."""
         return self.preload_mounted if self._is_given_mounted else self.preload_unmounted
 
     @cached_property
@@ -365,7 +362,7 @@ class SetSolution(SolutionOfCases):
         if at_rest is None:
             return None
         given = np.array(at_rest)
-        for numbers, side in self.sides.items():
+        for numbers, side in self._sides.items():
             given[..., list(numbers)] = side.axial_loads
         return np.where(given != 0.0, given, at_rest)
 
@@ -391,7 +388,7 @@ class SetSolution(SolutionOfCases):
 
     @cached_property
     def free_channels(self) -> NDArray:
-        """Numbers of the channels whose load is prescribed."""
+        """Numbers of the channels whose load is prescribed; shape (channel)."""
         given = [getattr(self.set.operation, channel.displacement) for channel in CHANNELS]
         return np.flatnonzero([displacement is None for displacement in given])
 
@@ -442,7 +439,12 @@ class SetSolution(SolutionOfCases):
         """
         from qsbearing.systems.sets.rotor import rotor_of
 
-        return rotor_of(self, self._deflection.turned, disks, longest)
+        return rotor_of(self, self._deflection.turned, self._outcome.held, disks, longest)
 
     def _spread(self, other: SetSolution | None) -> NDArray | None:
         return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))
+
+
+def ends_of(solution: SetSolution) -> tuple[Outcome, dict[tuple[int, ...], SetSolution]]:
+    """How the flattened cases ended; and of a preload given as a force the rows of each direction alone, at rest."""
+    return solution._outcome, solution._sides

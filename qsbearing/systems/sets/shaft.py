@@ -187,7 +187,7 @@ def _housing_errors(of: HousingStiffness) -> list[ErrorDetail]:
 
 @dataclass(frozen=True)
 class Housing:
-    """The body around the outer rings, which expands along the shaft; SI units.
+    """The body around the outer rings, which expands along the shaft; SI units. Its temperature may be an array.
 
     Raises:
         SceneError: every error, at once.
@@ -254,7 +254,7 @@ class Spacer:
 
 @dataclass(frozen=True)
 class FloatingGroup:
-    """Rows whose outer rings sit in one sleeve that slides along the housing; SI units.
+    """Rows whose outer rings sit in one sleeve that slides along the housing; SI units. The spring may be an array.
 
     The housing holds the sleeve only radially: the axial loads of its rows add up to the force of the spring.
 
@@ -276,7 +276,7 @@ class FloatingGroup:
 @dataclass(frozen=True)
 class Shaft:
     """A shaft of round sections, end to end from `start` in +x; without sections it is rigid, and as long as it takes.
-    SI units.
+    SI units; its temperature, and the numbers of gears and belts, may be arrays.
 
     The set's positions are along it. Loads of the set's operation act at its reference position, those here where they
     say. With `gravity`, sections and masses have weight; rings and balls do not.

@@ -34,15 +34,15 @@ class Ball:
     """The ball of a bearing under thrust."""
 
     def __init__(self, solution: qs.Solution, traction: Traction, points: NDArray) -> None:
-        cases = solution.maker.make()
+        cases = solution._solved.maker.make()
         self.case, self.law, self.points = cases[0], laws_of(cases, traction)[0], points
         self.grooves = np.zeros(2, traction_ball.GROOVE)
         self.motion, self.balls = np.zeros(1, MOTION)[0], np.zeros(1, traction_ball.MOVED_BALL)
         self.record = self.balls[0]
         for groove, side in zip(self.grooves, (-1.0, 1.0), strict=True):
             traction_balance.set_groove(self.case, self.law, groove, side)
-        traction_balance.set_ring(self.case, self.motion, solution.results[0], True)
-        traction_balance.place_balls(self.case, self.motion, self.balls, solution.positions[0])
+        traction_balance.set_ring(self.case, self.motion, solution._solved.results[0], True)
+        traction_balance.place_balls(self.case, self.motion, self.balls, solution._solved.positions[0])
         self.start = np.array(self.record.unknown)
         self.ring = (float(self.motion.displacement[0]), 0.0)
 

@@ -183,7 +183,7 @@ def test_a_case_is_left_as_it_was() -> None:
     assert solution.iterations > 100
     made = CaseMaker(scene).make()
     for name in made.dtype.names:
-        assert np.array_equal(solution.solved._cases[name], made[name]), name
+        assert np.array_equal(solution._solved._cases[name], made[name]), name
 
 
 def test_a_case_may_be_left_in_an_equilibrium_below_its_speed() -> None:

@@ -652,7 +652,11 @@ def test_control_by_each_ball_never_asks_friction_of_an_unloaded_contact(
     """The outer raceway controls a ball that has left the inner one, by the criterion: no verdict on friction."""
     scene = turning(speed / qs.rpm, replace(bearing, kind=qs.BearingKind.DEEP_GROOVE), control=PER_BALL)
     solution = qs.solve(with_operation(scene, **dict(zip(LOADS, load, strict=True))))
-    assert solution.status is qs.Status.CONVERGED, (solution.status, solution.results["notes"], solution.residual)
+    assert solution.status is qs.Status.CONVERGED, (
+        solution.status,
+        solution._solved.results["notes"],
+        solution.residual,
+    )
 
 
 @pytest.mark.parametrize("speed", [0.0, 700.0])
@@ -662,9 +666,9 @@ def test_what_is_not_a_number_is_never_converged(speed: float) -> None:
     expected = qs.solve(scene)
     for codes in (0, 2):
         start = qs.solve(scene)
-        start.results["displacement"] = np.nan
-        start.positions[:] = np.nan
-        start.results["status"] = codes
+        start._solved.results["displacement"] = np.nan
+        start._solved.positions[:] = np.nan
+        start._solved.results["status"] = codes
         found = qs.solve(scene, start=start)
         assert found.converged
         assert found.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)

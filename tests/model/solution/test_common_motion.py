@@ -96,8 +96,8 @@ def test_the_tangent_is_that_of_neighbouring_solutions() -> None:
     found = qs.solve(of)
     np.testing.assert_allclose((found.stiffness[:3, :3] @ by_load)[:2], np.eye(2), atol=2e-5)
     np.testing.assert_allclose(found.compliance[:2, :2], by_load[:2], rtol=2e-5)
-    assert found.solved.following is not None
-    assert np.abs(found.solved.following()).max() > 0.01 * found.stiffness[1, 1]
+    assert found._solved.following is not None
+    assert np.abs(found._solved.following()).max() > 0.01 * found.stiffness[1, 1]
 
 
 def test_a_few_rounds_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -132,10 +132,10 @@ def test_both_rings_carry_the_same() -> None:
 def test_a_balance_is_read_off_only_where_somebody_asks() -> None:
     """Which takes longer than the balance of one ball; displacement and status need none of it."""
     solution = qs.solve(moved())
-    assert solution.moved is not None and solution.converged and np.isfinite(solution.displacement).all()
-    assert "motion" not in vars(solution.moved)
+    assert solution._moved is not None and solution.converged and np.isfinite(solution.displacement).all()
+    assert "motion" not in vars(solution._moved)
     assert solution.inner.load[0] == friction_of(solution).inner.load[0]
-    assert "motion" in vars(solution.moved)
+    assert "motion" in vars(solution._moved)
 
 
 def test_arrays_of_the_law_are_cases() -> None:

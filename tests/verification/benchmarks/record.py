@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 import qsbearing as qs
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.results import provenance
 from tests.verification.benchmarks import scenes, scipy_root
 
@@ -124,7 +125,7 @@ def against_scipy() -> dict[str, Any]:
     scene = scenes.random_points(SCIPY_POINTS, seed=2)
     start = scenes.plain_start(scene)
     ours = qs.solve(scene, start=start)
-    case = start.maker.make(0, 1)[0]
+    case = solved_of(start).maker.make(0, 1)[0]
     unit = float(case["force"] / case["length"] ** 1.5)
     operation = scene.operation
     problems = [

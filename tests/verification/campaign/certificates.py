@@ -259,10 +259,9 @@ def as_left(solution: qs.Solution) -> qs.Solution:
     left = copy.copy(solution)
     for name in [name for name in vars(left) if isinstance(getattr(type(left), name, None), cached_property)]:
         del left.__dict__[name]  # what was read off the cases before
-    left.results = solution.results.copy()
-    left.results["status"] = 0
-    left.solved = copy.copy(solution.solved)
-    left.solved.results, left.solved._known = left.results, {}
+    left._solved = copy.copy(solution._solved)
+    left._solved.results, left._solved._known = left._solved.results.copy(), {}
+    left.codes[:] = 0
     return left
 
 

@@ -53,7 +53,7 @@ class Tally:
     def add(self, group: Group, first: int, judged: Judged, of_twins: dict[int, str]) -> None:
         """The scenes of a group, or of a part of it, of which the first has this number, and what their twins show."""
         solution, found, certificates = judged
-        for array in (solution.results["status"], solution.iterations, solution.displacement, solution.load):
+        for array in (solution.codes, solution.iterations, solution.displacement, solution.load):
             self.digest.update(np.ascontiguousarray(array).tobytes())
         failed, converged = found.failed(), solution.converged
         for k, status in enumerate(map(str, solution.status)):

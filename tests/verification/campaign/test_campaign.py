@@ -121,7 +121,7 @@ def line_of(monkeypatch: pytest.MonkeyPatch, **changes: Any) -> dict[str, Any]:
     def changed(group: Any) -> judging.Judged:
         solution, found, certificates = judge(group)
         if "code" in changes:
-            solution.results["status"][1] = changes["code"]
+            solution.codes[1] = changes["code"]
         if "check" in changes:
             found = replace(found, **{changes["check"]: np.arange(group.size) == 1})
         certificates = {k: Certificate(changes.get("kind", "null motion")) for k in range(group.size)}

@@ -62,14 +62,14 @@ SPOILT = {
     "displacement": (lambda s: change(s.displacement, more=1e-12, at=1), {"closure"}),
     "held displacement": (lambda s: change(s.displacement, factor=1.0 + 1e-12, at=0), {"misplaced"}),
     "reaction": (lambda s: change(s.load, factor=1.0 + 1e-9, at=2), {"imbalance"}),
-    "residual": (lambda s: s.results["residual"].__setitem__(0, np.nan), {"misreported"}),
+    "residual": (lambda s: s._solved.results["residual"].__setitem__(0, np.nan), {"misreported"}),
     "ellipse": (lambda s: change(s.inner.semi_major_axis, 1e-3), {"hertz"}),
     "infinite": (lambda s: change(s.displacement, np.inf, at=0), {"closure", "not_finite"}),
     "friction without load": (lose_inner_contact, {"friction_without_load", "imbalance", "unpressed"}),
     "standing ball": (stand, {"no_orbit"}),
     "over the shoulder": (lambda s: change(s.inner.angle, 1.6), {"over_shoulder", "closure"}),
     "open side": (lambda s: change(s.inner.angle, -0.1), {"open_side", "closure"}),
-    "control": (lambda s: s.controls.__ixor__(1), {"control_unsaid"}),
+    "control": (lambda s: s._solved.controls.__ixor__(1), {"control_unsaid"}),
 }
 
 
@@ -168,7 +168,7 @@ def test_control_that_contradicts_jones_is_noted() -> None:
     solution = sample(PER_BALL)
     assert not findings(solution.scene, solution).control[0]
     solution = sample(PER_BALL)
-    solution.controls[:] = 1 - solution.controls
+    solution._solved.controls[:] = 1 - solution._solved.controls
     assert findings(solution.scene, solution).control[0]
 
 

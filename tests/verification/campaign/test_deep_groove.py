@@ -95,7 +95,7 @@ def test_a_wrong_play_and_a_place_beside_its_middle_are_found() -> None:
     nothing = dict.fromkeys(("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z"), 0.0)
     solution = qs.solve_set(loaded("both", "-x", "none", **nothing))
     assert not any(bad[0] for bad in wrong_of(solution).values())
-    solution.outcome.play[0, 1] += 1e-9
+    solution._outcome.play[0, 1] += 1e-9
     assert wrong_of(solution)["play"] == [True]
     other = qs.solve_set(replace(solution.set, rows=solution.set.rows))
     other.displacement[0, 0] += 1e-9
