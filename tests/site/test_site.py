@@ -144,6 +144,18 @@ def test_the_content_is_wide_enough_and_bars_nobody(site: tuple[Path, Path], bro
 
 
 @in_browser
+def test_dark_pages_bar_nobody(site: tuple[Path, Path]) -> None:
+    """In a browser of its own: one keeps the colours that it has shown first."""
+    made, _ = site
+    with Browser() as browser:
+        browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+        for page in ("index", "ten_minutes", "agreement"):
+            browser.open(made / f"{page}.html")
+            assert browser.value("document.body.dataset.mdColorScheme") == "slate"
+            assert barriers(browser) == []
+
+
+@in_browser
 def test_the_agreement_is_the_first_page_of_trust(site: tuple[Path, Path], browser: Browser) -> None:
     made, _ = site
     browser.open(made / "index.html")
