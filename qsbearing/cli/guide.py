@@ -73,7 +73,7 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
             _bring_pictures(into)
         else:
             what = "--html needs" if target is not None else "--open needs"
-            check_installed(what, ("mkdocs", "material", "mkdocstrings"), "docs")
+            check_installed(what, ("mkdocs", "material", "mkdocstrings", "matplotlib", "pydantic"), "docs")
             _build(into)
     print_wrote([into / FIRST])
     if is_opened:
@@ -100,7 +100,7 @@ def _build(into: Path) -> None:
     from sys import executable
 
     click.echo("qsbearing: making the site, some ten seconds", err=True)
-    ended = run([executable, "-m", "qsbearing.site", str(into)], capture_output=True, text=True, check=False)
+    ended = run([executable, "-m", "qsbearing.site", str(into), "--alone"], capture_output=True, text=True, check=False)
     if ended.returncode:
         refuse(f"the site cannot be made: {ended.stdout}{ended.stderr}")
 

@@ -23,7 +23,9 @@ import click
 from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages, topics
 from qsbearing.model.version import __version__
 from qsbearing.reports.guide_lists import LISTS
+from qsbearing.site.home import home
 from qsbearing.site.reference import command_pages, key_pages, python_pages, result_pages
+from qsbearing.site.versions import list_versions
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -31,9 +33,11 @@ BUILT = HERE / "built"
 """Where a wheel carries it."""
 TABS = ("Learn", "Do", "Trust", "Develop")
 """Headings of the guide's first page that are the site's own parts, in this order; its lists name the pages."""
-UNUSED = ("**/*.map", "assets/javascripts/lunr/*.js", "assets/javascripts/lunr/min/*.js", "sitemap.xml*")
+WAYS_IN = "guide.md"
+"""The guide's first page; the site has one of its own."""
+UNUSED = ("**/*.map", "assets/javascripts/lunr/*.js", "assets/javascripts/lunr/min/*.js", "sitemap.xml.gz")
 """Of the theme: languages of the search other than English, and maps of its scripts."""
-IN_FILES = ("search/search_index.json",)
+IN_FILES = ("search/search_index.json", "objects.inv", "sitemap.xml", "404.html")
 """What pages opened as files do not read."""
 
 
@@ -43,7 +47,9 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
     _copy_pictures(folder)
     guide = topics(lists=LISTS)
     for page in guide.values():
-        (folder / f"{page.topic}.md").write_text(_of_site(page.text), encoding="utf-8")
+        name = WAYS_IN if page.topic == "index" else f"{page.topic}.md"
+        (folder / name).write_text(_of_site(page.text), encoding="utf-8")
+    (folder / "index.md").write_text(home(folder), encoding="utf-8")
     reference = [
         {"Python": list(_written(folder, python_pages()))},
         {"Files": list(_written(folder, key_pages()))},
@@ -52,13 +58,14 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
         {"Names that stay": "interface.md"},
     ]
     about = [{"About": _about(folder)}] if (ROOT / "CHANGELOG.md").is_file() else []
-    return [{"Home": "index.md"}, *_parts(guide), {"Reference": reference}, *about]
+    *parts, develop = _parts(guide)
+    return [{"Home": "index.md"}, *parts, {"Reference": reference}, develop, *about]
 
 
 def _about(folder: Path) -> list[dict[str, str]]:
     """What a copy of the repository has besides, an installed package not."""
     changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
-    (folder / "changes.md").write_text(_of_site(changes), encoding="utf-8")
+    (folder / "changes.md").write_text(f"---\nsearch: {{boost: 0.3}}\n---\n\n{_of_site(changes)}", encoding="utf-8")
     (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
     shutil.copy(ROOT / "THIRD_PARTY_LICENSES.md", folder / "licences.md")
     return [{"Changes": "changes.md"}, {"How to cite": "cite.md"}, {"Licences of others": "licences.md"}]
@@ -75,7 +82,7 @@ def _written(folder: Path, pages: dict[str, tuple[str, str]]) -> Iterator[dict[s
 
 def _parts(guide: dict[str, Any]) -> list[dict[str, Any]]:
     """The tabs of the guide, with the pages that the lists below these headings name."""
-    parts: dict[str, list[dict[str, str]]] = {}
+    parts: dict[str, list[dict[str, str]]] = {TABS[0]: [{"What do you want to know?": WAYS_IN}]}
     part = ""
     for line in guide["index"].text.splitlines():
         if line.startswith("## "):
@@ -121,33 +128,52 @@ def _of_site(text: str) -> str:
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", lead, text)
 
 
-def configured(pages: Path, site: Path, nav: list[dict[str, Any]]) -> str:
-    """The configuration of one run, in JSON, which is YAML."""
+def configured(pages: Path, site: Path, nav: list[dict[str, Any]], is_one_of_several: bool) -> str:
+    """The configuration of one run, in JSON, which is YAML. Of several sites each shows the list of versions, and has
+    its own there; one that stands alone names it in its title."""
     given = {"INHERIT": str(HERE / "mkdocs.yml"), "docs_dir": str(pages), "site_dir": str(site), "nav": nav}
+    given |= {"theme": {"custom_dir": str(HERE / "theme")}, "copyright": f"qsbearing {__version__}, MIT licence"}
+    if is_one_of_several:
+        return json.dumps(given | {"extra": {"version": {"provider": "mike"}}})
     return json.dumps(given | {"site_name": f"qsbearing {__version__}"})
 
 
+def set_close(page: str) -> str:
+    """HTML without the indents and empty lines of the templates, a tenth of it when packed; code stays as it is."""
+    return re.sub(r"(<(pre|textarea)\b.*?</\2>)|\s*\n\s*", lambda part: part[1] or "\n", page, flags=re.DOTALL)
+
+
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("target", type=click.Path(path_type=Path, file_okay=False), default=BUILT)
+@click.argument("target", type=click.Path(path_type=Path, file_okay=False), required=False)
+@click.option("--alone", is_flag=True, help="Make it in TARGET itself, without a list of versions.")
 @click.option("--pages", "kept", type=click.Path(path_type=Path), help="Keep the Markdown pages in this folder.")
-def main(target: Path, kept: Path | None) -> None:
-    """Make the site in the folder TARGET, by default where a wheel takes it from.
+def main(target: Path | None, alone: bool, kept: Path | None) -> None:
+    """Make the site in the folder TARGET/VERSION, beside those of other versions, and list them all; without TARGET,
+    where a wheel takes it from.
 
     Exit code 1 where a link leads nowhere, or a docstring names what there is not.
     """
+    is_one_of_several = target is not None and not alone
+    site = BUILT if target is None else target if alone else target / __version__
     with tempfile.TemporaryDirectory() as temporary:
         pages = kept or Path(temporary) / "pages"
         shutil.rmtree(pages, ignore_errors=True)
         config = Path(temporary) / "mkdocs.yml"
-        config.write_text(configured(pages.resolve(), target.resolve(), write_pages(pages)), encoding="utf-8")
+        text = configured(pages.resolve(), site.resolve(), write_pages(pages), is_one_of_several)
+        config.write_text(text, encoding="utf-8")
         command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "-f", str(config)]
         ended = subprocess.run(command, env=os.environ | {"NO_MKDOCS_2_WARNING": "1"}, check=False)
-    if target == BUILT and not ended.returncode:
-        share_with_guide(target)
-    for pattern in (*UNUSED, *(IN_FILES if target == BUILT else ())):
-        for path in target.glob(pattern):
+    if ended.returncode:
+        sys.exit(ended.returncode)
+    for pattern in (*UNUSED, *(IN_FILES if site == BUILT else ())):
+        for path in site.glob(pattern):
             path.unlink()
-    sys.exit(ended.returncode)
+    for page in site.rglob("*.html"):
+        page.write_text(set_close(page.read_text(encoding="utf-8")), encoding="utf-8")
+    if site == BUILT:
+        share_with_guide(site)
+    if is_one_of_several:
+        list_versions(site.parent)
 
 
 if __name__ == "__main__":

@@ -206,13 +206,12 @@ PROGRAMS = {"qsbearing": "qsbearing.cli", "fem-check": "fem_check.cli"}
 
 
 def command_pages() -> Pages:
-    """A page for each command of both programs, from click."""
+    """A page for each program, with its commands from click."""
     pages = {}
     for program, module in PROGRAMS.items():
         group = import_module(module).cli
-        for name, command in sorted(group.commands.items()):
-            title = f"{program} {name}"
-            pages[f"commands/{program}_{name}.md"] = (title, _command(title, command))
+        listed = "\n".join(_command(f"{program} {name}", command) for name, command in sorted(group.commands.items()))
+        pages[f"commands/{program}.md"] = (program, f"# Commands of {program}\n\n{group.help}\n\n{listed}")
     return pages
 
 
@@ -223,7 +222,7 @@ def _command(title: str, command: click.Command) -> str:
     options = [each.get_help_record(context) for each in command.params]
     rows = "".join(f"| `{_cell(record[0])}` | {_cell(record[1])} |\n" for record in filter(None, options))
     table = f"\n| option | meaning |\n|---|---|\n{rows}" if rows else ""
-    return f"# {title}\n\n```text\n{usage}\n```\n\n{text}\n{table}"
+    return f"## {title}\n\n```text\n{usage}\n```\n\n{text}\n{table}"
 
 
 # Results --------------------------------------------------------------------------------------------------------------

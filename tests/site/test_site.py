@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from qsbearing.cli import cli
 from qsbearing.documents.guide import FOLDER
+from qsbearing.model.version import __version__
+from qsbearing.site.versions import list_versions
 from tests.documents.browser import WIDE, Browser, barriers, installed
 
 pytest.importorskip("mkdocs")
@@ -25,25 +33,24 @@ MATHML = {
 """Elements that MathML Core knows: a browser shows others as a row of letters."""
 TEN = (
     "index", "ten_minutes", "model", "limits", "readings", "reference/python/solution", "reference/python/sets",
-    "reference/files/effects", "reference/commands/qsbearing_run", "reference/results/bearing",
+    "reference/files/effects", "reference/commands/qsbearing", "reference/results/bearing",
 )  # fmt: skip
 """Pages of each kind."""
-OF_THEME = (
-    'aria-dialog-name: <div class="md-search"',
-    'landmark-unique: <nav class="md-nav md-nav--primary',
-    'landmark-unique: <nav class="md-code__nav"',
-)
-"""What axe finds in the theme's own frame of every page: a search without a name, and navigations of the same name."""
+MOST_SECONDS = 60.0
+"""Of a processor, to make the site."""
+OLDER = "0.1.9"
 
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """The folder of the site and that of its pages in Markdown."""
+    """The folder of the site and that of its pages in Markdown; made in less than a minute of a processor."""
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "qsbearing.site", str(folder / "made"), "--pages", str(folder / "pages")]
+    before = os.times().children_user
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (ended.returncode, ended.stdout + ended.stderr) == (0, "")
-    return folder / "made", folder / "pages"
+    assert os.times().children_user - before < MOST_SECONDS
+    return folder / "made" / __version__, folder / "pages"
 
 
 @pytest.fixture(scope="module")
@@ -85,8 +92,10 @@ def test_every_key_has_a_meaning(site: tuple[Path, Path]) -> None:
 
 def test_every_command_and_option_is_there(site: tuple[Path, Path]) -> None:
     _, pages = site
+    sections = (pages / "reference" / "commands" / "qsbearing.md").read_text(encoding="utf-8").split("\n## qsbearing ")
+    told = {text.partition("\n")[0]: text for text in sections}
     for name, command in cli.commands.items():
-        text = (pages / "reference" / "commands" / f"qsbearing_{name}.md").read_text(encoding="utf-8")
+        text = told[name]
         shown = [each for each in command.params if not getattr(each, "hidden", False)]
         options = [option for each in shown for option in each.opts if option.startswith("--")]
         assert [option for option in options if option not in text] == []
@@ -118,12 +127,7 @@ def test_the_search_needs_no_network(site: tuple[Path, Path], browser: Browser) 
     browser.open(made / "index.html")
     browser.value("document.querySelector('[name=query]').focus()")
     browser.type("preload")
-    found = "document.querySelectorAll('.md-search-result__item').length"
-    for _ in range(100):
-        if count := browser.value(found):
-            break
-        time.sleep(0.1)
-    assert count >= 5
+    assert soon(browser, "document.querySelectorAll('.md-search-result__item').length") >= 5
     links = browser.value("[...document.querySelectorAll('.md-search-result__link')].map(a => a.pathname)")
     assert any(link.endswith("sets.html") for link in links)
     assert browser.complaints == []
@@ -136,9 +140,69 @@ def test_the_content_is_wide_enough_and_bars_nobody(site: tuple[Path, Path], bro
     for width in (1280, 390):
         browser.open(made / f"{page}.html", width=width)
         assert browser.value(WIDE) <= width
-    own = [each for each in barriers(browser) if not any(known in each for known in OF_THEME)]
-    assert own == []
+    assert barriers(browser) == []
     assert browser.complaints == []
+
+
+@in_browser
+def test_dark_pages_bar_nobody(site: tuple[Path, Path]) -> None:
+    """In a browser of its own: one keeps the colours that it has shown first."""
+    made, _ = site
+    with Browser() as browser:
+        browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+        for page in ("index", "ten_minutes", "agreement"):
+            browser.open(made / f"{page}.html")
+            assert browser.value("document.body.dataset.mdColorScheme") == "slate"
+            assert barriers(browser) == []
+
+
+@in_browser
+def test_the_agreement_is_the_first_page_of_trust(site: tuple[Path, Path], browser: Browser) -> None:
+    made, _ = site
+    browser.open(made / "index.html")
+    tabs = browser.value("[...document.querySelectorAll('.md-tabs__link')].map(a => [a.innerText.trim(), a.pathname])")
+    assert Path(dict(tabs)["Trust"]).name == "agreement.html"
+
+
+@pytest.fixture
+def several(site: tuple[Path, Path]) -> Iterator[str]:
+    """The address of a server of this version and an older one."""
+    made, _ = site
+    folder = made.parent
+    shutil.copytree(made, folder / OLDER)
+    list_versions(folder)
+    quiet = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(quiet, directory=str(folder))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+    shutil.rmtree(folder / OLDER)
+
+
+@in_browser
+def test_a_version_offers_the_others(several: str) -> None:
+    """The folder leads to the newest, which lists all; an older one says that it is none."""
+    listed = "[...document.querySelectorAll('.md-version__link')].map(a => a.href)"
+    is_warned = "document.querySelector('[data-md-component=outdated]')?.hidden === false"
+    with Browser() as browser:
+        browser.open(several)
+        assert soon(browser, listed) == [f"{several}{__version__}/", f"{several}{OLDER}/"]
+        assert browser.value("location.pathname") == f"/{__version__}/index.html"
+        assert not browser.value(is_warned)
+        browser.value(f"location.href = '{several}{OLDER}/limits.html'")
+        assert soon(browser, is_warned)
+        newest = browser.value("document.querySelector('.md-banner a').href")
+        assert newest == several
+        assert browser.complaints == []
+
+
+def soon(browser: Browser, script: str) -> Any:
+    """What an expression is worth once it is worth something."""
+    for _ in range(100):
+        if value := browser.value(script):
+            return value
+        time.sleep(0.1)
+    raise AssertionError(f"never: {script}")
 
 
 @in_browser

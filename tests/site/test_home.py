@@ -1,0 +1,50 @@
+"""The first page of the site: its result is that of a run, its verdicts are those of the records."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import qsbearing as qs
+from fem_check.report import evidence, questions
+from qsbearing.site.home import home
+
+pytest.importorskip("matplotlib")
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
+    """Its Markdown, and the folder of its picture."""
+    folder = tmp_path_factory.mktemp("home")
+    return home(folder), folder
+
+
+def test_its_result_is_that_of_a_run(page: tuple[str, Path]) -> None:
+    text, folder = page
+    solution = qs.solve(qs.load_scene("b218"))
+    inner, outer = (contacts.angle[0] / qs.deg for contacts in (solution.inner, solution.outer))
+    assert f"| displacement of the inner ring | axial {solution.displacement[0] / qs.um:.2f} µm |" in text
+    assert f"| contact angles | inner {inner:.1f} deg, outer {outer:.1f} deg |" in text
+    drawn = (folder / "home.svg").read_text(encoding="utf-8")  # letters as outlines, with their text as a comment
+    assert f"= {inner:.1f}°" in drawn and f"= {outer:.1f}°" in drawn
+    assert "<!--" not in text
+
+
+def test_every_question_of_the_records_has_its_verdict(page: tuple[str, Path]) -> None:
+    """None is left out, least of all one that is not met."""
+    text, _ = page
+    records = evidence.read()
+    asked = [each for each in questions.all_of(records) if not each.text.startswith("Random scenes")]
+    rows = re.findall(r"^\| \*\*(.*?)\*\*.*>(.*?)</span> \|$", text, re.MULTILINE)
+    assert rows == [(each.text, each.verdict.word) for each in asked]
+    assert len(rows) >= 12
+    for kept in records.random_scenes:
+        assert f"of {kept.data['count']:,} " in text
+
+
+def test_what_it_names_as_limits_is_there(page: tuple[str, Path]) -> None:
+    text, _ = page
+    for words in ("May be used for", "Not validated for", "Random scenes", "Not modelled"):
+        assert f"**{words}" in text
