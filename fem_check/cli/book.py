@@ -34,7 +34,7 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
 
     Exit codes: 0 all within tolerance, 1 a case is out of tolerance, 2 bad input or a missing dependency.
     """
-    require("report", "jinja2", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
+    require("report", "jinja2", "markdown_it", "pygments", "matplotlib")
     from fem_check import book
     from fem_check.report.files import write_book
 

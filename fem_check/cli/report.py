@@ -36,7 +36,7 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
 
     Exit codes: 0 written, whatever the verdicts in it, 2 no records or a missing dependency.
     """
-    require("report", "jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
+    require("report", "jinja2", "typst", "markdown_it", "pygments", "matplotlib")
     from fem_check.report import evidence, files
     from fem_check.running import records_store
 

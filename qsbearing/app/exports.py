@@ -15,7 +15,7 @@ from qsbearing.remarks.of_solution import message
 from qsbearing.results.readings_record import all_columns, all_taken
 from qsbearing.results.set_record import set_columns
 
-NEEDED = ("markdown_it", "mdit_py_plugins", "pygments")
+NEEDED = ("markdown_it", "pygments")
 """Of a report's page, beside what this page needs."""
 
 

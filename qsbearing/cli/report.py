@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from qsbearing.studies.changed_keys import ChangedKey
     from qsbearing.systems.sets.bearing_set import BearingSet
 
-NEEDED = ("jinja2", "typst", "markdown_it", "mdit_py_plugins", "pygments", "matplotlib")
+NEEDED = ("jinja2", "typst", "markdown_it", "pygments", "matplotlib")
 MADE_FROM = re.compile(r'<meta name="made-from" content="([^"]*)">')
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from qsbearing.documents import model
-from qsbearing.documents.formula import forms, split
 from qsbearing.documents.inline import runs, with_minus
 
 Plain = dict[str, Any]
@@ -78,9 +77,6 @@ def _block(block: model.Block, level: int, counted: _Counted) -> Plain:
             return {"is": "list", "items": [runs(item) for item in block.items], "numbered": block.numbered}
         case model.Code():
             return {"is": "code", "text": block.text, "language": block.language}
-        case model.Formula():
-            latex, number = split(block.latex)
-            return {"is": "formula", "number": number, **forms(latex, True)}
         case model.Callout():
             rest = block.text.removeprefix(block.lead).strip() if type(block.text) is str else block.text
             lead = "" if rest is block.text else block.lead

@@ -1,7 +1,6 @@
-r"""Formulas: written once, in LaTeX between dollars, and shown as MathML, by typst, or as a line of text.
+r"""Formulas of the guide: written once, in LaTeX between dollars, and shown as MathML or as a line of text.
 
-latex2mathml reads the LaTeX; the two other forms are written from its tree. `\tag{19.3}` numbers a formula of its own
-line.
+latex2mathml reads the LaTeX; the text is written from its tree. `\tag{19.3}` numbers a formula of its own line.
 """
 
 from __future__ import annotations
@@ -15,12 +14,6 @@ NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 FUNCTION_SPACE = "0.17em"
 LOWERED = str.maketrans("0123456789aeioruvxhklmnpst", "₀₁₂₃₄₅₆₇₈₉ₐₑᵢₒᵣᵤᵥₓₕₖₗₘₙₚₛₜ")
 RAISED = str.maketrans("0123456789+−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
-NAMED = {
-    "(": " paren.l ", ")": " paren.r ", "[": " bracket.l ", "]": " bracket.r ", "{": " brace.l ", "}": " brace.r ",
-    "⟨": " chevron.l ", "⟩": " chevron.r ", "|": " bar.v ", ",": " comma ", ";": " semi ", "/": " slash ",
-    "′": " prime ",
-}  # fmt: skip
-"""Of typst's letters that would mean something else."""
 VULGAR = {"1/2": "½", "2/5": "⅖"}
 SPACED = set("=<>≤≥≈∼→+−±∓⋅×")
 TAG = re.compile(r"\s*\\tag\{([^}]*)\}\s*$")
@@ -34,10 +27,10 @@ def split(latex: str) -> tuple[str, str]:
 
 @cache
 def forms(latex: str, is_block: bool = False) -> dict[str, str]:
-    """The formula in its forms: {"mathml", "typst", "text"}.
+    """The formula in its forms: {"mathml", "text"}.
 
     Raises:
-        ValueError: an element that one of the forms has no rule for.
+        ValueError: an element that the text has no rule for.
     """
     from latex2mathml.converter import convert
 
@@ -45,9 +38,8 @@ def forms(latex: str, is_block: bool = False) -> dict[str, str]:
     for element in root.iter():
         element.tag = element.tag.removeprefix(f"{{{NAMESPACE}}}")
     _spaced(root)
-    row = root[0]
     shown = ET.tostring(root, encoding="unicode").replace("<math", f'<math xmlns="{NAMESPACE}"', 1)
-    return {"mathml": shown, "typst": _typst(row), "text": _tidy(_text(row))}
+    return {"mathml": shown, "text": _tidy(_text(root[0]))}
 
 
 def _spaced(element: ET.Element) -> None:
@@ -67,40 +59,6 @@ def _spaced(element: ET.Element) -> None:
 def _is_function(element: ET.Element) -> bool:
     base = element[0] if element.tag in ("msup", "msub") else element
     return base.tag == "mi" and len(base.text or "") > 1
-
-
-def _typst(element: ET.Element) -> str:
-    parts = [_typst(child) for child in element]
-    text = element.text or ""
-    match element.tag:
-        case "mrow" | "mstyle" | "mtd":
-            return f"lr({' '.join(parts)})" if _is_fenced(element) else " ".join(parts)
-        case "mi" | "mo" | "mn":
-            return _escaped(text) if len(text) == 1 or element.tag == "mn" else f'op("{text}")'
-        case "mtext":
-            return f'"{text}"'
-        case "mspace":
-            width = element.get("width", "")
-            return "" if width == FUNCTION_SPACE else f"#h({width})"
-        case "mfrac":
-            return f"frac({parts[0]}, {parts[1]})"
-        case "msqrt":
-            return f"sqrt({' '.join(parts)})"
-        case "msub" | "munder":
-            return f"attach({parts[0]}, b: {parts[1]})"
-        case "msup":
-            return f"attach({parts[0]}, t: {parts[1]})"
-        case "msubsup" | "munderover":
-            return f"attach({parts[0]}, b: {parts[1]}, t: {parts[2]})"
-    raise ValueError(f"no rule for <{element.tag}> in typst")
-
-
-def _is_fenced(row: ET.Element) -> bool:
-    return len(row) > 1 and row[0].get("form") == "prefix" and row[-1].get("form") == "postfix"
-
-
-def _escaped(text: str) -> str:
-    return "".join(NAMED.get(letter, letter) for letter in text)
 
 
 def _text(element: ET.Element) -> str:

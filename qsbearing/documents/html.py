@@ -71,13 +71,11 @@ def _templates() -> Any:
         lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "markup": Markup,
         "table_classes": lambda table: _classes(**table),
         "highlighted": lambda code: Markup(_highlighted(**code)),
         "code": lambda text: Markup(_code(str(escape(text)))),
         "unbroken": lambda text: Markup(_jointed(str(escape(_unbroken(text))))),
         "lettered": lambda text: Markup(LETTERED.sub(lambda match: _whole(match[0]), str(text))),
-        "closing": _closing,
     }
     return environment
 
@@ -153,12 +151,6 @@ def _jointed(text: str) -> str:
     text = PATH.sub(lambda match: match[0].replace("/", "/<wbr>"), text)
     text = LONG_NAME.sub(lambda match: match[0].replace("_", "_<wbr>"), text)
     return POWER.sub(lambda match: _whole(match[0]), text)
-
-
-def _closing(run: dict[str, Any]) -> str:
-    """Marks that a plain run begins with: a line must not end between a formula and them."""
-    text: str = run["text"]
-    return "" if run["styles"] or "math" in run else text[: len(text) - len(text.lstrip(".,;:)"))]
 
 
 def _picture(picture: Picture, number: int) -> str:

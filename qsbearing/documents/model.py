@@ -1,7 +1,7 @@
 """The pieces of a document: sections of paragraphs, tables, pictures, verdicts.
 
-Text is plain unless it is `Md`: then it may hold emphasis, `code`, $formulas$ and [links](#anchor) of Markdown. Names
-from records and files stay plain, so that none of their characters means anything.
+Text is plain unless it is `Md`: then it may hold emphasis, `code` and [links](#anchor) of Markdown. Names from records
+and files stay plain, so that none of their characters means anything.
 """
 
 from __future__ import annotations
@@ -95,13 +95,6 @@ class Code:
 
     text: str
     language: str = ""
-
-
-@dataclass(frozen=True)
-class Formula:
-    r"""A formula on a line of its own, in LaTeX; its number with `\tag`."""
-
-    latex: str
 
 
 @dataclass(frozen=True)
@@ -228,9 +221,7 @@ class Section:
         return self.anchor or anchor_of(self.title)
 
 
-Block: TypeAlias = (
-    "Paragraph | Bullets | Code | Formula | Callout | Facts | Trace | Table | Picture | Shares | Columns | Section"
-)
+Block: TypeAlias = "Paragraph | Bullets | Code | Callout | Facts | Trace | Table | Picture | Shares | Columns | Section"
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from qsbearing.model.solution.solution import Solution
 from qsbearing.model.units import deg, mm
 from qsbearing.pictures.style import GREY, RED, STYLE, carry_alike, raceways
 from qsbearing.readings.bearing_numbers import INNER, OUTER
-from qsbearing.readings.shoulder_overrun import groove_depth
+from qsbearing.readings.shoulder_overrun import edge_angles
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,6 +35,7 @@ ABOVE, SMALL_ABOVE = 0.75, 0.95
 """Room for a line of words above a band, in halves of its height; likewise where there is little room."""
 LINES, SMALL_LINES = 2, 3
 """Of words, and where there is little room."""
+RINGS = "[effects.elastic_rings]"
 TITLE = "Contact ellipses on their grooves, rolling up and down"
 
 
@@ -86,19 +87,18 @@ def edges_of(solution: Solution, place: CasePlace, side: str) -> Edges:
     def edge(height: float) -> float:
         return float(np.arccos(np.clip(1.0 - height / radius, -1.0, 1.0)))
 
-    def depth(diameter: Any) -> float:
-        return _number(groove_depth(bearing, diameter, which), solution, place)
-
     is_symmetric = bearing.kind is BearingKind.DEEP_GROOVE
-    free = _number(bearing.free_contact_angle, solution, place)
+    free, usual = _number(bearing.free_contact_angle, solution, place), edge(OPEN_SHOULDER * ball)
     for source, stated in _stated(solution):
         shoulder, other = (stated.get(f"{side}_{name}_diameter") for name in ("shoulder", "open"))
         if shoulder is not None:
-            high = depth(shoulder)
-            low = depth(other) if other is not None else high if is_symmetric else OPEN_SHOULDER * ball
-            return Edges(-edge(low), edge(high), source)
+            ends = edge_angles(bearing, shoulder, other, which)
+            high, low = (_number(each, solution, place) for each in ends)
+            if source == RINGS and other is None and not is_symmetric:  # there this is a ring without the other one
+                low = usual
+            return Edges(-low, high, source)
     high = max(edge(SHOULDER * ball), min(free + BEYOND_CONTACT, 0.5 * np.pi))
-    return Edges(-high if is_symmetric else -edge(OPEN_SHOULDER * ball), high, "")
+    return Edges(-high if is_symmetric else -usual, high, "")
 
 
 def _stated(solution: Solution) -> list[tuple[str, dict[str, Any]]]:
@@ -106,7 +106,7 @@ def _stated(solution: Solution) -> list[tuple[str, dict[str, Any]]]:
     scene = solution.scene
     return [
         ("[readings.overrun]", dict(scene.readings.get("overrun", {}))),
-        ("[effects.elastic_rings]", vars(scene.elastic_rings) if scene.elastic_rings is not None else {}),
+        (RINGS, vars(scene.elastic_rings) if scene.elastic_rings is not None else {}),
         ("the catalogue", catalogue_numbers(scene.bearing)),
     ]
 

@@ -139,7 +139,6 @@ def overrun(solution: Solution, given: OverrunArguments) -> Overrun:
         if shoulder is None:
             raceways.append(None)
             continue
-        other = shoulder if other is None else other
         raceway = _raceway(solution, contacts, side, shoulder, other, given.edge_radius)
         said += _remarks(name, raceway)
         raceways.append(raceway)
@@ -220,6 +219,22 @@ def groove_depth(bearing: BallBearing, shoulder_diameter: ArrayLike, side: float
     return np.asarray(side * (bottom - 0.5 * np.asarray(shoulder_diameter, float)))
 
 
+def edge_angles(
+    drawn: BallBearing, shoulder_diameter: ArrayLike, open_diameter: ArrayLike | None, side: float
+) -> tuple[NDArray, NDArray]:
+    """Of a groove's edges from its bottom, at the shoulder and at the other one [rad].
+
+    Args:
+        drawn: at rest and cold, as its shoulders are.
+        open_diameter: of the other shoulder [m]; None: as high as the first.
+        side: INNER or OUTER.
+    """
+    r = BearingNumbers(drawn).groove_radius(side)
+    other = shoulder_diameter if open_diameter is None else open_diameter
+    edge, far = (np.arccos(1.0 - groove_depth(drawn, each, side) / r) for each in (shoulder_diameter, other))
+    return edge, far
+
+
 def _shoulder_errors(bearing: BallBearing, side: float, field: str, diameter: ArrayLike) -> list[ErrorDetail]:
     array, errors = numeric(field, diameter, LENGTH)
     if array is None:
@@ -240,13 +255,12 @@ def _raceway(
     contacts: RacewayContacts,
     side: float,
     shoulder: ArrayLike,
-    other: ArrayLike,
+    other: ArrayLike | None,
     edge_radius: ArrayLike | None,
 ) -> RacewayOverrun:
-    drawn, numbers = solution.scene.bearing, BearingNumbers(solution.scene.operating_bearing)
+    numbers = BearingNumbers(solution.scene.operating_bearing)
     r = numbers.groove_radius(side)
-    depths = (groove_depth(drawn, diameter, side) for diameter in (shoulder, other))
-    edge, far = (np.arccos(1.0 - depth / BearingNumbers(drawn).groove_radius(side)) for depth in depths)
+    edge, far = edge_angles(solution.scene.bearing, shoulder, other, side)
     solution.read_at_once(*NEEDS)
     arrays = of_balls(contacts.load, contacts.sine, contacts.cosine, contacts.semi_major_axis)
     distance, load = filled(solution, 2, _fill, *of_cases(solution, r, edge, far), *arrays)

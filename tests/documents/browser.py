@@ -28,7 +28,7 @@ OVERFLOWS = """
     const own = p.getBoundingClientRect();
     if (p.tagName === 'BODY') return box.right > document.documentElement.clientWidth + 1;
     if (own.width && (box.right > own.right + 1 || box.left < own.left - 1)
-        && !e.closest('math, .skip') && getComputedStyle(e).display !== 'inline') return true;
+        && !e.closest('.skip') && getComputedStyle(e).display !== 'inline') return true;
   }
   return false;
 }).map(e => e.outerHTML.slice(0, 200))

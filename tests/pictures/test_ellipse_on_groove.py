@@ -15,16 +15,28 @@ from qsbearing.readings import overrun
 SHOULDERS = {"inner_shoulder_diameter": 0.1135, "outer_shoulder_diameter": 0.1365, "inner_open_diameter": 0.1042}
 
 
-def b218(load: float, **asked: float) -> qs.Solution:
+def b218(load: float, speed: float = 0.0, **asked: float) -> qs.Solution:
     scene = qs.load_scene("b218")
-    operation = qs.Operation(axial_load=load, radial_load_y=0.3 * load, tilt_y=0.0, tilt_z=0.0)
+    operation = qs.Operation(speed, axial_load=load, radial_load_y=0.3 * load, tilt_y=0.0, tilt_z=0.0)
     return qs.solve(replace(scene, operation=operation, readings={"overrun": asked} if asked else {}))
 
 
 @pytest.mark.parametrize("load", [5e3, 9e4])
 def test_the_distance_is_that_of_the_reading(load: float) -> None:
-    solution = b218(load, **SHOULDERS)
-    found, read = on_grooves(solution, ()), overrun(solution, **SHOULDERS)
+    check_distances(b218(load, **SHOULDERS), SHOULDERS)
+
+
+def test_an_unstated_shoulder_is_as_high_as_the_other() -> None:
+    """At a speed that presses the balls outwards, so that the outer ellipse is nearer to the one that is not stated."""
+    stated = {name: diameter for name, diameter in SHOULDERS.items() if "shoulder" in name}
+    solution = b218(5e3, 15e3 * qs.rpm, **stated)
+    outer = on_grooves(solution, ())["outer"]
+    assert outer is not None and outer.edges.low == -outer.edges.high
+    check_distances(solution, stated)
+
+
+def check_distances(solution: qs.Solution, shoulders: dict[str, float]) -> None:
+    found, read = on_grooves(solution, ()), overrun(solution, **shoulders)
     for side, raceway in (("inner", read.inner), ("outer", read.outer)):
         own = found[side]
         assert own is not None and raceway is not None
