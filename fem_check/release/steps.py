@@ -249,7 +249,7 @@ def _recomputed(level: MeshLevel, name: str, count: int) -> Step:
 
     def wrong(record: Record) -> list[str]:
         few = [f"{record['count']} cases are counted, {count} were asked for"] if record["count"] != count else []
-        return [*record["wrong"], *few, *known.above(record["bar"])]
+        return [*record["wrong"], *few, *known.above(record), *known.unsaid(record)]
 
     command = f"python -m {module} {count} {SEED}"
     return Step(f"campaign {name}", command, run, (made,), wrong, drift.of_recomputed, is_alone=False)

@@ -18,7 +18,7 @@ class Question(NamedTuple):
     records: Sequence[Kept]
     answer: str = ""
     worst: str = ""
-    limit: str = "no limit"
+    limit: str = "none: a finding, not judged"
     basis: str = ""
     """When the limit was set, and from what."""
     verdict: Badge = Badge("not on record", "missing")

@@ -10,13 +10,10 @@ from typing import Any
 
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.question import Question, judged
-from fem_check.running.known import NOT_CONVERGED
+from fem_check.running.known import NO_LIMIT, NOT_CONVERGED, REFUSED
 from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Table
 
-REFUSED = "no_equilibrium"
-PROOFS = ("unsupported direction",)
-"""Certificates of the campaigns that compute their cases a second time; others of theirs are evidence."""
-UNPROVED = "not proved"
+NOT_RECORDED = "not recorded"
 
 
 @dataclass(frozen=True)
@@ -41,7 +38,7 @@ class Scenes:
     lost: int
     """Not converged, and neither of these."""
     allowed: int | None
-    """Of those; None: no limit was set."""
+    """Of those; None: the record has no limit."""
     basis: str
     """When the limit was set, and from what."""
 
@@ -65,10 +62,9 @@ def scenes(kept: Kept) -> Scenes:
 
 
 def _recomputed(record: dict[str, Any]) -> Scenes:
-    ended, certificates, bar = record["ended"], record.get("refusals", {}), record.get("bar", {})
+    ended, certified, bar = record["ended"], record.get(REFUSED, {}), record.get("bar", {})
     refused, unsolved = (_of_status(ended, status) for status in (REFUSED, "not_converged"))
-    proved = sum(certificates.get(kind, 0) for kind in PROOFS)
-    evidence = sum(certificates.values()) - proved - certificates.get(UNPROVED, 0)
+    proved, evidence = certified.get("proofs", 0), certified.get("evidence", 0)
     lost = len(record["not_converged"])
     return Scenes(
         record["campaign"].replace("_", " "), record["count"], ended.get("converged", 0), len(record["wrong"]),
@@ -120,10 +116,10 @@ def _question(kept: Kept) -> Question:
         missed.append(
             f"{one.lost} of {one.count:,} {one.name} random scenes did not converge{beside} ({one.allowed} allowed)"
         )
-    badge = Badge("no limit", "missing") if one.is_met is None else judged(one.is_met)
+    badge = Badge(NO_LIMIT, "missing") if one.is_met is None else judged(one.is_met)
     return Question(
         f"Random scenes: {one.name}", "robustness", [kept], answer=f"{one.solved:,} of {one.count:,} solved",
-        worst=f"not converged: {one.not_converged}", limit="no limit" if one.allowed is None else str(one.allowed),
+        worst=f"not converged: {one.not_converged}", limit=NO_LIMIT if one.allowed is None else str(one.allowed),
         basis=one.basis, verdict=badge, missed="; ".join(missed),
     )  # fmt: skip
 
@@ -140,9 +136,9 @@ def table(campaigns: Sequence[Kept], caption: str) -> Table:
     for kept in campaigns:
         one = scenes(kept)
         numbers = (one.count, one.solved, one.wrong, one.proved, one.evidence, one.unproved)
-        limit = "" if one.allowed is None else f"{one.allowed:,}"
-        verdict = _question(kept).verdict
-        rows.append([one.name, *(f"{each:,}" for each in numbers), one.not_converged, limit, one.basis, verdict])
+        limit = NOT_RECORDED if one.allowed is None else f"{one.allowed:,}"
+        told = [one.not_converged, limit, one.basis or NOT_RECORDED]
+        rows.append([one.name, *(f"{each:,}" for each in numbers), *told, _question(kept).verdict])
     return Table(HEADINGS, rows, "lrrrrrrrrll", caption, stack=True)
 
 

@@ -18,6 +18,10 @@ NOT_CONVERGED = {
 """Scenes of the campaigns that no way of the solver finds an equilibrium of; three of 500,000 realistic ones."""
 
 
+REFUSED = "no_equilibrium"
+"""How a case ended that is said to have no equilibrium, and in records the key of all of them."""
+NO_LIMIT = "no limit recorded"
+"""Of a campaign whose record has no `bar`, as those of elastic rings, sets and spindles of 0.2.0."""
 _CHUNK = 1000
 """Scenes of a campaign's chunk, by which its scenes are numbered."""
 
@@ -27,14 +31,28 @@ def unnamed(lost: list[str]) -> list[str]:
     return [name for name in lost if name not in NOT_CONVERGED]
 
 
-def above(bar: dict[str, Any]) -> list[str]:
-    """What is to be said where more cases of a campaign did not converge than its limit allows."""
+def above(record: Record) -> list[str]:
+    """What is to be said where more cases of a campaign did not converge than its limit allows, or it has none."""
+    if "bar" not in record:
+        return [NO_LIMIT]
+    bar: dict[str, Any] = record["bar"]
     lost, allowed = bar["not_converged"], bar["allowed"]
     return [f"{lost} not converged, {allowed} allowed ({bar['basis']})"] if lost > allowed else []
 
 
+def unsaid(record: Record) -> list[str]:
+    """What is to be said where some refused cases of a campaign count neither as certified nor as not proved."""
+    refused = sum(number for how, number in record["ended"].items() if how.partition(":")[0] == REFUSED)
+    said = sum(record.get(REFUSED, {}).get("certificates", {}).values())
+    if said == refused:
+        return []
+    return [f"{refused} cases are refused, and of {said} a certificate or its lack is recorded"]
+
+
 def objections(record: Record) -> list[str]:
     """What the scenes of a campaign that did not converge speak against a release."""
+    if "bar" not in record:
+        return [NO_LIMIT]
     lost, bar = record["not_converged"], record["bar"]
     unknown, faults = unnamed(lost), []
     if len(unknown) > bar["allowed"]:

@@ -13,11 +13,11 @@ import pytest
 from fem_check.checks.free_ball import HYPOTHESIS
 from fem_check.report import evidence, page_one, questions, random_scenes
 from fem_check.report.evidence import Evidence, Kept
-from fem_check.report.sections import traceability
+from fem_check.report.sections import robustness, traceability
 from fem_check.running import kept_files
-from fem_check.running.known import NOT_CONVERGED
+from fem_check.running.known import NO_LIMIT, NOT_CONVERGED
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Callout, Document, Section, Table
+from qsbearing.documents.model import Badge, Callout, Document, Section, Table
 from qsbearing.model.version import __version__
 from qsbearing.results import provenance
 from tests.documents.page import Page
@@ -213,7 +213,7 @@ def recomputed(**changes: Any) -> Kept:
     record = {
         "campaign": "sets", "count": 100, "wrong": [], "not_converged": ["0/1"],
         "ended": {"converged": 90, "no_equilibrium: open_side": 6, "not_converged": 1, "not_converged: skids": 3},
-        "refusals": {"unsupported direction": 1, "open side, an equilibrium": 2, "not proved": 3},
+        "no_equilibrium": {"proofs": 1, "evidence": 2, "not_proved": 3, "without": 0},
         "bar": {"not_converged": 1, "allowed": 1, "basis": "2026-11-28: mounted"},
     }  # fmt: skip
     return Kept("sets", record | changes, "")
@@ -223,9 +223,20 @@ def test_a_campaign_counts_by_strength() -> None:
     one = random_scenes.scenes(recomputed())
     assert (one.proved, one.evidence, one.unproved) == (1, 2, 3)
     assert (one.explained, one.lost, one.allowed, one.is_met) == (3, 1, 1, True)
-    assert random_scenes.scenes(recomputed(refusals={})).unproved == 6, "what has no certificate is not proved"
+    assert random_scenes.scenes(recomputed(no_equilibrium={})).unproved == 6, "what has no certificate is not proved"
     assert random_scenes.scenes(recomputed(not_converged=["0/1", "0/2"])).is_met is False
     assert random_scenes.scenes(recomputed(wrong=["0/3: closure"])).is_met is False
+
+
+def test_a_campaign_without_a_limit_on_record_meets_none() -> None:
+    """As those of 0.2.0: neither met nor missed, and page 1 and its section say so."""
+    kept = recomputed()
+    del kept.data["bar"]
+    assert random_scenes.scenes(kept).is_met is None
+    (row,) = random_scenes.table([kept], "").rows
+    assert row[-3:] == ["not recorded", "not recorded", Badge(NO_LIMIT, "missing")]
+    said = robustness._campaigns([kept])[0]
+    assert isinstance(said, Callout) and said.text.endswith("No limit is recorded of: sets.")
 
 
 def test_only_named_realistic_scenes_may_not_converge(shipped: Evidence) -> None:

@@ -530,17 +530,31 @@ def test_drift_of_a_campaign():
 
 def test_a_recomputed_campaign_of_another_number_or_with_a_wrong_case_fails():
     kept = record_of(f"{CAMPAIGNS}/spindles/summary.json")
-    record = kept | {"bar": {"not_converged": 21, "allowed": 22, "basis": "2026-11-28: mounted"}}
+    refused = sum(number for how, number in kept["ended"].items() if how.startswith("no_equilibrium"))
+    record = kept | {
+        "bar": {"not_converged": 21, "allowed": 22, "basis": "2026-11-28: mounted"},
+        "no_equilibrium": {"certificates": {"unsupported direction": 1209, "not proved": refused - 1209}},
+    }
     step = _step("campaign spindles")
     assert step.wrong(record) == []
     lost = {"bar": record["bar"] | {"not_converged": 23}}
     assert step.wrong(record | lost) == ["23 not converged, 22 allowed (2026-11-28: mounted)"]
+    (reason,) = step.wrong(record | {"no_equilibrium": {"certificates": {"not proved": refused - 1}}})
+    assert reason == f"{refused} cases are refused, and of {refused - 1} a certificate or its lack is recorded"
     assert step.moved(record, record) == []
     assert step.wrong(record | {"wrong": ["3/4: sleeve"]}) == ["3/4: sleeve"]
     assert step.wrong(record | {"count": 19_900}) == ["19900 cases are counted, 20000 were asked for"]
     other = record | {"ended": record["ended"] | {"not_converged": 200}}
     before = record["ended"]["not_converged"]
     assert step.moved(other, record) == [f"not converged: {before} of 20000 scenes before, 200 now (limit 4)"]
+
+
+def test_a_campaign_without_a_limit_is_said_to_have_none_and_is_no_release():
+    """Those of 0.2.0 that compute their cases a second time; the other campaigns say it alike."""
+    assert known.NO_LIMIT in _step("campaign spindles").wrong(record_of(f"{CAMPAIGNS}/spindles/summary.json"))
+    wild = record_of(f"{CAMPAIGNS}/wild/summary.json")
+    del wild["bar"]
+    assert _step("campaign wild").wrong(wild) == [known.NO_LIMIT]
 
 
 def test_known_scenes_pass_by_name_and_only_while_they_are_not_solved():

@@ -298,18 +298,44 @@ def test_ball_and_ring_are_each_of_their_own_material(contact, monkeypatch):
     assert hybrid.frame.ball_share == pytest.approx(compliances[0] / sum(compliances), rel=1e-12)
 
 
+def studied(contact, parabola, gaps, load=LOAD):
+    """A contact of so many meshes, by the semi-axes and pressures of the parabola and the exact gap."""
+    below, above = ([dict.fromkeys(true_contact.READ, value) for value in values] for values in (parabola, gaps))
+    count = len(gaps)
+    return TrueContactStudy(
+        contact.groove, load, below, above, above, [(1.0, 1.0)] * count, [(0.0, 0.0)] * count, 0, ""
+    )
+
+
 @pytest.mark.parametrize("count", [2, 3])
 def test_of_two_meshes_only_the_gap_s_part_of_the_approach_is_no_judgement(contact, count):
     """Its uncertainty is a scatter, and Student's t of one degree of freedom is 12.7."""
-    plain, scattered = dict.fromkeys(true_contact.READ, 1.0), [0.999, 1.001, 1.0]
-    gaps = [dict.fromkeys(true_contact.READ, value) for value in scattered[:count]]
-    solved = TrueContactStudy(
-        contact.groove, LOAD, [plain] * count, gaps, gaps, [(1.0, 1.0)] * count, [(0.0, 0.0)] * count, 0, ""
-    )
+    solved = studied(contact, [1.0] * count, [0.999, 1.001, 1.0][:count])
     judged = {row.quantity.removesuffix(" over Hertz"): row.tolerance_percent for row in true_geometry.gap_rows(solved)}
     limits = {name: judged[name] for name in true_contact.READ}
     assert limits == true_geometry.GAP_TOLERANCES | ({"approach": None} if count == 2 else {})
     assert all(len(true_geometry.MESHES[level]) >= (3 if level is MeshLevel.RELEASE else 2) for level in MeshLevel)
+
+
+def test_the_gap_s_reference_has_the_bodies_strain(contact):
+    """A shorter parabola is curved more, and then the exact gap is shortened less; a mesh's own error tells nothing."""
+
+    def reference(parabola):
+        rows = true_geometry.gap_rows(studied(contact, [parabola] * 2, [1.0] * 2))
+        return next(row.reference for row in rows if row.quantity.startswith("semi_major"))
+
+    usual = reference(1.0)
+    assert 1e-5 < reference(0.998) - usual < reference(0.996) - usual < 1e-3
+    assert reference(1.002) == usual
+
+
+def test_several_contacts_have_one_scatter_of_their_ratios(contact):
+    """Where chance has all meshes of one contact alike, the others tell."""
+    spread, alike = studied(contact, [1.0] * 3, [0.98, 0.984, 0.982]), studied(contact, [1.0] * 3, [0.99] * 3)
+    both = [replace(each, alike=(spread, alike)) for each in (spread, alike)]
+    doubts = [each.ratio("exact_gap", "parabola", "semi_major_axis")[1] for each in both]
+    assert doubts[1] == pytest.approx(0.5 * doubts[0] * 0.01 / 0.009, rel=1e-9) and doubts[1] > 1e-4
+    assert alike.ratio("exact_gap", "parabola", "semi_major_axis")[1] == 0.0
 
 
 def test_the_whole_seat_is_held(contact):

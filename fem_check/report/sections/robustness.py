@@ -38,6 +38,8 @@ def _campaigns(campaigns: Sequence[Kept]) -> list[Block]:
     missed, wrong = [one.name for one in each if one.is_met is False], sum(one.wrong for one in each)
     said = "**No random scene is wrong.**" if wrong == 0 else "**Some random scenes are wrong.**"
     said += f" Limits are missed by: {', '.join(missed)}." if missed else " No limit is missed."
+    free = [one.name for one in each if one.allowed is None]
+    said += f" No limit is recorded of: {', '.join(free)}." if free else ""
     return [
         Callout(Md(said), "fail" if missed else "pass"),
         table(campaigns, "Campaigns of random scenes"),

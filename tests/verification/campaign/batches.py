@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.results import provenance
-from tests.verification.campaign.certificates import NOT_PROVED
+from tests.verification.campaign.certificates import NOT_PROVED, by_strength
 from tests.verification.campaign.envelope import ENVELOPES, allowed_of
 
 
@@ -114,7 +114,7 @@ def run(
         "first_batch": asked.first,
         "ended": dict(sorted(ended.items())),
         "bar": bar,
-        "refusals": dict(refusals.most_common()),
+        "no_equilibrium": by_strength(dict(refusals.most_common())),
         "wrong": listed["wrong"],
         "not_converged": listed["not_converged"],
         "largest": {error: float(f"{value:.3g}") for error, value in largest.items()},

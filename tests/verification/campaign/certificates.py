@@ -40,8 +40,10 @@ over the shoulder, under more thrust (evidence)
 from __future__ import annotations
 
 import copy
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,6 +101,20 @@ class Certificate:
     """One of PROOFS, or evidence by its name, or NONE."""
     direction: NDArray | None = None
     """For the first two: of the ring in the five channels, tilts times the pitch radius."""
+
+
+def by_strength(kinds: Mapping[str, int]) -> dict[str, Any]:
+    """Of refused cases by their certificates: how many are proved, have evidence, or neither; for the record."""
+    proofs, without, not_proved = (
+        sum(kinds.get(kind, 0) for kind in which) for which in (PROOFS, (NONE,), (NOT_PROVED,))
+    )
+    return {
+        "certificates": dict(kinds),
+        "proofs": proofs,
+        "evidence": sum(kinds.values()) - proofs - without - not_proved,
+        "not_proved": not_proved,
+        "without": without,
+    }
 
 
 # One case -------------------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from typing import Any
 import qsbearing
 from fem_check.running import known
 from qsbearing.results import provenance
-from tests.verification.campaign.certificates import NONE, NOT_PROVED, PROOFS
+from tests.verification.campaign.certificates import by_strength
 from tests.verification.campaign.chunk import UNCONVERGED
 from tests.verification.campaign.envelope import CHANCE, ENVELOPES, WHOLE, scene_name
 
@@ -99,9 +99,6 @@ def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: fl
         for which, table in added_tables(line["iterations"] for line in lines).items()
     }
     most, worst = max((line["most_iterations"] for line in lines), default=[-1, -1])
-    proofs, without, not_proved = (
-        sum(kinds.get(kind, 0) for kind in which) for which in (PROOFS, (NONE,), (NOT_PROVED,))
-    )
     return {
         "envelope": envelope,
         "seed": seed,
@@ -122,14 +119,7 @@ def summarise(envelope: str, seed: int, lines: list[dict[str, Any]], seconds: fl
             for name in ("residual", "imbalance", "closure", "hertz")
         },
         "noted": added(line["noted"] for line in lines),
-        "no_equilibrium": {
-            "reasons_and_certificates": reasons,
-            "certificates": kinds,
-            "proofs": proofs,
-            "evidence": sum(kinds.values()) - proofs - without - not_proved,
-            "not_proved": not_proved,
-            "without": without,
-        },
+        "no_equilibrium": {"reasons_and_certificates": reasons, **by_strength(kinds)},
         "families": added_tables(line["families"] for line in lines),
         "digest": hashlib.sha256("".join(line["digest"] for line in lines).encode()).hexdigest()[:16],
         "seconds": round(seconds, 1),
