@@ -68,25 +68,6 @@ def test_a_key_says_what_it_is() -> None:
 
 # What is accepted is valid --------------------------------------------------------------------------------------------
 
-REFUSED = {"inch.toml"}
-"""Shown for the sentence with which it is refused."""
-
-
-def files_of(page: Path, folder: Path) -> Iterator[tuple[str, Tables]]:
-    """Every TOML block of a page, behind what it continues."""
-    for block in pages.blocks(page):
-        if block.language == "toml":
-            pages.write_file(block.text, folder)
-            named = re.match(r"# ([\w.]+\.toml)", block.text)
-            name = named[1] if named else "my.toml"
-            yield name, tomllib.loads((folder / name).read_text(encoding="utf-8"))
-            if named is None:
-                (folder / name).unlink()
-        elif block.language == "sh":
-            for words in pages.commands(block.text):
-                if words[:2] == ["qsbearing", "init"]:
-                    pages.run_command(words, folder)
-
 
 def test_every_file_of_guide_and_repository_is_valid(tmp_path: Path) -> None:
     found: dict[str, list[str]] = {}
@@ -94,9 +75,9 @@ def test_every_file_of_guide_and_repository_is_valid(tmp_path: Path) -> None:
     for page in [pages.ROOT / "README.md", *sorted(pages.GUIDE.glob("*.md"))]:
         folder = tmp_path / page.stem
         folder.mkdir()
-        for name, document in files_of(page, folder):
+        for name, document in pages.files_of(page, folder):
             count += 1
-            if bool(faults(document)) != (name in REFUSED):
+            if bool(faults(document)) != (name in pages.REFUSED):
                 found[f"{page.name}, {name}"] = faults(document)
     studies = list((pages.ROOT / "qsbearing" / "studies" / "paper").glob("*.toml"))
     for path in [*studies, *(pages.ROOT / "tests" / "verification" / "benchmarks").glob("*.toml")]:
