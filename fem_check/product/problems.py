@@ -25,6 +25,7 @@ from fem_check.product.scenes import (
     drawing_of,
     heat_strains,
 )
+from qsbearing.systems.sets.bearing_set import row_scene
 
 LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
 DISPLACEMENTS = ("axial_displacement", "radial_displacement_y", "radial_displacement_z", "tilt_y", "tilt_z")
@@ -76,7 +77,7 @@ def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
         raise SceneProblemError(f'scene {name}: {problem}; judge the set with carries = "both"')
     load, held, shaft = _channels(of.operation)
     turning = {each: getattr(of.operation, each) for each in ("speed", "outer_speed", "first_ball_azimuth")}
-    scenes = [of.row_scene(number, qsbearing.Operation(**turning)) for number in range(len(of.rows))]
+    scenes = [row_scene(of, number, qsbearing.Operation(**turning)) for number in range(len(of.rows))]
     strains = [heat_strains(scene, name) for scene in scenes]
     moved = {body: _moved_by_heat(of, [each[body] for each in strains]) for body in ("shaft", "housing")}
     places = [_place(of, number, scene, name, moved["shaft"][number]) for number, scene in enumerate(scenes)]

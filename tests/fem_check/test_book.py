@@ -33,8 +33,7 @@ from qsbearing.model.effects import ring_compliance, ring_expansion
 from qsbearing.model.solution import flatten
 from qsbearing.readings import bearing_numbers, dynamic_rating, pass_frequencies, rating_life
 from qsbearing.studies.design import optimum
-from qsbearing.systems.sets import gears
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets import gears, problem
 from tests.documents.page import Page
 
 pytestmark = pytest.mark.skipif(not has_fast_code(), reason="thousands of cases")
@@ -218,12 +217,12 @@ def softer_rings(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def lost_offset(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first row of a set as if its faces were not ground."""
-    right = BearingSet.offset_in_operation
+    right = problem.offset_in_operation
 
-    def lost(self: Any, row: Any, offset: Any) -> Any:
-        return right(self, row, 0.0 * offset if row is self.rows[0] else offset)
+    def lost(of: Any, row: Any, offset: Any) -> Any:
+        return right(of, row, 0.0 * offset if row is of.rows[0] else offset)
 
-    monkeypatch.setattr(BearingSet, "offset_in_operation", lost)
+    monkeypatch.setattr(problem, "offset_in_operation", lost)
 
 
 def heavier_rings(monkeypatch: pytest.MonkeyPatch) -> None:

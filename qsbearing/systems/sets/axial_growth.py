@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.effects import RingExpansion
-from qsbearing.systems.sets.shaft import REFERENCE_TEMPERATURE, Spacer
+from qsbearing.systems.sets.shaft import REFERENCE_TEMPERATURE, Spacer, section_number
 
 SHAFT, HOUSING = 0, 1
 """Bodies that bearings are on and in."""
@@ -107,7 +107,7 @@ def seat_strains(of: Any, row: Any) -> tuple[Any, Any]:
     rings = expansion(of, row)
     shaft, housing = (0.0, 0.0) if rings is None else rings.seat_strains(row.bearing)
     if of.shaft is not None and of.shaft.temperature is not None:
-        shaft = of.shaft.strains[..., of.shaft.section_number(row.position)]
+        shaft = of.shaft.strains[..., section_number(of.shaft, row.position)]
     if of.housing is not None and of.housing.temperature is not None:
         housing = of.housing.strain
     return shaft, housing

@@ -32,7 +32,16 @@ from qsbearing.systems.sets.axial_growth import HOUSING, SHAFT, Growth, seat_str
 from qsbearing.systems.sets.drives import drive_errors, drive_loads
 from qsbearing.systems.sets.preload_errors import preload_errors
 from qsbearing.systems.sets.row import FARTHEST, OUT_OF_LINE, Direction, Row, row_errors
-from qsbearing.systems.sets.shaft import FloatingGroup, Housing, Shaft, ShaftLoad, Spacer, outside
+from qsbearing.systems.sets.shaft import (
+    FloatingGroup,
+    Housing,
+    Shaft,
+    ShaftLoad,
+    Spacer,
+    diameter_at,
+    outside,
+    section_number,
+)
 
 if TYPE_CHECKING:
     from qsbearing.systems.heat.network import Thermal
@@ -150,32 +159,19 @@ class BearingSet(InNotebooks):
         """Rings on this shaft and in this housing: what they leave out of their seats is the shaft's and housing's."""
         seats: dict[str, Any] = {}
         if self.shaft is not None and self.shaft.sections and rings.shaft_interference is not None:
-            section = self.shaft.sections[self.shaft.section_number(row.position)]
-            seats |= {"shaft_bore_diameter": self.shaft.bore_at(row.position), "shaft_material": section.material}
+            seats["shaft_bore_diameter"] = diameter_at(self.shaft, row.position, "inner")
+            seats["shaft_material"] = self.shaft.sections[section_number(self.shaft, row.position)].material
             seats["shaft_temperature"] = self.shaft.temperature
         if self.housing is not None and rings.housing_interference is not None:
             seats |= {"housing_material": self.housing.material, "housing_temperature": self.housing.temperature}
         missing = {name: value for name, value in seats.items() if getattr(rings, name) is None and value is not None}
         return replace(rings, **missing)
 
-    def row_scene(self, number: int, operation: Operation) -> Scene:
-        """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
-        row = self.rows[number]
-        choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_motion")
-        return Scene(
-            row.bearing,
-            operation,
-            ring_effects=self.effects_of(row),
-            readings=self.readings if row.readings is None else row.readings,
-            ball_effects=self.ball_effects,
-            **{name: getattr(self, name) for name in choices},
-        )
-
     def turning_scene(self, number: int) -> Scene:
         """A row alone, turning without any load."""
         if number not in self._turning_scenes:
             turning = Operation(**self.operation.turning)  # type: ignore[arg-type]
-            self._turning_scenes[number] = self.row_scene(number, turning)
+            self._turning_scenes[number] = row_scene(self, number, turning)
         return self._turning_scenes[number]
 
     @cached_property
@@ -193,7 +189,7 @@ class BearingSet(InNotebooks):
             effects = effects if isinstance(effects, tuple) else (effects,)
             seat: tuple[float, ...] = ()
             if self.shaft is not None and self.shaft.sections and any(isinstance(e, RingExpansion) for e in effects):
-                seat = self.shaft.section_number(row.position), self.shaft.bore_at(row.position)
+                seat = section_number(self.shaft, row.position), diameter_at(self.shaft, row.position, "inner")
             own = row.bearing, row.readings, *effects
             firsts.append(known.setdefault((seat, *map(id, own)), number))
         return tuple(firsts)
@@ -202,20 +198,6 @@ class BearingSet(InNotebooks):
     def growth(self) -> tuple[Growth, Growth]:
         """Along the shaft and in the housing."""
         return Growth(self, SHAFT), Growth(self, HOUSING)
-
-    def offset_in_operation(self, row: Row, offset: NDArray) -> NDArray:
-        """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
-
-        What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
-        the reference position. A row that stands by its middle is as far from touching as its grooves then are.
-        """
-        along, outside = (growth(row.position) for growth in self.growth)
-        moved = offset * (1.0 + seat_strains(self, row)[SHAFT]) + row.sign * (along - outside)
-        number = next(number for number, each in enumerate(self.rows) if each is row)
-        if self.is_two_sided[number]:
-            scene = self.turning_scene(self.alike[number])
-            moved = moved - (scene.operating_bearing.touching_offset - scene.axial_datum_shift)
-        return np.asarray(moved)
 
     @cached_property
     def is_two_sided(self) -> tuple[bool, ...]:
@@ -254,18 +236,6 @@ class BearingSet(InNotebooks):
         return () if self.shaft is None else (*self.shaft.loads, *drive_loads(self.shaft, self.operation.speed))
 
     @property
-    def numbers_around(self) -> list[ArrayLike | None]:
-        """Of shaft, housing, spacers and sleeves, which may span cases."""
-        numbers = [each.temperature for each in (self.shaft, self.housing) if each is not None]
-        if self.shaft is not None:
-            numbers += [value for load in self.shaft_loads for value in load.values]
-            numbers += [each.mass for each in self.shaft.masses]
-        numbers += [getattr(row, name) for row in self.rows for name, *_ in OUT_OF_LINE]
-        for each in self.spacers:
-            numbers += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
-        return numbers + [group.spring for group in self.floating]
-
-    @property
     def groups(self) -> tuple[tuple[tuple[int, ...], Preload | None], ...]:
         """(numbers of rows, from 0, that hold each other axially through one outer body; their preload): the housing's
         rows, then each floating group's."""
@@ -275,17 +245,13 @@ class BearingSet(InNotebooks):
         own = [self.preload if group.preload is None else group.preload for group in self.floating]
         return ((fixed, self.preload), *zip(floating, own, strict=True))
 
-    def opposes(self, group: tuple[int, ...]) -> bool:
-        """Whether rows of a group that are pressed to one side carry in both directions."""
-        return len({self.rows[number].sign for number in group if not self.is_two_sided[number]}) == 2
-
     @property
     def is_opposed(self) -> bool:
         """Whether some rows that are pressed to one side carry in +x and some in -x."""
-        return self.opposes(tuple(range(len(self.rows))))
+        return location.opposes(self, tuple(range(len(self.rows))))
 
     @property
-    def has_shared_places(self) -> bool:
+    def _has_shared_places(self) -> bool:
         """Whether two rows stand at one place, as in a four-point bearing."""
         return any(_share_place(row, other) for row, other in combinations(self.rows, 2))
 
@@ -295,7 +261,7 @@ class BearingSet(InNotebooks):
         stand by their middle planes, how they are held."""
         if any(self.is_two_sided):
             return location.in_words(self)
-        if self.has_shared_places and len(self.rows) == 2:
+        if self._has_shared_places and len(self.rows) == 2:
             return "four-point contact (two opposed rows at one place)"
         order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
         pair = tuple(str(row.carries) for row in order)
@@ -303,6 +269,47 @@ class BearingSet(InNotebooks):
         if len(pair) == 2:
             return names.get(pair, "DT (tandem)")
         return " ".join(pair)
+
+
+def row_scene(of: BearingSet, number: int, operation: Operation) -> Scene:
+    """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
+    row = of.rows[number]
+    choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_motion")
+    return Scene(
+        row.bearing,
+        operation,
+        ring_effects=of.effects_of(row),
+        readings=of.readings if row.readings is None else row.readings,
+        ball_effects=of.ball_effects,
+        **{name: getattr(of, name) for name in choices},
+    )
+
+
+def offset_in_operation(of: BearingSet, row: Row, offset: NDArray) -> NDArray:
+    """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
+
+    What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
+    the reference position. A row that stands by its middle is as far from touching as its grooves then are.
+    """
+    along, outside = (growth(row.position) for growth in of.growth)
+    moved = offset * (1.0 + seat_strains(of, row)[SHAFT]) + row.sign * (along - outside)
+    number = next(number for number, each in enumerate(of.rows) if each is row)
+    if of.is_two_sided[number]:
+        scene = of.turning_scene(of.alike[number])
+        moved = moved - (scene.operating_bearing.touching_offset - scene.axial_datum_shift)
+    return np.asarray(moved)
+
+
+def numbers_around(of: BearingSet) -> list[ArrayLike | None]:
+    """Of shaft, housing, spacers and sleeves, which may span cases."""
+    numbers = [each.temperature for each in (of.shaft, of.housing) if each is not None]
+    if of.shaft is not None:
+        numbers += [value for load in of.shaft_loads for value in load.values]
+        numbers += [each.mass for each in of.shaft.masses]
+    numbers += [getattr(row, name) for row in of.rows for name, *_ in OUT_OF_LINE]
+    for each in of.spacers:
+        numbers += [each.inner_length, each.outer_length, each.inner_temperature, each.outer_temperature]
+    return numbers + [group.spring for group in of.floating]
 
 
 def places_on_shaft(of: BearingSet) -> dict[str, float]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.validation import LENGTH, ErrorDetail
 from qsbearing.systems.sets.belts import slack_errors
-from qsbearing.systems.sets.shaft import Shaft, ShaftLoad, outside
+from qsbearing.systems.sets.shaft import Shaft, ShaftLoad, diameter_at, outside
 from qsbearing.systems.sets.torque import speed_errors, torque_on_shaft
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def drive_errors(of: Shaft, speed: ArrayLike) -> list[ErrorDetail]:
     for number, gear in enumerate(of.gears, 1):
         if not of.sections or gear.internal or outside(of, [("", gear.position)]):
             continue
-        thick = of.diameter_at(gear.position)
+        thick = diameter_at(of, gear.position, "outer")
         small = np.asarray(gear.diameter * SOLID < thick)
         if small.any():
             diameter = float(np.min(gear.diameter))

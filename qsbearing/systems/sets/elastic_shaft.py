@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qsbearing.systems.sets.beam import Beam, flexibility, rigid_motion
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.bearing_set import BearingSet, numbers_around
 from qsbearing.systems.sets.rigid_shaft import UNKNOWNS, arms_along, own_lever, row_matrices
 from qsbearing.systems.sets.shaft import Shaft, ShaftLoad
 from qsbearing.systems.sets.weight import weight
@@ -246,7 +246,7 @@ def _modes(own: NDArray, channels: tuple[int, ...], length: NDArray) -> tuple[ND
 def axial_deflection(of: BearingSet, loads: list[NDArray]) -> list[NDArray]:
     """How far shaft and housings let each row draw back in the direction that it carries, under rows' axial loads in
     theirs [m]; of a set at rest and cold, its shaft unloaded."""
-    given = (of.reference, *(row.position for row in of.rows), *of.numbers_around, *loads)
+    given = (of.reference, *(row.position for row in of.rows), *numbers_around(of), *loads)
     shape = np.broadcast_shapes(*(np.shape(each) for each in given if each is not None))
     places, signs = Places(of, shape), np.array([row.sign for row in of.rows])
     rows = len(of.rows)

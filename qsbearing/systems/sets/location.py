@@ -120,3 +120,8 @@ def play(of: Any, cases: NDArray, offsets: NDArray) -> NDArray:
             else:
                 low = np.maximum(low, -reach if row.sign < 0.0 else reach)
     return np.stack([low, high], axis=-1)
+
+
+def opposes(of: Any, group: tuple[int, ...]) -> bool:
+    """Whether rows of a group that are pressed to one side carry in both directions."""
+    return len({of.rows[number].sign for number in group if not of.is_two_sided[number]}) == 2

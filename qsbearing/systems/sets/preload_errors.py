@@ -7,7 +7,7 @@ from typing import Any
 
 from qsbearing.model.scene.preload import NOT_A_PRELOAD, Preload
 from qsbearing.model.validation import ErrorDetail, Field, Sentence
-from qsbearing.systems.sets.location import LOCATED, carried, is_deep_groove
+from qsbearing.systems.sets.location import LOCATED, carried, is_deep_groove, opposes
 from qsbearing.systems.sets.row import ONE_WAY, Direction, Row
 
 
@@ -29,7 +29,12 @@ def preload_errors(of: Any) -> list[ErrorDetail]:
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
     one_sided = [row for row, both in zip(of.rows, of.is_two_sided, strict=True) if not both]
     directions = {way for row in (of.rows if kind == "spring" else one_sided) for way in carried(row)}
-    if kind is not None and kind != "spring" and len(directions) == 2 and not any(map(of.opposes, dict(of.groups))):
+    if (
+        kind is not None
+        and kind != "spring"
+        and len(directions) == 2
+        and not any(opposes(of, each) for each, _ in of.groups)
+    ):
         cause = (
             "No group of rows, in the housing or floating, carries in both directions: give the floating group a force"
         )

@@ -20,7 +20,7 @@ from qsbearing.model.operation import CHANNELS, Operation
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.rounding import NOISE
 from qsbearing.model.solution.solution import Solution
-from qsbearing.systems.sets.bearing_set import BearingSet
+from qsbearing.systems.sets.bearing_set import BearingSet, numbers_around, offset_in_operation, row_scene
 from qsbearing.systems.sets.elastic_shaft import PLANES, structure_of
 from qsbearing.systems.sets.equilibrium import LARGEST_STEP, Stretch, follow, is_beyond_springs, newton, unsupported
 from qsbearing.systems.sets.location import play
@@ -105,7 +105,7 @@ class Problem:
         scenes = {number: of.turning_scene(number) for number in sorted(set(of.alike))}
         spring = None if of.preload is None else of.preload.spring
         numbers = [*vars(operation).values(), *offsets, *(row.position for row in of.rows), of.reference, spring]
-        numbers += of.numbers_around
+        numbers += numbers_around(of)
         shapes = [np.shape(number) for number in numbers if number is not None]
         try:
             self.shape = np.broadcast_shapes(*shapes, *(CaseMaker(scene).shape for scene in scenes.values()))
@@ -115,7 +115,7 @@ class Problem:
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
         self.makers = {number: CaseMaker(scene, dict(given)) for number, scene in scenes.items()}
         """Of bearings that are not alike, by their first row."""
-        warm = (of.offset_in_operation(row, offset) for row, offset in zip(of.rows, offsets, strict=True))
+        warm = (offset_in_operation(of, row, offset) for row, offset in zip(of.rows, offsets, strict=True))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self._lever = 0.5 * np.mean(self._of_rows(lambda row: row.bearing.pitch_diameter), axis=0)
         self.structure = structure_of(of, self.shape, self._lever)
@@ -256,7 +256,7 @@ class Problem:
         moved[:, 0] += self.offsets[number]
         names = [channel.displacement for channel in CHANNELS]
         given = {name: moved[:, i].reshape(self.shape)[()] for i, name in enumerate(names)}
-        maker = CaseMaker(self.of.row_scene(number, Operation(**self.of.operation.turning, **given)))  # type: ignore[arg-type]
+        maker = CaseMaker(row_scene(self.of, number, Operation(**self.of.operation.turning, **given)))  # type: ignore[arg-type]
         results, positions, controls = self.found.part(np.s_[number])
         balls = maker.ball_axis
         own = np.ascontiguousarray(positions[:, :balls]), np.ascontiguousarray(controls[:, :balls])

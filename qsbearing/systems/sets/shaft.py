@@ -326,24 +326,19 @@ class Shaft:
         warmer = np.asarray(self.temperature, float) - self.reference_temperature
         return np.stack([warmer * float(each.material.thermal_expansion) for each in self.sections], axis=-1)  # type: ignore[arg-type]
 
-    def section_number(self, position: ArrayLike) -> int:
-        """Which section, from 0, a position is in; the later one of two that meet there."""
-        number = int(np.searchsorted(self.ends, float(np.ravel(position)[0]), side="right")) - 1
-        return min(max(number, 0), len(self.sections) - 1)
 
-    def bore_at(self, position: ArrayLike) -> float:
-        """Diameter of the bore [m]."""
-        return self._diameter_at(position, "inner")
+def section_number(of: Shaft, position: ArrayLike) -> int:
+    """Which section, from 0, a position is in; the later one of two that meet there."""
+    number = int(np.searchsorted(of.ends, float(np.ravel(position)[0]), side="right")) - 1
+    return min(max(number, 0), len(of.sections) - 1)
 
-    def diameter_at(self, position: ArrayLike) -> float:
-        """Outer diameter [m]."""
-        return self._diameter_at(position, "outer")
 
-    def _diameter_at(self, position: ArrayLike, side: str) -> float:
-        number = self.section_number(position)
-        begin, end = getattr(self.sections[number], f"{side}_diameters")
-        part = (float(np.ravel(position)[0]) - self.ends[number]) / self.sections[number].length
-        return float(begin + part * (end - begin))
+def diameter_at(of: Shaft, position: ArrayLike, side: str) -> float:
+    """Its outer diameter, or that of its bore, the inner one [m]."""
+    number = section_number(of, position)
+    begin, end = getattr(of.sections[number], f"{side}_diameters")
+    part = (float(np.ravel(position)[0]) - of.ends[number]) / of.sections[number].length
+    return float(begin + part * (end - begin))
 
 
 def _shaft_errors(of: Shaft) -> Iterator[ErrorDetail]:

@@ -22,6 +22,7 @@ from qsbearing.systems.sets import remarks as _remarks  # noqa: F401 - what ther
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.drives import with_torques
 from qsbearing.systems.sets.elastic_shaft import axial_deflection
+from qsbearing.systems.sets.location import opposes
 from qsbearing.systems.sets.one_way import settle
 from qsbearing.systems.sets.problem import Problem
 from qsbearing.systems.sets.row import OUT_OF_LINE
@@ -124,7 +125,7 @@ def _sides(of: BearingSet, threads: int | None, tolerance: float) -> Sides:
     known: dict[tuple[int, ...], SetSolution] = {}
     choices = {name: getattr(of, name) for name in CHOICES_OF_CONTACT}
     for group, preload in of.groups:
-        if preload is None or preload.kind not in ("rigid", "mounted") or not of.opposes(group):
+        if preload is None or preload.kind not in ("rigid", "mounted") or not opposes(of, group):
             continue
         force = np.asarray(getattr(preload, preload.kind), float)
         effects_at_rest = as_fitted if preload.is_given_mounted else as_made
@@ -153,7 +154,7 @@ def _offsets(of: BearingSet, sides: Sides) -> list[NDArray]:
         for number in numbers:
             pressed[number] = side.set.rows[0].sign * side.displacement[..., 0]
     for group, preload in of.groups:
-        if preload is not None and preload.kind == "axial_displacement" and of.opposes(group):
+        if preload is not None and preload.kind == "axial_displacement" and opposes(of, group):
             for number in group:
                 if not of.is_two_sided[number]:
                     pressed[number] = 0.5 * np.asarray(preload.axial_displacement, float)

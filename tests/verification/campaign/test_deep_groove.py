@@ -10,7 +10,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.model.compiler.compiled import has_fast_code
-from qsbearing.systems.sets import one_way, rigid_shaft
+from qsbearing.systems.sets import one_way, problem, rigid_shaft
 from tests.systems.sets.test_two_sided import stand
 from tests.verification.campaign.deep_groove import BATCH, draw_sets, wrong_of
 
@@ -69,12 +69,12 @@ def lost_lever(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def lost_heat(monkeypatch: pytest.MonkeyPatch) -> None:
     """Grooves where they were cold, of rings that have grown."""
-    right = qs.BearingSet.offset_in_operation
+    right = problem.offset_in_operation
 
-    def moved(self: Any, row: Any, offset: Any) -> Any:
-        return right(self, row, np.asarray(offset) + 1e-9)
+    def moved(of: Any, row: Any, offset: Any) -> Any:
+        return right(of, row, np.asarray(offset) + 1e-9)
 
-    monkeypatch.setattr(qs.BearingSet, "offset_in_operation", moved)
+    monkeypatch.setattr(problem, "offset_in_operation", moved)
 
 
 @compiled_only
