@@ -99,7 +99,7 @@ def _build(into: Path) -> None:
     from subprocess import run
     from sys import executable
 
-    click.echo("qsbearing: making the site, some ten seconds", err=True)
+    click.echo("qsbearing: making the site, some twenty seconds", err=True)
     ended = run([executable, "-m", "qsbearing.site", str(into), "--alone"], capture_output=True, text=True, check=False)
     if ended.returncode:
         refuse(f"the site cannot be made: {ended.stdout}{ended.stderr}")

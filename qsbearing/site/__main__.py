@@ -131,7 +131,12 @@ def _of_site(text: str) -> str:
 def configured(pages: Path, site: Path, nav: list[dict[str, Any]], is_one_of_several: bool) -> str:
     """The configuration of one run, in JSON, which is YAML. Of several sites each shows the list of versions, and has
     its own there; one that stands alone names it in its title."""
-    given = {"INHERIT": str(HERE / "mkdocs.yml"), "docs_dir": str(pages), "site_dir": str(site), "nav": nav}
+    given: dict[str, Any] = {
+        "INHERIT": str(HERE / "mkdocs.yml"),
+        "docs_dir": str(pages),
+        "site_dir": str(site),
+        "nav": nav,
+    }
     given |= {"theme": {"custom_dir": str(HERE / "theme")}, "copyright": f"qsbearing {__version__}, MIT licence"}
     if is_one_of_several:
         return json.dumps(given | {"extra": {"version": {"provider": "mike"}}})
