@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from fem_check.cli.output import OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
+from fem_check.cli.output import BOOK, OUT_OF_TOLERANCE, RESULTS, progress_bar, refuse, require
 from fem_check.rows import row_text
 from qsbearing.cli.output import print_table, print_wrote
 from qsbearing.documents.model import Badge, Table
@@ -34,7 +34,7 @@ def book_cases(names: tuple[str, ...], out: Path, as_json: bool) -> None:
 
     Exit codes: 0 all within tolerance, 1 a case is out of tolerance, 2 bad input or a missing dependency.
     """
-    require("report", "jinja2", "markdown_it", "pygments", "matplotlib")
+    require("fem", *BOOK)
     from fem_check import book
     from fem_check.report.files import write_book
 

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import click
 
+from fem_check.cli.output import require
 from qsbearing.cli.output import print_table
 from qsbearing.documents.model import Table
 
 
 @click.command("list", short_help="List the checks and the published cases.")
 def list_checks() -> None:
-    """List the checks (name, kind, question, tolerance) and the cases of the validation book."""
+    """List the checks (name, kind, question, tolerance) and the cases of the validation book.
+
+    Exit codes: 0 listed, 2 a missing dependency.
+    """
+    require("fem", "pydantic")
     from fem_check.book.case import EVIDENCE
     from fem_check.book.cases import ALL as CASES
     from fem_check.checks import ALL, OPTIONAL

@@ -29,6 +29,8 @@ def refuse(message: str, code: int = BAD_INPUT) -> NoReturn:
 
 FEM = ("fem", "skfem", "meshio", "matplotlib")
 """What solves contacts, for `require`."""
+BOOK = ("jinja2", "markdown_it", "pygments", "matplotlib", "pydantic")
+"""What writes pages of the validation book."""
 
 
 def require(extra: str, *packages: str, what: str = "this") -> None:

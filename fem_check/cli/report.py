@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from fem_check.cli.output import RESULTS, refuse, require
+from fem_check.cli.output import BOOK, RESULTS, refuse, require
 from qsbearing.cli.output import print_text, print_wrote
 from qsbearing.model.validation import printable
 
@@ -36,7 +36,7 @@ def report(out: Path, records: Path | None, previous: Path | None) -> None:
 
     Exit codes: 0 written, whatever the verdicts in it, 2 no records or a missing dependency.
     """
-    require("report", "jinja2", "typst", "markdown_it", "pygments", "matplotlib")
+    require("fem", *BOOK, "typst")
     from fem_check.report import evidence, files
     from fem_check.running import records_store
 

@@ -1,6 +1,8 @@
 """The command line: exit codes, sentences, records kept whole, the report's sameness."""
 
 import json
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
@@ -109,6 +111,16 @@ def test_bad_input_is_exit_2_with_a_sentence(arguments, said):
     assert result.exit_code == 2
     assert said in result.stderr
     assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("command", ["list", "book", "report"])
+def test_a_package_that_is_not_installed_is_exit_2_with_the_extra(command, tmp_path):
+    """Of the extra `fem`, where only `all` is installed; in a process of its own, which has loaded nothing yet."""
+    code = "import sys; sys.modules['pydantic'] = None; from fem_check.__main__ import main; main()"
+    words = [sys.executable, "-c", code, command]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "this needs pydantic: pip install" in done.stderr and "[fem]'" in done.stderr
 
 
 def test_too_little_memory_is_said_before_starting(tmp_path, monkeypatch):

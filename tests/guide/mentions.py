@@ -12,6 +12,7 @@ from qsbearing.results import remarks
 
 NO_EXAMPLE = {
     "code.md": "names a command to follow its steps through the folders",
+    "releasing.md": "names commands that make numbers of the README again",
     "timing.md": "names commands to say how long they take",
 }
 """Pages whose commands show no results. All others are read for it, the notebook cell by cell."""

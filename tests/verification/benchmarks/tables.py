@@ -23,7 +23,7 @@ from fem_check.rows import row_text
 from fem_check.rows.agreement import MeshLevel
 from fem_check.running import records_store
 from qsbearing.model.solution.point_errors import CREEP, HELD
-from tests.guide import agreement, interface
+from tests.guide import agreement, claims, interface
 from tests.reports import evidence_numbers
 from tests.systems.rotor_dynamics import spindle
 from tests.verification.benchmarks import before, cost, marked
@@ -382,7 +382,7 @@ PAGES: dict[str, dict[str, Callable[[], str]]] = {
         "commands": lambda: interface.table("commands", "command"),
         "json": lambda: interface.table("json", "in"),
     },
-    "releasing.md": {"minutes of the gate": gate_minutes},
+    "releasing.md": {"minutes of the gate": gate_minutes, "numbers of the README": claims.table},
     "README.md": {"random scenes": random_scenes},
 }
 """Pages, and the tables of each."""
