@@ -4,9 +4,10 @@
     python -m tests.verification.mutations --count 60 --under qsbearing/systems/sets qsbearing/files --record FILE
 
 draws operators and digits from the code of both packages, changes each in a copy, and runs the tests of its module and
-then quick checks on the copy, the kernel as plain Python, each with at most 60 s of processor time. What it finds is
-kept in `mutations.json` from one change to the next, so an interrupted run goes on where it was. A change that nothing
-sees is a missing test, or makes no difference; which of the two somebody has to find out, and writes into `survivors`.
+then quick checks on the copy, each with at most 60 s of processor time. The kernel runs as plain Python where the
+change is in its own source, else as its machine code. What it finds is kept in `mutations.json` from one change to the
+next, so an interrupted run goes on where it was. A change that nothing sees is a missing test, or makes no difference;
+which of the two somebody has to find out, and writes into `survivors`.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from pathlib import Path
 from typing import Any
 
 from fem_check.checks import ALL
+from qsbearing.model.compiler import library
 from qsbearing.results import provenance
 
 ROOT = Path(__file__).parents[2]
@@ -123,15 +125,16 @@ def tests_of(path: str) -> list[str]:
     return [name for *_, name in sorted(ranked)[:MOST_FILES]]
 
 
-def run(folder: Path, *command: str) -> tuple[str, str]:
+def run(folder: Path, *command: str, plain: bool) -> tuple[str, str]:
     """pass, fail, or timeout; and what it printed."""
 
     def limited() -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
 
-    kernel = {"NUMBA_DISABLE_JIT": "1", "QSBEARING_COMPILED": "0", "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+    environment |= {"NUMBA_DISABLE_JIT": "1"} if plain else {}
     done = subprocess.run(
-        [sys.executable, "-m", *command], cwd=folder, env=os.environ | {"PYTHONPATH": str(folder)} | kernel,
+        [sys.executable, "-m", *command], cwd=folder, env=environment,
         capture_output=True, text=True, check=False, preexec_fn=limited,
     )  # fmt: skip
     return "timeout" if done.returncode < 0 else "fail" if done.returncode else "pass", done.stdout
@@ -156,18 +159,19 @@ def seen_by(folder: Path, target: Path, source: str, changed: str, path: str) ->
     A test that fails must pass without the change.
     """
     late: list[str] = []
+    plain = path in json.loads((library.FOLDER / library.MANIFEST).read_text(encoding="utf-8"))["sources"]
     for name, command in commands_for(path).items():
         broken: list[str] = []
         while True:
             target.write_text(changed, encoding="utf-8")
-            ended, said = run(folder, *command, *(f"--deselect={each}" for each in broken))
+            ended, said = run(folder, *command, *(f"--deselect={each}" for each in broken), plain=plain)
             target.write_text(source, encoding="utf-8")
             if ended != "fail":
                 late += [name] if ended == "timeout" else []
                 break
             failed = re.findall(r"^(?:FAILED|ERROR) (\S+)", said, re.MULTILINE) if name == "tests" else []
             again = ("pytest", "-qx", "-p", "no:cacheprovider", *failed) if failed else command
-            if run(folder, *again)[0] == "pass":
+            if run(folder, *again, plain=plain)[0] == "pass":
                 return ", ".join(failed) or name, late
             late.append(f"fails or ends late without the change: {', '.join(failed) or name}")
             if not failed or len(late) > 3:

@@ -46,7 +46,7 @@ def test_a_test_that_fails_without_the_change_sees_nothing(is_seen, tmp_path, mo
     """test_a fails always, test_b where the file is changed and anything looks at it."""
     target = tmp_path / "module.py"
 
-    def run(folder, *command):
+    def run(folder, *command, plain):
         failing = [name for name in ("test_a", "test_b") if f"--deselect={name}" not in command]
         if command[-1] in failing:
             failing = [command[-1]]
