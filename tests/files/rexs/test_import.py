@@ -207,6 +207,17 @@ def test_an_oil_is_read_with_its_density_and_left_out_without_both_viscosities(i
         assert "lubricant" not in tables(imported(xml(lacking)), "shaft_2.toml")["readings"]
 
 
+def test_lengths_hold_at_the_temperature_of_the_gear_unit(imported: Any) -> None:
+    def reference(model: dict[str, Any]) -> float:
+        rows: list[dict[str, Any]] = tables(imported(xml(model)), "shaft_2.toml")["rows"]
+        return float(rows[0]["ring_expansion"]["reference_temperature_C"])
+
+    model = spindle()
+    assert reference(model) == 20
+    model["components"].append(part(9, "gear_unit", reference_temperature=("C", 25)))
+    assert reference(model) == 25
+
+
 def test_arrays_in_base64_read_as_plain_ones(imported: Any) -> None:
     wanted = texts(imported(xml(b218(mirrored=True))))
     for code, kind in (("float64", "<f8"), ("float32", "<f4"), ("int32", "<i4")):
