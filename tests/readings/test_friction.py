@@ -146,6 +146,8 @@ def test_friction_is_in_proportion_to_its_coefficients() -> None:
     assert two.inner.sliding_power == pytest.approx(2 * one.inner.sliding_power)
     assert one.inner.hysteresis_power is None
     assert one.drag_power is None
+    empty = qs.readings.friction(solution, 0.05, drag_coefficient=0.5, fluid_density=0.0)
+    assert empty.power == pytest.approx(one.power, rel=1e-12)
     assert two.inner.hysteresis_power is not None
     assert two.outer.hysteresis_power is not None
     assert two.drag_power is not None
