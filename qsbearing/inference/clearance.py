@@ -1,6 +1,6 @@
 """The clearance of deep groove ball bearings before they are mounted, by class and bore (ISO 5753-1).
 
-Up to 100 mm the limits were compared with printed copies; beyond, none was at hand.
+Up to 140 mm the limits are those of printed copies, which a test compares; beyond, none was at hand.
 """
 
 from __future__ import annotations

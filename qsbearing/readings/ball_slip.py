@@ -37,7 +37,7 @@ from qsbearing.readings.ball_drag import DRAG_COEFFICIENTS, drag_force
 from qsbearing.readings.ball_motion import AXIS, ring_speeds
 from qsbearing.readings.bearing_numbers import BearingNumbers
 from qsbearing.readings.entry import Reading, ReadingTable, both_or_neither, simply, with_arguments
-from qsbearing.readings.lubricant import OIL_DENSITY, OilState
+from qsbearing.readings.lubricant import OIL_DENSITY, RANGES, OilState
 from qsbearing.remarks.balls import SOLVED, by_friction, instead_of_slip
 from qsbearing.remarks.kinds import CHECK, INCOMPLETE, SEE_HYPOTHESES, WRONG, Kind
 from qsbearing.remarks.remark import Holding, Remarked, Remarks, remark, remarks
@@ -110,7 +110,7 @@ class SlipArguments:
     drag_coefficient: ArrayLike | None = field(default=None, metadata=given_in())
     least_oil_share: ArrayLike | None = field(default=None, metadata=given_in(range=SHARES))
     most_oil_share: ArrayLike | None = field(default=None, metadata=given_in(range=SHARES))
-    oil_density: ArrayLike | None = field(default=None, metadata=given_in("kg/m3"))
+    oil_density: ArrayLike | None = field(default=None, metadata=given_in("kg/m3", RANGES["density"]))
     minimum_load_factor: ArrayLike | None = field(default=None, metadata=given_in("N", FACTORS))
     oil: OilState | None = None
 
@@ -132,7 +132,7 @@ class SlipArguments:
             },
             "Drag needs all three; leave all out for none",
         )
-        errors += within("oil_density", self.density, DENSITY, 500.0, 2e3)
+        errors += within("oil_density", self.density, DENSITY, *RANGES["density"])
         least, most = self.least_oil_share, self.most_oil_share
         if not errors and least is not None and most is not None and np.any(np.asarray(least) > np.asarray(most)):
             errors.append(ErrorDetail("least_oil_share", "is above most_oil_share", cause="Swap the two"))

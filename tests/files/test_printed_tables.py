@@ -1,4 +1,5 @@
-"""Tables of digits against other prints of the same numbers, typed from these: seats, tolerances of bearings."""
+"""Tables of digits against other prints of the same numbers, typed from these: seats, tolerances and clearances of
+bearings."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ import pytest
 
 import qsbearing as qs
 from qsbearing.files.fits import deviations, fit
+from qsbearing.inference.clearance import ClearanceClass, clearance_limits
 
 LONGXI = [6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500]
 """Ranges up to [mm], from 3 mm: Fujian Longxi, Fits of radial spherical plain bearings, both tables."""
@@ -58,6 +60,21 @@ OUTSIDE = {
 }
 """Of makers' tables after ISO 492: the first range, and deviations below the nominal diameter [um]."""
 
+CLEARANCES = {
+    10: [0, 7, 2, 13, 8, 23, 14, 29, 20, 37],
+    18: [0, 9, 3, 18, 11, 25, 18, 33, 25, 45],
+    24: [0, 10, 5, 20, 13, 28, 20, 36, 28, 48],
+    30: [1, 11, 5, 20, 13, 28, 23, 41, 30, 53],
+    40: [1, 11, 6, 20, 15, 33, 28, 46, 40, 64],
+    50: [1, 11, 6, 23, 18, 36, 30, 51, 45, 73],
+    65: [1, 15, 8, 28, 23, 43, 38, 61, 55, 90],
+    80: [1, 15, 10, 30, 25, 51, 46, 71, 65, 105],
+    100: [1, 18, 12, 36, 30, 58, 53, 84, 75, 120],
+    120: [2, 20, 15, 41, 36, 66, 61, 97, 90, 140],
+    140: [2, 23, 18, 48, 41, 81, 71, 114, 105, 160],
+}
+"""PTI, Bearing inserts: internal clearance, C2 to C5, bores up to [mm]; its text ends at 140 mm."""
+
 
 @pytest.mark.parametrize("name", [*LONGXI_SHAFTS, *SUMITOMO_SHAFTS, *SKF_SHAFTS])
 def test_shafts_are_as_printed(name: str) -> None:
@@ -99,3 +116,9 @@ def test_outside_diameters_are_as_printed(tolerance_class: str) -> None:
         low, high = deviations("JS4", diameter)
         found = fit("housing", "JS4", tolerance_class, diameter * qs.mm)
         assert np.array([found.least, found.most]) / qs.um == pytest.approx([-high - width, -low]), diameter
+
+
+@pytest.mark.parametrize("bore", CLEARANCES)
+def test_clearances_are_as_printed(bore: int) -> None:
+    limits = [clearance_limits(bore * qs.mm, each) for each in ClearanceClass]
+    np.testing.assert_allclose(limits, np.reshape(CLEARANCES[bore], (5, 2)) * qs.um, atol=1e-9)

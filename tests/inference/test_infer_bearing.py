@@ -9,6 +9,7 @@ import pytest
 
 import qsbearing as qs
 from fem_check.book.published import columns_of, gmn_rows
+from qsbearing.inference.narrowing import shares_removed
 from qsbearing.inference.rigidity import pair_rigidity
 from tests.inference.data_sheets import Known, deep_groove, gmn, sheet
 
@@ -131,6 +132,20 @@ def test_what_one_more_number_would_remove() -> None:
     assert "ball_count" not in counted.shares_removed(np.arange(counted.misfit.size))
     sized = qs.infer_bearing(**known.sheet, ball_count=known.ball_count, ball_diameter=known.ball_diameter)
     assert sized.misfit.size == 3 and sized.at(0).ball_diameter == known.ball_diameter
+
+
+@pytest.mark.parametrize(
+    ("stiffer", "left"),
+    [(0.0, 10.0), (20.0, 8.0 / 3.0), (100.0, 0.0)],
+    ids=["as stiff", "as stiff at one end", "stiffer"],
+)
+def test_a_known_rigidity_leaves_what_the_ball_sets_that_have_it_differ_by(stiffer: float, left: float) -> None:
+    """Two sets of three groove radii, whose results are 10 apart: alike in rigidity, sharing one end, or not at all."""
+    values, groove = np.array([0.0, 1.0, 2.0, 10.0, 11.0, 12.0]), np.tile([100.0, 110.0, 120.0], 2)
+    number = np.repeat([0, 1], 3)
+    shares = shares_removed(values, number, {"groove": groove, "set": number}, groove + stiffer * number)
+    assert shares["pair_rigidity"] == pytest.approx(1.0 - left / 12.0)
+    assert (shares["groove"], shares["set"]) == pytest.approx((1.0 - 10.0 / 12.0, 1.0 - 2.0 / 12.0))
 
 
 def test_what_nobody_states_is_said() -> None:

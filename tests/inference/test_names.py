@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -84,11 +85,12 @@ def test_the_clearance_is_that_of_the_class_with_its_range() -> None:
 
 
 def test_clearance_classes_follow_each_other() -> None:
-    """Each step of class is looser at both ends, and so is each larger bore within a class."""
+    """Each step of class is looser at both ends and overlaps the one before; larger bores are no tighter."""
     for bore in range(6, 201):
         limits = [clearance_limits(bore * qs.mm, each) for each in ClearanceClass]
         assert None not in limits
         assert limits == sorted(limits)  # type: ignore[type-var]
+        assert all(looser[0] < tighter[1] for tighter, looser in pairwise(limits))  # type: ignore[index]
         larger = [clearance_limits((bore + 1) * qs.mm, each) for each in ClearanceClass]
         if None not in larger:
             assert all(one[1] <= other[1] for one, other in zip(limits, larger, strict=True))  # type: ignore[index]

@@ -14,6 +14,7 @@ import qsbearing as qs
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.readings import ball_slip, friction
 from qsbearing.readings.asked import take_asked
+from qsbearing.readings.lubricant import RANGES
 from qsbearing.remarks.remark import told
 from qsbearing.results.readings_record import all_taken
 from qsbearing.results.remarks import every_remark
@@ -55,6 +56,15 @@ def test_drag_by_hand() -> None:
     # The same force as in the reading of friction, at the same density.
     power = friction(solution, 0.07, drag_coefficient=1.5, fluid_density=180.0).drag_power[0]
     assert power == pytest.approx(0.2 * force * orbit * 62.63e-3, rel=1e-10)
+
+
+def test_drag_grows_with_the_density_over_all_that_a_lubricant_may_have() -> None:
+    least, most = RANGES["density"]
+    thin, dense = (ball_slip(solved(B218), 0.07, oil_density=each, **OIL) for each in (least, most))
+    assert dense.most_drag_used == pytest.approx(most / least * thin.most_drag_used, rel=1e-12)
+    for each in (0.99 * least, 1.01 * most):
+        with pytest.raises(qs.SceneError, match="oil_density"):
+            ball_slip(solved(B218), 0.07, oil_density=each, **OIL)
 
 
 def test_the_oil_is_that_of_the_lubricant() -> None:

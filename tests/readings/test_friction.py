@@ -13,7 +13,13 @@ import qsbearing as qs
 from qsbearing.documents.terminal import text_of
 from qsbearing.files.scene_file import scene_of
 from qsbearing.readings import friction_estimate
-from qsbearing.readings.ellipse_sliding import PLACES, SLENDEREST, deformed_radius, mean_sliding_speed, sliding_table
+from qsbearing.readings.ellipse_sliding import (
+    deformed_radius,
+    mean_sliding_speed,
+    place_of_ellipse,
+    sliding_table,
+    tabulated_sliding_speed,
+)
 from qsbearing.results.json_record import record
 from qsbearing.results.report import result
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, DEEP_GROOVE, SPINDLE, resting, solved, turning
@@ -85,13 +91,11 @@ def test_the_table_is_the_integral() -> None:
     share = np.concatenate([[0.0, 1.0, 0.5], rng.uniform(0.0, 1.0, 400)])
     ratio = np.concatenate([[1.0, 1.0, 0.002], np.exp(rng.uniform(np.log(0.002), 0.0, 400))])
     exact, _ = mean_sliding_speed(1.0 - share, share, ratio, 12)
-    step = np.log(1 / SLENDEREST) / (PLACES[1] - 1)
-    interval = np.minimum((np.log(ratio / SLENDEREST) / step).astype(int), PLACES[1] - 2)
-    i = np.minimum((share * (PLACES[0] - 1)).astype(int), PLACES[0] - 2)
-    x, y = share * (PLACES[0] - 1) - i, np.log(ratio / SLENDEREST) / step - interval
-    c = sliding_table()[interval, i]
-    powers = np.arange(3, -1, -1)
-    found = np.einsum("npq,np,nq->n", c, x[:, None] ** powers, y[:, None] ** powers)
+    table = sliding_table()
+    found = [
+        tabulated_sliding_speed(table, 1.0 - each, each, *place_of_ellipse(axes))
+        for each, axes in zip(share, ratio, strict=True)
+    ]
     assert found == pytest.approx(exact, rel=6e-5)
 
 
@@ -146,6 +150,8 @@ def test_friction_is_in_proportion_to_its_coefficients() -> None:
     assert two.inner.sliding_power == pytest.approx(2 * one.inner.sliding_power)
     assert one.inner.hysteresis_power is None
     assert one.drag_power is None
+    empty = qs.readings.friction(solution, 0.05, drag_coefficient=0.5, fluid_density=0.0)
+    assert empty.power == pytest.approx(one.power, rel=1e-12)
     assert two.inner.hysteresis_power is not None
     assert two.outer.hysteresis_power is not None
     assert two.drag_power is not None

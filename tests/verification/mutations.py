@@ -4,10 +4,11 @@
     python -m tests.verification.mutations --count 60 --under qsbearing/systems/sets qsbearing/files --record FILE
 
 draws operators and digits from the code of both packages, changes each in a copy, and runs the tests of its module and
-then quick checks on the copy, each with at most 60 s of processor time. The kernel runs as plain Python where the change
-is in its own source, else as its machine code. What it finds is kept in `mutations.json` from one change to the next, so
-an interrupted run goes on where it was. A change that nothing sees is a missing test, or makes no difference; which of
-the two somebody has to find out, and writes into `survivors`.
+then quick checks on the copy, each with at most 60 s of processor time. The kernel runs as plain Python where the
+change is in its own source, else as its machine code. What it finds is kept in `mutations.json` from one change to the
+next, so an interrupted run goes on where it was; `mutations_of_readings.json` is a record of some folders. A change
+that nothing sees is a missing test, or makes no difference; which of the two somebody has to find out, and writes into
+`survivors`.
 """
 
 from __future__ import annotations

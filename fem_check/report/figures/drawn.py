@@ -69,9 +69,14 @@ SHARES = RecordFigure(
 """Of a record that has numbers for none of these pictures."""
 
 
+def drawing_of(entry: Record) -> RecordFigure:
+    """What the record has numbers for."""
+    return next((drawing for key, drawing in DRAWN.items() if key in entry["pictures"]), SHARES)
+
+
 def one(entry: Record) -> list[Picture]:
     """The picture of a record's card; none where it has neither numbers for one nor a limit."""
-    drawing = next((drawing for key, drawing in DRAWN.items() if key in entry["pictures"]), SHARES)
+    drawing = drawing_of(entry)
     if drawing is SHARES and not shares.drawable(entry["rows"]):
         return []
     figure = drawing.draw(entry)

@@ -95,7 +95,7 @@ def answer(name: str, kept: Kept) -> str:
 
 def _judged(name: str, kept: Kept, bold: bool) -> str:
     judged = [row for row in kept.data["rows"] if row["tolerance_percent"] is not None]
-    rows = [row for row in judged if row["reference"] and used(row) > 1e-6] or judged
+    rows = [row for row in judged if row["reference"]] or judged
     said = ANSWERS.get(name) or f"{as_read(kept.data['question'])} Yes."
     said = f"**{said}**" if bold else said
     if not rows:

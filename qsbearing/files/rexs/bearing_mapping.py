@@ -307,17 +307,17 @@ def readings(reader: AttributeReader, bearing: Component, casing: Component | No
     )
     if oil is None or temperature is None:
         return tables
+    viscosities = {at: reader.positive(oil, f"viscosity_at_{at}_degree_celsius") for at in (40, 100)}
+    if None in viscosities.values():
+        return tables
     from qsbearing.readings.lubricant import TABLE
 
     keys: dict[str, Key] = {key.field: key for key in map(key_of, TABLE.inputs)}
-    table = NotedTable()
-    table.put(keys["viscosity_at_40"], reader.positive(oil, "viscosity_at_40_degree_celsius"))
-    table.put(keys["viscosity_at_100"], reader.positive(oil, "viscosity_at_100_degree_celsius"))
+    table = tables["lubricant"] = NotedTable()
+    for at, value in viscosities.items():
+        table.put(keys[f"viscosity_at_{at}"], value)
     table.put(keys["oil_temperature"], temperature)
     table.put(keys["oil_density"], reader.positive(oil, "density_at_15_degree_celsius"))
-    if len(table) < 3:
-        return tables
-    tables["lubricant"] = table
     contamination = reader.positive(bearing, "contamination_factor_iso_281_2007")
     if contamination is not None:
         tables["life"].set("contamination_factor", contamination)

@@ -193,6 +193,31 @@ def test_a_spindle_becomes_a_set_on_an_elastic_shaft(imported: Any) -> None:
     assert "a gap of 1 mm before component 4" in lacks[0]
 
 
+def test_an_oil_is_read_with_its_density_and_left_out_without_both_viscosities(imported: Any) -> None:
+    """One viscosity makes no oil, whatever else is told of it."""
+    model = spindle()
+    oil = model["components"][7]["attributes"]
+    oil["density_at_15_degree_celsius"] = ("kg / m^3", 900)
+    assert tables(imported(xml(model)), "shaft_2.toml")["readings"]["lubricant"] == {
+        "viscosity_at_40C_mm2_s": 68, "viscosity_at_100C_mm2_s": 9, "oil_temperature_C": 60, "oil_density_kg_m3": 900,
+    }  # fmt: skip
+    for name in [name for name in oil if name.startswith("viscosity")]:
+        lacking = copy.deepcopy(model)
+        del lacking["components"][7]["attributes"][name]
+        assert "lubricant" not in tables(imported(xml(lacking)), "shaft_2.toml")["readings"]
+
+
+def test_lengths_hold_at_the_temperature_of_the_gear_unit(imported: Any) -> None:
+    def reference(model: dict[str, Any]) -> float:
+        rows: list[dict[str, Any]] = tables(imported(xml(model)), "shaft_2.toml")["rows"]
+        return float(rows[0]["ring_expansion"]["reference_temperature_C"])
+
+    model = spindle()
+    assert reference(model) == 20
+    model["components"].append(part(9, "gear_unit", reference_temperature=("C", 25)))
+    assert reference(model) == 25
+
+
 def test_arrays_in_base64_read_as_plain_ones(imported: Any) -> None:
     wanted = texts(imported(xml(b218(mirrored=True))))
     for code, kind in (("float64", "<f8"), ("float32", "<f4"), ("int32", "<i4")):

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.model.solution.preload_state import PreloadState
 from qsbearing.systems.sets.preload_limits import preload_summary
+from qsbearing.systems.sets.preload_search import StateChange, sentence, together
 from tests.qsbearing.scenes import B218, BOTH, CENTRIFUGAL, OUTER
 from tests.qsbearing.similarity import FITS, GROWN, warm_fits
 from tests.systems.sets.arrangements import DISTANCE, S6210C, S6210E, pair, printed, rows, solved, spindle, with_load
@@ -180,6 +182,20 @@ def test_speeds_at_which_a_preload_runs_away() -> None:
     first, second = rows("DB")
     sprung = replace(of, rows=(first, replace(second, sprung=True)), preload=qs.Preload(spring=240.0))
     assert qs.preload_speeds(sprung, 30_000 * qs.rpm) == []
+
+
+def test_what_becomes_of_several_rows_is_said_once_and_of_one_alone_by_itself() -> None:
+    """Whichever rows: a preload that runs away is a matter of all; one that is lost, or a set that ends, of its own."""
+    of = qs.BearingSet(rows("DB"), preload=qs.Preload(rigid=720.0))
+    every = [
+        *(StateChange(speed, row, "maintained", PreloadState.EXCESSIVE) for row, speed in enumerate((900.0, 901.0))),
+        *(StateChange(950.0, row, "maintained", PreloadState.LOST) for row in (0, 1)),
+        StateChange(990.0, -1, "", "no_equilibrium"),
+    ]
+    said = [sentence(of, same, lambda where: "here", "at once") for same in together(every)]
+    begun = ("Rows 1 and 2: the preload exceeds", "Row 1 (", "Row 2 (", "The set: no equilibrium")
+    assert len(said) == len(begun)
+    assert all(text.startswith(beginning) for text, beginning in zip(said, begun, strict=True)), said
 
 
 def test_speeds_at_which_a_preload_is_lost() -> None:
