@@ -157,7 +157,8 @@ def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
 
 
 def _line(question: Question) -> list[Cell]:
-    limit = f"{question.limit} ({question.basis})" if question.basis else question.limit
+    limit = question.limit or ("none: a finding" if question.answer else "")
+    limit += f" ({question.basis})" if question.basis else ""
     more = Md(f"[more](#{question.see})")
     return [question.text, question.answer, question.worst, limit, question.verdict, more]
 

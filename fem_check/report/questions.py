@@ -265,8 +265,8 @@ def _measured(evidence: Evidence) -> Question:
     return question._replace(
         answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
         + ("none" if worst is None else f"{as_read(worst['quantity'])}, {as_read(worst['case'])}"),
-        worst="" if worst is None else largest([worst]),
-        verdict=judged(False) if missed else Badge("not validated", "finding"), missed=missed,
+        worst="" if worst is None else largest([worst]), limit="each case has its own; none of single findings",
+        verdict=judged(False) if missed else Badge("none at speed", "finding"), missed=missed,
         not_for="contact angles, loads and stiffness at speed (no such measurement was found)",
     )  # fmt: skip
 
