@@ -20,7 +20,7 @@ from fem_check.independent import shaft_beam
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.quasi_static import CHANNELS, BalanceProblem, Placed, alone
 from fem_check.independent.shaft_beam import BeamSection
-from fem_check.product.problems import LOADS, as_preloaded, past_the_balls, pressed, row_of
+from fem_check.product.problems import LOADS, approach_of, as_preloaded, past_the_balls, row_of
 
 NAME = "of the check"
 FORCES = ("axial", "radial_y", "radial_z", "moment_y", "moment_z")
@@ -230,7 +230,7 @@ class OnShaft:
         pull = np.zeros((2, 5))
         pull[:, 0] = force, -force
         stretched = float(cold.moved(np.array([arm, 0.0]), pull, np.zeros(5), np.array([arm]))[0, 0])
-        return pressed((still,), force) + stretched + force * float(self.compliance(row)[0])
+        return approach_of((still,), force) + stretched + force * float(self.compliance(row)[0])
 
     @staticmethod
     def compliance(row: qs.Row) -> Array:

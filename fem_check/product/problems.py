@@ -54,7 +54,7 @@ def of_scene(scene: qsbearing.Scene, name: str) -> BalanceProblem:
             shaft[0] = _number(preload.axial_displacement)
         else:
             mounted = Placed(row_of(as_preloaded(scene, preload), name), alone())
-            shaft[0] = pressed((mounted,), _force(preload))
+            shaft[0] = approach_of((mounted,), _force(preload))
         # The shaft, as long as it was held, has grown since.
         shaft[0] *= 1.0 + heat_strains(scene, name)["shaft"]
     return BalanceProblem((Placed(row_of(scene, name), alone()),), load, held, shaft)
@@ -93,7 +93,7 @@ def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
                 for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True))
                 if row.sign == sign and not of.is_two_sided[number]
             )
-            pressed[sign] = pressed(side, _force(preload))
+            pressed[sign] = approach_of(side, _force(preload))
     rows = []
     for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True)):
         apart = moved["shaft"][number] - moved["housing"][number]
@@ -234,7 +234,7 @@ def past_the_balls(scene: qsbearing.Scene, name: str) -> float:
     return float(beyond + axial_growth(scene, name)[0])
 
 
-def pressed(rows: tuple[Placed, ...], force: float) -> float:
+def approach_of(rows: tuple[Placed, ...], force: float) -> float:
     """The axial displacement of straight rings at rest under a force."""
     load = force * np.eye(CHANNELS)[0]
     problem = BalanceProblem(rows, load, STRAIGHT, np.zeros(CHANNELS))
