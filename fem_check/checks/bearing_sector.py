@@ -217,12 +217,18 @@ NOTE = (
     "exact: an error of the mesh that is common to both cancels. Cases that do not name the gyroscopic moment have "
     "the centrifugal force alone, in the model and in the elements."
 )
+_QUICK, _RELEASE = (sector_judgement.TOLERANCES[level] for level in (MeshLevel.QUICK, MeshLevel.RELEASE))
+_HALF_SPACES = sector_judgement.HALF_SPACE_TOLERANCES
 CHECK = Check(
     name="bearing_sector",
     question="One ball between two elastic rings: at which loads is the quasi-static model no longer accurate?",
     kind=CheckKind.MODEL_COMPARISON,
     reference="qsbearing.solve, boundary elements for the true surfaces, statics from the drawing",
-    tolerance="a 0.9, p0 2.5 % (release 0.6, 1.5, b 1.3); half-spaces: load 0.12 %, angle 0.1°; statics 0.05 %",
+    tolerance=(
+        f"a {_QUICK['semi_major_axis']:g}, p0 {_QUICK['max_pressure']:g} % (release {_RELEASE['semi_major_axis']:g}, "
+        f"{_RELEASE['max_pressure']:g}, b {_RELEASE['semi_minor_axis']:g}); half-spaces: load "
+        f"{_HALF_SPACES['load']:g} %, angle {_HALF_SPACES['angle']:g}°; statics {sector_statics.FORCE_TOLERANCE:g} %"
+    ),
     run=run,
     largest_dofs=lambda level: {MeshLevel.QUICK: 30_000, MeshLevel.RELEASE: 110_000}[level],
 )

@@ -54,6 +54,8 @@ SHAFT = qs.Shaft(
     supports=(qs.ShaftSupport(0.21, 4e6, 9e6, 1.4e7, 3e3, 5e3),),
     temperature=CELSIUS + 49.0, masses=(qs.ShaftMass(0.19, 3.5),), gravity=(1.2, -9.2, 3.1),
 )  # fmt: skip
+BETWEEN = (SHAFT.start, -0.05, 0.1, 0.23)
+"""Places where nothing holds the shaft: its ends, its load, and amid its rows [m]."""
 SPACER = qs.Spacer(
     (1, 2), 0.11 + 11e-6, 0.11, inner_material=qs.STEEL, outer_material=BRONZE,
     inner_temperature=CELSIUS + 55.0, outer_temperature=CELSIUS + 41.0,
@@ -92,7 +94,7 @@ def unlike_rows() -> Iterator[AgreementRow]:
     solution, own = qs.solve_set(of), OnShaft(of)
     transfers = [own.to_row(number) for number in range(len(of.rows))]
     on_shaft = [-to_row.T @ row.load for to_row, row in zip(transfers, solution.rows, strict=True)]
-    at, forces = own.acting(on_shaft, -solution.support_loads)
+    at, forces = own.acting(on_shaft, -solution.support_loads, BETWEEN)
     total, size = forces.sum(axis=0), np.array([1.0, 1.0, 1.0, 0.1, 0.1])
     total[3] -= (at * forces[:, 2]).sum()
     total[4] += (at * forces[:, 1]).sum()
@@ -100,16 +102,15 @@ def unlike_rows() -> Iterator[AgreementRow]:
     yield compared(
         CASE, "forces left, moments over 0.1 m, and the largest", "N", total / size + scale, scale, "statics"
     )
-    stations = at[: len(of.rows) + len(SHAFT.supports)]
-    moved = own.moved(at, forces, solution.displacement, stations)
-    source = "a beam under the solution's forces, by integration"
-    places = [*own.positions, *(each.position for each in SHAFT.supports)]
-    told = solution.deflection(places)
-    yield compared(CASE, "the shaft at rows and support, tilts over 0.1 m", "m", told * size, moved * size, source)
+    places = [*own.positions, *(each.position for each in SHAFT.supports), *BETWEEN]
+    moved = own.moved(at, forces, solution.displacement, np.array([own.arm(each) for each in places]))
+    source, told = "a beam under the solution's forces, by integration", solution.deflection(places)
+    quantity = "the shaft at rows, support and between, tilts over 0.1 m"
+    yield compared(CASE, quantity, "m", told * size, moved * size, source)
     springs = np.array(
         [[each.axial, each.radial_y, each.radial_z, each.tilt_y, each.tilt_z] for each in SHAFT.supports]
     )
-    expected = springs * moved[len(of.rows) :]
+    expected = springs * moved[len(of.rows) : -len(BETWEEN)]
     yield compared(CASE, "what the support carries", "N, N m", solution.support_loads, expected, "springs on the beam")
     stiffness: list[Any] = []
     rows: list[AgreementRow] = []

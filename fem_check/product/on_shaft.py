@@ -8,20 +8,19 @@ and an elastic housing add, its balls must be in equilibrium, and all forces on 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import sin
 from typing import Any
 
 import numpy as np
 
 import qsbearing as qs
-from fem_check.independent import quasi_static, shaft_beam
+from fem_check.independent import shaft_beam
 from fem_check.independent.contact_problem import Array
 from fem_check.independent.quasi_static import CHANNELS, BalanceProblem, Placed, alone
 from fem_check.independent.shaft_beam import BeamSection
-from fem_check.product.problems import as_preloaded, row_of
-from fem_check.product.scenes import axial_growth, drawing_at_rest
+from fem_check.product.problems import LOADS, approach_of, as_preloaded, past_the_balls, row_of
 
 NAME = "of the check"
 FORCES = ("axial", "radial_y", "radial_z", "moment_y", "moment_z")
@@ -157,26 +156,27 @@ class OnShaft:
                 loads += [gravity * mass for mass in masses]
         return at, loads
 
-    def acting(self, rows: list[Array], supports: Array) -> tuple[Array, Array]:
+    def acting(self, rows: list[Array], supports: Array, seen: Sequence[float]) -> tuple[Array, Array]:
         """Places from the reference position, and all that acts on the shaft there: loads and weights, and what rows
-        and supports do."""
+        and supports do.
+
+        Args:
+            seen: where else the shaft's shape is asked for: weights between such places act at single points.
+        """
         held = [*self.positions, *(each.position for each in self.shaft.supports)]
         loaded = [each.position for each in self.shaft.loads]
         operation, reference = self.of.operation, float(np.asarray(self.of.reference_position))
-        channels = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
-        given = np.array([float(np.asarray(getattr(operation, name))) for name in channels])
+        given = np.array([float(np.asarray(getattr(operation, name))) for name in LOADS])
         own = [np.array([float(getattr(each, name)) for name in FORCES]) for each in self.shaft.loads]
-        at, weights = self.weights([*held, reference])
+        at, weights = self.weights([*held, reference, *seen])
         # What is meant at the reference position stays there, whatever a spacer moves.
         places = [*(self.arm(each) for each in [*held, *loaded]), 0.0, *(self.arm(each) for each in at)]
         return np.array(places), np.array([*rows, *supports, *own, given, *weights])
 
     def to_row(self, number: int) -> Array:
         """From the shaft's displacement where a row stands to that of its inner ring, in its own frame; (5, 5)."""
-        scene, sign = self.row_scene(number), self.of.rows[number].sign
-        drawing = drawing_at_rest(scene, NAME)
-        beyond = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
-        out = moved_along(sign * (beyond + axial_growth(scene, NAME)[0]))
+        sign = self.of.rows[number].sign
+        out = moved_along(sign * past_the_balls(self.row_scene(number), NAME))
         out[[0, 3, 4]] *= sign
         return out
 
@@ -224,17 +224,13 @@ class OnShaft:
         preload, row = self.of.preload, self.of.rows[number]
         assert preload is not None and preload.rigid is not None
         force = float(np.asarray(preload.rigid))
-        scene = as_preloaded(self.row_scene(number), preload)
-        held = np.array([False, True, True, True, True, True])
-        placed = (Placed(row_of(scene, NAME), alone()),)
-        problem = BalanceProblem(placed, force * np.eye(CHANNELS)[0], held, np.zeros(CHANNELS))
-        still = quasi_static.solve(problem, quasi_static.at_rest(problem), [None])
+        still = Placed(row_of(as_preloaded(self.row_scene(number), preload), NAME), alone())
         cold = replace(self, is_cold=True)
         arm = cold.arm(self.positions[number])
         pull = np.zeros((2, 5))
         pull[:, 0] = force, -force
         stretched = float(cold.moved(np.array([arm, 0.0]), pull, np.zeros(5), np.array([arm]))[0, 0])
-        return float(still.shaft[0]) + stretched + force * float(self.compliance(row)[0])
+        return approach_of((still,), force) + stretched + force * float(self.compliance(row)[0])
 
     @staticmethod
     def compliance(row: qs.Row) -> Array:

@@ -55,7 +55,7 @@ def of_scene(scene: qsbearing.Scene, name: str) -> BalanceProblem:
             shaft[0] = _number(preload.axial_displacement)
         else:
             mounted = Placed(row_of(as_preloaded(scene, preload), name), alone())
-            shaft[0] = _pressed((mounted,), _force(preload))
+            shaft[0] = approach_of((mounted,), _force(preload))
         # The shaft, as long as it was held, has grown since.
         shaft[0] *= 1.0 + heat_strains(scene, name)["shaft"]
     return BalanceProblem((Placed(row_of(scene, name), alone()),), load, held, shaft)
@@ -94,7 +94,7 @@ def of_set(of: qsbearing.BearingSet, name: str) -> BalanceProblem:
                 for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True))
                 if row.sign == sign and not of.is_two_sided[number]
             )
-            pressed[sign] = _pressed(side, _force(preload))
+            pressed[sign] = approach_of(side, _force(preload))
     rows = []
     for number, (scene, place, row) in enumerate(zip(scenes, places, of.rows, strict=True)):
         apart = moved["shaft"][number] - moved["housing"][number]
@@ -212,11 +212,10 @@ def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: 
     Args:
         moved: the row, by the heat of the shaft, in +x [m].
     """
-    drawing, row = drawing_at_rest(scene, name), of.rows[number]
+    row = of.rows[number]
     sign, arm = row.sign, _number(row.position) - _number(of.reference) + moved
     if scene.tilt_lever is not qsbearing.TiltLever.PITCH_CIRCLE and not of.is_two_sided[number]:
-        beyond = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
-        arm += sign * (beyond + axial_growth(scene, name)[0])
+        arm += sign * past_the_balls(scene, name)
     at = np.array([arm, 0.0, 0.0])
     place = np.zeros((5, CHANNELS))
     for channel, direction in enumerate(np.eye(3)):
@@ -229,7 +228,14 @@ def _place(of: qsbearing.BearingSet, number: int, scene: qsbearing.Scene, name: 
     return place
 
 
-def _pressed(rows: tuple[Placed, ...], force: float) -> float:
+def past_the_balls(scene: qsbearing.Scene, name: str) -> float:
+    """How far the plane of the inner groove centres is past that of the balls, on the side that is pushed [m]."""
+    drawing = drawing_at_rest(scene, name)
+    beyond = (drawing.inner_groove_radius - 0.5 * drawing.ball_diameter) * sin(drawing.free_contact_angle)
+    return float(beyond + axial_growth(scene, name)[0])
+
+
+def approach_of(rows: tuple[Placed, ...], force: float) -> float:
     """The axial displacement of straight rings at rest under a force."""
     load = force * np.eye(CHANNELS)[0]
     problem = BalanceProblem(rows, load, STRAIGHT, np.zeros(CHANNELS))

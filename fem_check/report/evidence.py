@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from fem_check.cost import record as cost_record
-from fem_check.running import records_store
+from fem_check.running import records_store, suite
 from fem_check.running.kept_files import OF_REPOSITORY
 from qsbearing.documents.model import Callout, Md, Trace
 
@@ -18,7 +18,8 @@ REPOSITORY = Path(__file__).parents[2]
 CARRIED = Path(__file__).parents[1] / "repository"
 """Where an installed package has the records that stand elsewhere in the repository."""
 
-GATE = ("steps.json", "tests.json", "heavy_tests.json", "campaign/*/summary.json")
+TESTS = tuple(map(suite.file_of, suite.COMMANDS))
+GATE = ("steps.json", *TESTS, "campaign/*/summary.json")
 """What the release gate leaves in its folder that the report shows."""
 RELEASE = "release"
 
@@ -163,7 +164,7 @@ def read(records: Path = records_store.FOLDER, alone: bool = False) -> Evidence:
         campaigns=[each for each in campaigns if "envelope" in each.data],
         recomputed=[each for each in campaigns if "campaign" in each.data],
         gate=gate.get("steps"),
-        tests=[gate[name] for name in ("tests", "heavy_tests") if name in gate],
+        tests=[gate[name] for name in (each.removesuffix(".json") for each in TESTS) if name in gate],
         **{name: _in_repository(records, *each) for name, each in ELSEWHERE.items()},
     )
 

@@ -19,7 +19,7 @@ from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
 """Room to write by hand."""
-RANDOM = "Random scenes: each row a population of its own"
+RANDOM = "Random scenes of each campaign, by how they ended"
 
 
 def blocks(evidence: Evidence, questions: Sequence[Question]) -> list[Block]:
@@ -28,9 +28,9 @@ def blocks(evidence: Evidence, questions: Sequence[Question]) -> list[Block]:
         Facts(_facts(evidence)),
         verdict(evidence, questions),
         Table(
-            ("question", "answer", "worst, by its limit", "limit", "verdict", "see"),
+            ("question", "answer", "worst found", "limit", "verdict", "see"),
             [_line(q) for q in questions if not any(each in evidence.random_scenes for each in q.records)],
-            "llllll", "What may be relied on: each row one population", stack=True,
+            "llllll", "What may be relied on", stack=True,
         ),
         *([random_scenes.table(evidence.random_scenes, RANDOM)] if evidence.random_scenes else []),
         *random_scenes.known(evidence),
@@ -157,7 +157,8 @@ def _groups(evidence: Evidence) -> list[tuple[str, list[Kept]]]:
 
 
 def _line(question: Question) -> list[Cell]:
-    limit = f"{question.limit} ({question.basis})" if question.basis else question.limit
+    limit = question.limit or ("none: a finding" if question.answer else "")
+    limit += f" ({question.basis})" if question.basis else ""
     more = Md(f"[more](#{question.see})")
     return [question.text, question.answer, question.worst, limit, question.verdict, more]
 

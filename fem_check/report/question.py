@@ -18,7 +18,8 @@ class Question(NamedTuple):
     records: Sequence[Kept]
     answer: str = ""
     worst: str = ""
-    limit: str = "none: a finding, not judged"
+    limit: str = ""
+    """Empty where nothing is judged, or nothing is on record."""
     basis: str = ""
     """When the limit was set, and from what."""
     verdict: Badge = Badge("not on record", "missing")

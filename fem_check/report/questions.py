@@ -312,8 +312,8 @@ def _measured(evidence: Evidence) -> Question:
     return question._replace(
         answer=f"{sum(map(_passes, expected))} of {len(expected)} within their limits{more}; worst single finding: "
         + ("none" if worst is None else f"{as_read(worst['quantity'])}, {as_read(worst['case'])}"),
-        worst="" if worst is None else largest([worst]),
-        verdict=judged(False) if missed else Badge("not validated", "finding"), missed=missed,
+        worst="" if worst is None else largest([worst]), limit="each case has its own; none of single findings",
+        verdict=judged(False) if missed else Badge("none at speed", "finding"), missed=missed,
         not_for="contact angles, loads and stiffness at speed (no such measurement was found)",
     )  # fmt: skip
 
@@ -335,10 +335,10 @@ def _hard_cases(evidence: Evidence) -> Question:
     cases = evidence.hard_cases.data["cases"]
     bad = [each["case"] for each in cases if each["verdict"] not in EXPECTED]
     by_condition = sum(each["verdict"] == EXPECTED[1] for each in cases)
+    more = f", {by_condition} of them by their condition number" if by_condition else ""
     return question._replace(
-        answer=f"{len(cases) - len(bad)} of {len(cases)} give the expected result, {by_condition} of them by their "
-        "condition number",
-        worst=f"{len(bad)} do not", limit="1e−9 of the solution with fifty digits",
+        answer=f"{len(cases) - len(bad)} of {len(cases)} give the expected result{more}",
+        worst=f"{len(bad)} unexpected", limit="1e−9 of the solution with fifty digits",
         basis="set beforehand", verdict=judged(not bad),
         missed=f"hard cases without the expected result: {', '.join(bad)}" if bad else "",
     )  # fmt: skip

@@ -146,8 +146,8 @@ STRENGTH = (
     "**Refused** scenes are *proved* to have no equilibrium by a direction in which the load works and nothing is "
     "pressed, or by a unique equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, "
     "where others are not excluded; *not proved* means that the solver alone says so. Scenes that did not converge are "
-    "*named*, in a list of known ones, or *explained*: balls that skid, or that nothing holds against drag; `allowed` "
-    "counts the others."
+    "*named*, in a list of known ones, or *explained*: balls that skid, that nothing holds against drag, or that lose "
+    "their load or the inner ring; `allowed` counts the others."
 )
 """What the columns of the table mean."""
 

@@ -17,6 +17,10 @@ from fem_check.rows.agreement import Progress
 from fem_check.solids.mesh_room import room
 from fem_check.solids.true_contact import CondensedContact, TrueContact, loaded_angle
 
+WHY_FOUND = (
+    "a finding: its scatter over two meshes of one load tells nothing; judged over six loads at the release level"
+)
+
 
 @dataclass(frozen=True)
 class TrueContactStudy:
@@ -68,6 +72,11 @@ class TrueContactStudy:
         doubt = convergence.scatter([each.effects(above, below, name) for each in self.alike or (self,)])
         own = self.effects(above, below, name)[-1]
         return 1.0 + own, abs(own) * doubt
+
+    def limit(self, name: str, tolerance: float, why: str) -> tuple[float | None, str]:
+        """Tolerance of a ratio, and why that; of an approach on two meshes none, since two values know next to nothing
+        of the scatter that is its uncertainty."""
+        return (None, WHY_FOUND) if name == "approach" and len(self.surface) < 3 else (tolerance, why)
 
     def effects(self, above: str, below: str, name: str) -> list[float]:
         """What one result has more than the other, over it, on each mesh; of approaches over Hertz's."""

@@ -156,15 +156,19 @@ def unsupported_direction(scene: qs.Scene) -> NDArray | None:
     if size == 0.0:
         return None
     cone = forces_of_balls(scene, float(np.asarray(scene.operation.first_ball_azimuth)))[free]
-    wanted = load / size
-    direction = wanted - cone @ nnls(cone, wanted, maxiter=100 * cone.shape[1])[0]
-    length = np.linalg.norm(direction)
-    if length < LEAST_REMAINDER:
+    direction = remainder(cone, load / size)
+    if direction is None:
         return None
-    direction /= length
     full = np.zeros(5)
     full[free] = direction
     return full if supports_nothing(scene, full) else None
+
+
+def remainder(cone: NDArray, wanted: NDArray) -> NDArray | None:
+    """Direction from the nearest point of a cone of generators (channel, generator) to a load; None for one inside."""
+    apart = wanted - cone @ nnls(cone, wanted, maxiter=100 * cone.shape[1])[0]
+    length = np.linalg.norm(apart)
+    return None if length < LEAST_REMAINDER else np.asarray(apart / length)
 
 
 def supports_nothing(scene: qs.Scene, direction: NDArray) -> bool:

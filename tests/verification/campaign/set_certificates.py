@@ -14,14 +14,14 @@ of its rows is, on the way, which leaves no equilibrium of the set to look at.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import nnls
 
 import qsbearing as qs
-from tests.verification.campaign.certificates import LEAST_REMAINDER, ROUNDING
+from tests.verification.campaign.certificates import ROUNDING, remainder
 from tests.verification.campaign.checks import heat_strain, moved_by_heat, tilt_lever
 
 CHANNELS = 5
@@ -39,11 +39,9 @@ def is_unsupported(solution: qs.SetSolution, k: int) -> bool:
     if size == 0.0:
         return False
     pressing, wanted = pressing / np.linalg.norm(pressing, axis=0), wanted / size
-    direction = wanted - pressing @ nnls(pressing, wanted, maxiter=100 * pressing.shape[1])[0]
-    length = np.linalg.norm(direction)
-    if length < LEAST_REMAINDER:
+    direction = remainder(pressing, wanted)
+    if direction is None:
         return False
-    direction /= length
     return bool(direction @ wanted > ROUNDING and (direction @ pressing).max() <= ROUNDING)
 
 
@@ -62,7 +60,7 @@ def cone(solution: qs.SetSolution, k: int) -> tuple[NDArray, NDArray]:
     row, then those of supports, either way. Channels after the five are of springs.
     """
     of = solution.set
-    at = _places(solution, k)
+    at = warm_places(solution, k)
     springs = _springs(solution, k)
     columns = [_balls(row, own, k, at(row.position)) for row, own in zip(of.rows, solution.rows, strict=True)]
     counts = [each.shape[1] for each in columns]
@@ -115,7 +113,7 @@ def _balls(row: qs.Row, own: qs.Solution, k: int, x: float) -> NDArray:
     return forces
 
 
-def _places(solution: qs.SetSolution, k: int) -> Any:
+def warm_places(solution: qs.SetSolution, k: int) -> Callable[[Any], float]:
     """Where a drawn place is once warm, from the reference position; an inner sleeve parts places by what it is
     longer."""
     of = solution.set

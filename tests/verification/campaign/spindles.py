@@ -17,6 +17,7 @@ and supports do. Every row must stand where line and housing have it; a sleeve t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -28,7 +29,7 @@ from tests.systems.sets import timoshenko
 from tests.verification.campaign.batches import Batch, of_sets, per_row, run
 from tests.verification.campaign.checks import standing_balls
 from tests.verification.campaign.group import GROUP
-from tests.verification.campaign.set_certificates import is_unsupported
+from tests.verification.campaign.set_certificates import is_unsupported, warm_places
 from tests.verification.campaign.sets import draw_sets
 
 BATCH = 100
@@ -92,7 +93,7 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
         at, forces = _forces(solution, k)
         places = np.unique([*shaft.ends, *(position for position, _ in forces)])
         line = solution.deflection(places)[k]
-        x = at(places)
+        x = np.array([at(place) for place in places])
         applied = np.zeros((places.size, 5))
         for position, force in forces:
             applied[np.abs(places - position).argmin()] += force
@@ -119,25 +120,14 @@ def wrong_of(solution: qs.SetSolution) -> dict[str, NDArray]:
     return failed
 
 
-def _forces(solution: qs.SetSolution, k: int) -> tuple[Any, list[tuple[float, NDArray]]]:
+def _forces(solution: qs.SetSolution, k: int) -> tuple[Callable[[Any], float], list[tuple[float, NDArray]]]:
     """(where a drawn place is once warm, forces and moments on the shaft with their places)."""
     of, shaft = solution.set, solution.set.shaft
     assert shaft is not None
     grown = np.atleast_1d(1.0 + np.asarray(shaft.strains)[:, 0])
     s = float(grown[k] if grown.size > 1 else grown[0])
     reference = float(np.broadcast_to(of.reference, solution.shape)[k])
-
-    def at(position: Any) -> Any:
-        """Beyond a spacer, seen from the row that stays, sleeves part places by what the inner is longer."""
-        found = (np.asarray(position) - reference) * s
-        stays = np.broadcast_to(of.rows[of.axial_datum].position, solution.shape)[k]
-        for spacer in of.spacers:
-            ends = [np.broadcast_to(of.rows[number - 1].position, solution.shape)[k] for number in spacer.rows]
-            longer = np.broadcast_to(np.subtract(spacer.inner_length, spacer.outer_length), solution.shape)[k]
-            beyond = (np.asarray(position) >= 0.5 * sum(ends)).astype(float) - (stays >= 0.5 * sum(ends))
-            found = found + beyond * longer
-        return found
-
+    at = warm_places(solution, k)
     found = []
     for row, own in zip(of.rows, solution.rows, strict=True):
         flip, arm = _frame(row, own, k)
