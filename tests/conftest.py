@@ -18,7 +18,8 @@ os.environ.pop("COLUMNS", None)
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 import pytest
-from hypothesis import settings
+from hypothesis import find, settings
+from hypothesis import strategies as st
 
 from qsbearing.model.compiler import compiled, library
 from qsbearing.model.compiler.compiled import has_fast_code
@@ -88,6 +89,8 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 def pytest_collection_finish() -> None:
     """What is loaded by now stays: Python need not look through it for garbage, which took a twentieth of the time."""
+    # hypothesis asks what refers to its random numbers, and is not shown what is frozen: from Python 3.14 on it warns.
+    find(st.none(), lambda _: True)
     gc.collect()
     gc.freeze()
     gc.set_threshold(10_000, 20, 20)

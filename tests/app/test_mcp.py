@@ -358,14 +358,19 @@ class Endless(Tools):
             time.sleep(0.01)
 
 
+def ready() -> None:
+    """A process is there, and has loaded what this file does."""
+
+
 @pytest.mark.parametrize("ended_by", ["its time", "whoever asked"])
 def test_work_ends(ended_by: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(of_server, "answered", work.answered)
     monkeypatch.setattr(of_server, "Tools", Endless)
-    monkeypatch.setattr(work, "LONGEST", 6.0 if ended_by == "its time" else 60.0)
     beats = tmp_path / "beats"
 
     async def ask() -> CallToolResult | None:
+        await work.answered(ready, {})
+        monkeypatch.setattr(work, "LONGEST", 3.0 if ended_by == "its time" else 60.0)
         async with Client(server(tmp_path)) as client:
             call = asyncio.ensure_future(client.call_tool("describe", {}))
             if ended_by == "its time":
