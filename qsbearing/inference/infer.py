@@ -127,7 +127,7 @@ class InferredBearing:
 def infer_bearing(*sheets: DataSheet, **numbers: Any) -> InferredBearing:
     """The ball sets and groove radii that a row of a catalogue allows: always a list.
 
-        C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
+    C and C0 mean different things at different makers, so that the practice comes first: `maker`, or
     `rating_practice`. A known `ball_count`, `ball_diameter`, `pitch_diameter`, `f0`, `groove_radius_coefficient` or a
     `pair_rigidity` at its `pair_preload` shortens the list or its ranges. `outer_ball_pass` and `inner_ball_pass` tell
     the ball set without any rating.

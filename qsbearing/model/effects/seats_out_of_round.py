@@ -29,9 +29,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.described import given_in
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.uneven_balls import nothing_changes, uneven_errors
+from qsbearing.model.effects.uneven_balls import uneven_entry
 from qsbearing.model.operation import Operation
 from qsbearing.model.validation import (
     ANGLE,
@@ -174,21 +173,16 @@ _FORMS = tuple(
 """Number of lobes, ring, names of amplitude and phase."""
 
 
-def _errors(point: OperatingPoint) -> Errors:
-    there = next((one for one in point.full_scene.ring_effects if isinstance(one, SeatsOutOfRound)), None)
-    if there is None:
-        return nothing_changes(point)
+def _nearer(point: OperatingPoint, asked: SeatsOutOfRound) -> tuple[NDArray, NDArray]:
     angle = np.nan_to_num(point.solution.inner.angle)
-    lobe = np.nan_to_num(there.apart(np.asarray(point.solution.azimuth)))
-    return uneven_errors(point, lobe * np.cos(angle), -lobe * np.sin(angle))
+    lobe = np.nan_to_num(asked.apart(np.asarray(point.solution.azimuth)))
+    return lobe * np.cos(angle), -lobe * np.sin(angle)
 
 
-ENTRY = Entry(
+ENTRY = uneven_entry(
     "seats_out_of_round",
     "the out-of-roundness of the seats",
-    effect("ring_effects", SeatsOutOfRound),
-    indicator=error_in("pressure", _errors, 2.0),
-    errors=_errors,
-    needs=given(SeatsOutOfRound, " with amplitude and phase of lobes"),
-    goes_with_friction=False,
+    SeatsOutOfRound,
+    " with amplitude and phase of lobes",
+    _nearer,
 )

@@ -25,9 +25,8 @@ from numpy.typing import ArrayLike, NDArray
 from qsbearing.model.bearing import BallBearing
 from qsbearing.model.compiler.compiled import kernel
 from qsbearing.model.described import given_in
-from qsbearing.model.effects.entry import Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import OperatingPoint
-from qsbearing.model.effects.uneven_balls import nothing_changes, uneven_errors
+from qsbearing.model.effects.uneven_balls import uneven_entry
 from qsbearing.model.operation import Operation
 from qsbearing.model.validation import LENGTH, ErrorDetail, Field, Sentence, first, numeric, raise_if_any, unit_mistake
 
@@ -114,23 +113,15 @@ def from_own_touching(a1: float, a2: float, excess: float, sin_free: float, cos_
     return a1 + excess * sin_free, a2 + excess * cos_free
 
 
-def _deviations(point: OperatingPoint) -> NDArray | None:
-    """Those asked for (*cases, ball); None without any."""
-    deviations = [one for one in point.full_scene.ring_effects if isinstance(one, BallDiameterDeviations)]
-    return np.broadcast_to(deviations[0].array, point.load.shape) if deviations else None
+def _nearer(point: OperatingPoint, asked: BallDiameterDeviations) -> tuple[NDArray, NDArray]:
+    deviations = np.broadcast_to(asked.array, point.load.shape)
+    return deviations, np.zeros_like(deviations)
 
 
-def _errors(point: OperatingPoint) -> Errors:
-    deviations = _deviations(point)
-    return nothing_changes(point) if deviations is None else uneven_errors(point, deviations, np.zeros_like(deviations))
-
-
-ENTRY = Entry(
+ENTRY = uneven_entry(
     "unequal_balls",
     "the unequal diameters of the balls",
-    effect("ring_effects", BallDiameterDeviations),
-    indicator=error_in("pressure", _errors, 2.0),
-    errors=_errors,
-    needs=given(BallDiameterDeviations, ", a number for each ball"),
-    goes_with_friction=False,
+    BallDiameterDeviations,
+    ", a number for each ball",
+    _nearer,
 )

@@ -10,19 +10,47 @@ load also pushes the ball sideways, which the contacts resist by 2 k sin(phi/2)^
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.model.effects.entry import QUANTITIES, Errors
+from qsbearing.model.effects.entry import QUANTITIES, Entry, Errors, effect, error_in, given
 from qsbearing.model.effects.operating_point import SMALLEST_ANGLE, OperatingPoint
 
-
-def nothing_changes(point: OperatingPoint) -> Errors:
-    """Errors of leaving out what is not there."""
-    return {name: np.zeros(point.solution.shape) for name in QUANTITIES}
+T = TypeVar("T")
 
 
-def uneven_errors(point: OperatingPoint, nearer: NDArray, aside: NDArray) -> Errors:
+def uneven_entry(
+    name: str, words: str, of: type[T], needs: str, nearer: Callable[[OperatingPoint, T], tuple[NDArray, NDArray]]
+) -> Entry:
+    """Of an effect that brings rings nearer at some balls.
+
+    Args:
+        of: the effect among a scene's ring effects.
+        needs: what it must be given, in words that follow its name.
+        nearer: by how much it does, and moves aside, as `_errors` takes them.
+    """
+
+    def errors(point: OperatingPoint) -> Errors:
+        there = next((one for one in point.full_scene.ring_effects if isinstance(one, of)), None)
+        if there is None:
+            return {name: np.zeros(point.solution.shape) for name in QUANTITIES}
+        return _errors(point, *nearer(point, there))
+
+    return Entry(
+        name,
+        words,
+        effect("ring_effects", of),
+        indicator=error_in("pressure", errors, 2.0),
+        errors=errors,
+        needs=given(of, needs),
+        goes_with_friction=False,
+    )
+
+
+def _errors(point: OperatingPoint, nearer: NDArray, aside: NDArray) -> Errors:
     """Errors of leaving out what brings rings nearer at some balls.
 
     Args:

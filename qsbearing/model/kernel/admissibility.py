@@ -15,6 +15,7 @@ from qsbearing.model.kernel.ball_inertia import (
     is_moving,
     is_rolled,
 )
+from qsbearing.model.kernel.ball_size import are_uneven
 from qsbearing.model.kernel.newton import STALLED
 from qsbearing.model.kernel.raceway_stiffness import contact_loads, hertz_cosine, spin_constant
 
@@ -44,7 +45,7 @@ def is_unloaded(case: recarray, work: recarray, balls: ndarray) -> bool:
     for i in range(5):
         if case.prescribed[i] != 0.0 or case.displacement_given[i]:
             return False
-    if case.unequal_balls or case.out_of_round:
+    if are_uneven(case):
         for n in range(work.ball_count):
             if balls[n].inner_approach > POSITION_ROUNDING:
                 return False

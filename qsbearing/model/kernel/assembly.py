@@ -8,6 +8,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import kernel
 from qsbearing.model.kernel.ball import moving_ball, resting_ball
+from qsbearing.model.kernel.ball_size import are_uneven
 from qsbearing.model.kernel.loop_closure import close_loop
 from qsbearing.model.kernel.ring import add_ball, channel_lever, inner_groove_centre, start_sums
 from qsbearing.model.kernel.ring_bending import eliminate_deflections
@@ -125,7 +126,7 @@ def assembled_residual(
         largest_force = least
         if worst <= least:
             worst = 0.0
-    if any_displacement_given(case) or case.interference > 0.0 or case.unequal_balls or case.out_of_round:
+    if any_displacement_given(case) or case.interference > 0.0 or are_uneven(case):
         largest_force = max(largest_force, contact)
     work.largest_force = largest_force
     work.regularisation = least_stiffness(case, largest_force)

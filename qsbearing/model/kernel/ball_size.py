@@ -11,6 +11,12 @@ from qsbearing.model.compiler.compiled import inlined, kernel
 from qsbearing.model.kernel.case import BALL_INERTIA, BALL_MASS
 
 
+@inlined
+def are_uneven(case: recarray) -> bool:
+    """Whether balls are unequal, or stand between grooves out of round: none has a mirror image then."""
+    return case.unequal_balls or case.out_of_round
+
+
 @kernel
 def set_sizes(case: recarray, count: int, balls: ndarray, own: ndarray) -> None:
     """Give every ball its diameter, unequal ones their contacts' stiffness; the lobe of grooves out of round."""

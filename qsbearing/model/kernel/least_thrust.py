@@ -10,8 +10,8 @@ contact bears nothing. Friction carries what is left there, since inner control 
 whatever the load: -Ti cos ai where the inner contact ends, -To cos ao where the outer does. That is the least thrust.
 
 That q falls all along is not proved. It does over random scenes of usual bearings; where one groove is far wider than
-the other, or hardly wider than the ball, one bearing in four hundred has states under less thrust, down to a third of
-it, and soft contacts turn up to 2e-3 below it. Therefore the question is asked only of cases for which the search from
+the other, or hardly wider than the ball, one bearing in four hundred has states under less thrust, down to half of it,
+and soft contacts turn up to 2e-3 below it. Therefore the question is asked only of cases for which the search from
 closed forms and from rest has found nothing: of 60,720 random ones under 0.1 to 0.9999 of their least thrust it then
 refuses none that the full search solves. With half of the friction on each raceway, one bearing in two hundred has
 states apart from these, between an outer and an inner end, under a little less thrust. There that outer end counts, and

@@ -16,6 +16,7 @@ from numpy import ndarray, recarray
 
 from qsbearing.model.compiler.compiled import inlined, kernel
 from qsbearing.model.effects.unequal_balls import from_own_touching
+from qsbearing.model.kernel.ball_size import are_uneven
 
 Vector = ndarray | tuple[float, ...]
 """Of the ring, in its five channels."""
@@ -54,18 +55,17 @@ def find_distinct_balls(case: recarray, work: recarray, balls: ndarray) -> None:
     of unequal diameters, or between grooves out of round, are all solved.
     """
     count = case.ball_count
-    differ = case.unequal_balls or case.out_of_round
+    differ = are_uneven(case)
     prescribed = case.prescribed
     in_xy = prescribed[2] == 0.0 and prescribed[3] == 0.0
     in_xz = prescribed[1] == 0.0 and prescribed[4] == 0.0
     is_thrust = in_xy and in_xz and count >= 2 and not differ  # two equal balls balance in every channel; one does not
     mirror = -1
-    if differ:
-        mirror = -1
-    elif not is_thrust and in_xy:
-        mirror = _mirror_sum(case, 0.0)
-    elif not is_thrust and in_xz:
-        mirror = _mirror_sum(case, 0.5 * pi)
+    if not (differ or is_thrust):
+        if in_xy:
+            mirror = _mirror_sum(case, 0.0)
+        elif in_xz:
+            mirror = _mirror_sum(case, 0.5 * pi)
     for i in range(5):
         work.in_plane[i] = 1.0
     if is_thrust or (mirror >= 0 and in_xy):

@@ -340,7 +340,7 @@ def solve_cases(
             outcome = solve_at_rest(case, work, balls, tolerance, is_warm)
         if outcome >= CONTRADICTED:
             deliver_solved(case, work, balls, outcome, result, positions[k], controls[k])
-        elif outcome == NOTHING and is_moving(case) and is_below_least_thrust(case, work, balls[0]):
+        elif outcome == NOTHING and is_below_least_thrust(case, work, balls[0]):
             deliver_refused(case, work, balls, result, positions[k], controls[k])
         else:
             unfinished += 1

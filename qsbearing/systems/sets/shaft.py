@@ -157,7 +157,7 @@ class HousingStiffness:
 
     @property
     def compliance(self) -> NDArray:
-        """Shape (5, 5) [SI]; SI."""
+        """Inverse of the stiffness, 0 where it is rigid; shape (5, 5) [m/N, rad/N, rad/(N m)]."""
         if self.matrix is not None:
             return np.linalg.inv(np.asarray(self.matrix, float))
         each = (self.axial, self.radial, self.radial, self.tilt, self.tilt)

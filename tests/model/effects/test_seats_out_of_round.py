@@ -13,12 +13,12 @@ import pytest
 from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.scene_tables import input_tables
+from tests.model.effects.uneven import contacts, turned
 from tests.qsbearing.mechanics import lobe, ring_load, stored_energy
 from tests.qsbearing.scenes import (
     B218,
@@ -56,16 +56,6 @@ def form(ring: str, number: int, amplitude: Any, phase: Any = 0.0) -> dict[str, 
     return {f"{name}_amplitude": amplitude, f"{name}_phase": phase}
 
 
-def contacts(solution: qs.Solution) -> dict[str, NDArray]:
-    """All that is read of the contacts and of the motion, by ball."""
-    sides = {"inner": solution.inner, "outer": solution.outer}
-    names = ("load", "angle", "approach", "semi_major_axis", "max_pressure", "required_friction")
-    found = {f"{side} {name}": getattr(one, name) for side, one in sides.items() for name in names}
-    for name in ("centrifugal_force", "gyroscopic_moment", "orbital_speed", "rotation_speed", "attitude_angle"):
-        found[name] = getattr(solution, name)
-    return {name: array for name, array in found.items() if array is not None}
-
-
 def codes(solution: qs.Solution) -> set[str]:
     """Of what is remarked."""
     return {each.remark.code for each in qs.warnings(solution)}
@@ -86,16 +76,11 @@ def test_lobes_and_loads_that_go_round_turn_the_answer() -> None:
     angle = 2.0 * np.pi * turns / 16
     load = np.array([FIVE[name] for name in LOADS])
 
-    def turned(vector: NDArray) -> NDArray:
-        (y, z), (my, mz) = vector[1:3], vector[3:]
-        c, s = np.cos(angle), np.sin(angle)
-        return np.array([vector[0], c * y - s * z, s * y + c * z, c * my - s * mz, s * my + c * mz])
-
     scene = turning(8000, **FIVE)
     on = {name: value + angle * name.endswith("phase") for name, value in vars(seats).items()}
-    one, other = solved(of(scene, **vars(seats))), solved(of(loaded_as(scene, turned(load)), **on))
+    one, other = solved(of(scene, **vars(seats))), solved(of(loaded_as(scene, turned(load, angle)), **on))
     size = np.array([1e-5, 1e-5, 1e-5, 1e-4, 1e-4])
-    assert other.displacement / size == pytest.approx(turned(one.displacement) / size, abs=1e-9)
+    assert other.displacement / size == pytest.approx(turned(one.displacement, angle) / size, abs=1e-9)
     assert_same(one, other, 1e-9, turns)
 
 

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.cli import cli
+from tests.model.effects.uneven import contacts, turned
 from tests.qsbearing.scenes import (
     B218,
     BOTH,
@@ -38,16 +38,6 @@ PLAIN = {"axial_load": 12e3, "radial_load_y": 3e3, "moment_z": 0.0}
 def of(scene: qs.Scene, deviations: Any) -> qs.Scene:
     """The scene with balls that deviate so, beside its other ring effects."""
     return replace(scene, ring_effects=(*scene.ring_effects, qs.BallDiameterDeviations(deviations)))
-
-
-def contacts(solution: qs.Solution) -> dict[str, NDArray]:
-    """All that is read of the contacts and of the motion, by ball."""
-    sides = {"inner": solution.inner, "outer": solution.outer}
-    names = ("load", "angle", "approach", "semi_major_axis", "max_pressure", "required_friction")
-    found = {f"{side} {name}": getattr(one, name) for side, one in sides.items() for name in names}
-    for name in ("centrifugal_force", "gyroscopic_moment", "orbital_speed", "rotation_speed", "attitude_angle"):
-        found[name] = getattr(solution, name)
-    return {name: array for name, array in found.items() if array is not None}
 
 
 # ------------------------------------------------------------------------------------------------ all balls alike
@@ -149,15 +139,10 @@ def test_deviations_and_loads_that_go_round_turn_the_answer() -> None:
     angle = 2.0 * np.pi * turns / 16
     load = np.array([FIVE[name] for name in LOADS])
 
-    def turned(vector: NDArray) -> NDArray:
-        (y, z), (my, mz) = vector[1:3], vector[3:]
-        c, s = np.cos(angle), np.sin(angle)
-        return np.array([vector[0], c * y - s * z, s * y + c * z, c * my - s * mz, s * my + c * mz])
-
     scene = turning(8000, **FIVE)
-    one, other = solved(of(scene, given)), solved(of(loaded_as(scene, turned(load)), np.roll(given, turns)))
+    one, other = solved(of(scene, given)), solved(of(loaded_as(scene, turned(load, angle)), np.roll(given, turns)))
     size = np.array([1e-5, 1e-5, 1e-5, 1e-4, 1e-4])
-    assert other.displacement / size == pytest.approx(turned(one.displacement) / size, abs=1e-9)
+    assert other.displacement / size == pytest.approx(turned(one.displacement, angle) / size, abs=1e-9)
     for name, array in contacts(one).items():
         assert contacts(other)[name] == pytest.approx(np.roll(array, turns), rel=1e-9), name
 
