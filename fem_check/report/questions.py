@@ -156,7 +156,7 @@ def _unmeasured(evidence: Evidence) -> list[str]:
 
 def _by_assumption(rows: Sequence[RowRecord]) -> list[str]:
     """What becomes of a result of the free balls where their axes are assumed, or their friction is another."""
-    said = []
+    said: list[str] = []
     for what, begins in (("hypotheses", HYPOTHESIS), ("friction coefficients", OTHER_FRICTION)):
         others = [row for row in rows if begins in row["case"]]
         if others:
