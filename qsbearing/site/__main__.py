@@ -144,7 +144,9 @@ def configured(pages: Path, site: Path, nav: list[dict[str, Any]], is_one_of_sev
 
 
 def set_close(page: str) -> str:
-    """HTML without the indents and empty lines of the templates, a tenth of it when packed; code stays as it is."""
+    """HTML without the indents and empty lines of the templates, and without marks of code that have no colour: a
+    tenth of it when packed. Code keeps its lines."""
+    page = re.sub(r'<span class="[nw]">([^<]*)</span>', r"\1", page)
     return re.sub(r"(<(pre|textarea)\b.*?</\2>)|\s*\n\s*", lambda part: part[1] or "\n", page, flags=re.DOTALL)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -211,18 +212,28 @@ def command_pages() -> Pages:
     for program, module in PROGRAMS.items():
         group = import_module(module).cli
         listed = "\n".join(_command(f"{program} {name}", command) for name, command in sorted(group.commands.items()))
-        pages[f"commands/{program}.md"] = (program, f"# Commands of {program}\n\n{group.help}\n\n{listed}")
+        pages[f"commands/{program}.md"] = (program, f"# Commands of {program}\n\n{_help(group)}\n\n{listed}")
     return pages
 
 
 def _command(title: str, command: click.Command) -> str:
     context = click.Context(command, info_name=title)
     usage = " ".join((title, *command.collect_usage_pieces(context)))
-    text = re.sub(r"\n(?=\S)", " ", (command.help or "").replace("\b", "")).strip()
-    options = [each.get_help_record(context) for each in command.params]
+    options = [each.get_help_record(context) for each in command.params if isinstance(each, click.Option)]
     rows = "".join(f"| `{_cell(record[0])}` | {_cell(record[1])} |\n" for record in filter(None, options))
     table = f"\n| option | meaning |\n|---|---|\n{rows}" if rows else ""
-    return f"## {title}\n\n```text\n{usage}\n```\n\n{text}\n{table}"
+    return f"## {title}\n\n```text\n{usage}\n```\n\n{_help(command)}\n{table}"
+
+
+def _help(of: click.Command) -> str:
+    """Its paragraphs; those that click does not wrap, which begin with a mark of their own, as they are."""
+    paragraphs = inspect.cleandoc(of.help or "").split("\n\n")
+    return "\n\n".join(
+        f"```text\n{each.removeprefix(UNWRAPPED)}\n```" if each.startswith(UNWRAPPED) else each for each in paragraphs
+    )
+
+
+UNWRAPPED = "\b\n"
 
 
 # Results --------------------------------------------------------------------------------------------------------------

@@ -40,6 +40,17 @@ def test_results_stand_under_the_names_that_stay() -> None:
         assert without_unit == set(), group
 
 
+def test_the_help_of_commands_is_in_paragraphs() -> None:
+    """An indent would make code of them; arguments, of which click says nothing, stand in the line of use alone."""
+    from qsbearing.site.reference import command_pages
+
+    for _, text in command_pages().values():
+        outside = re.sub(r"^```text\n.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+        assert re.findall(r"^[ \t]+\S.*", outside, re.MULTILINE) == []
+        assert re.findall(r"^\| `\[.*|.*\|  \|$", outside, re.MULTILINE) == []
+        assert len(re.findall(r"\n\nExit codes: ", outside)) >= 5
+
+
 def test_the_command_writes_it_and_opens_a_section(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As a wheel carries it: copied, and opened where it is."""
     carried = tmp_path / "carried"

@@ -79,6 +79,7 @@ def test_the_command_makes_one_that_stands_alone(
 
 
 def test_code_keeps_its_lines_where_a_page_is_set_close() -> None:
-    code = "<pre><code>def f():\n\n    return 1\n</code></pre>"
-    page = f"<ul>\n\n    <li>\n  one\n  </li>\n</ul>\n  {code}\n\n  <p>two\n  lines</p>"
-    assert set_close(page) == f"<ul>\n<li>\none\n</li>\n</ul>\n{code}\n<p>two\nlines</p>"
+    code = '<pre><code><span class="k">def</span> {}():\n\n    return 1\n</code></pre>'
+    marked, plain = code.format('<span class="n">f</span>'), code.format("f")
+    page = f"<ul>\n\n    <li>\n  one\n  </li>\n</ul>\n  {marked}\n\n  <p>two\n  lines</p>"
+    assert set_close(page) == f"<ul>\n<li>\none\n</li>\n</ul>\n{plain}\n<p>two\nlines</p>"
