@@ -190,7 +190,7 @@ def test_where_displacements_are_held_the_stiffness_alone_is_named() -> None:
 
 def test_below_the_speed_at_which_it_matters_nothing_is_solved_again(monkeypatch: pytest.MonkeyPatch) -> None:
     solution = qs.solve(turning(300.0, axial_load=17_800.0))
-    monkeypatch.setattr(solution, "solve_alike", lambda of: pytest.fail("solved again"))
+    monkeypatch.setattr(solution, "_solve_alike", lambda of: pytest.fail("solved again"))
     assert list(hypotheses(CaseRange(solution, slice(0, 1)))) == []
 
 
