@@ -125,6 +125,15 @@ def test_the_worst_row_is_that_nearest_to_its_limit(shipped: Evidence) -> None:
     assert kept.data["title"] in printed.answer
 
 
+def test_page_one_says_how_often_an_uncertainty_held_the_error(shipped: Evidence) -> None:
+    """What is left of all cases beside those whose error exceeds it, of which the check allows some."""
+    rows = shipped.checks["convergence_order"].data["rows"]
+    (row,) = (row for row in rows if row["quantity"].startswith("share whose error exceeds"))
+    held, least = map(float, re.findall(r"([\d.]+) %", text_of(shipped).partition("It held the true error")[2])[:2])
+    assert held == pytest.approx(100.0 - 100.0 * row["found"], abs=0.05)
+    assert least == pytest.approx(100.0 - row["tolerance_percent"])
+
+
 def test_page_one_says_the_worst_known_deviations(shipped: Evidence) -> None:
     """Of a free outside diameter and of the model of elastic rings, in µm and degrees where a per cent misleads."""
     text = text_of(shipped)

@@ -27,7 +27,7 @@ from fem_check.report.sections import agreement, previous, tolerances
 from fem_check.rows.agreement import AgreementRow
 from fem_check.running import records_store
 from qsbearing.documents.html import html
-from qsbearing.documents.model import Document
+from qsbearing.documents.model import Document, Table
 from qsbearing.documents.pdf import pdf
 from tests.documents.browser import Browser, installed, layout_faults
 from tests.documents.page import Page
@@ -144,6 +144,11 @@ def row(name: str, value: float, tolerance: float | None, case: str = "case", **
     return AgreementRow(case, name, "1", 1.0, "a reference", value, 0.01, tolerance, "a reason", **others).as_dict()
 
 
+def by_heading(of: Table) -> list[dict[str, Any]]:
+    lines: Any = of.rows
+    return [dict(zip(of.headings, line, strict=True)) for line in lines]
+
+
 def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
     rows = [row(name, 1.0 + 1e-4 * n, 5.0, f"case {n}") for name in "abcdef" for n in range(3)]
     rows += [row("g", 1.01, 0.5), row("h", 1.2, None), row("h", 0.7, None)]
@@ -154,6 +159,10 @@ def test_a_card_has_the_worst_row_of_each_quantity_failures_first() -> None:
     assert {each["case"] for _, each in counted[2:]} == {"case 2"}
     shown = table(counted).rows[0]
     assert shown[:4] == ["g", "1", "+1.000 ± 0.010 %", "0.5 %"]
+    whole, worst_rows = by_heading(table(counted, is_whole=True)), by_heading(table(counted))
+    for each in worst_rows:
+        del each["worst of"]
+    assert whole == worst_rows, "of all rows none is the worst of several"
 
 
 def test_a_refused_row_is_compared_with_the_earlier_release() -> None:

@@ -31,6 +31,16 @@ def test_every_text_can_be_read() -> None:
     plt.close("all")
 
 
+def test_boxes_of_all_sizes_lie_on_a_line_to_the_value_without_end() -> None:
+    """As the caption says, and in one unit."""
+    (axes,) = drawn.DRAWN["body_size"].draw(evidence.read().checks["body_size"].data).axes
+    boxes, without_end, far_field, _ = (np.asarray(line.get_xydata()) for line in axes.get_lines())
+    _, at_zero = np.polyfit(*boxes.T, 1)
+    assert at_zero == pytest.approx(without_end[0, 1], rel=2e-4)
+    assert at_zero == pytest.approx(far_field[0, 1], rel=2e-4)
+    plt.close("all")
+
+
 @pytest.mark.parametrize("count", [15, 21])
 def test_smoothing_keeps_hertz_s_pressure(count: int) -> None:
     """Its square is a polynomial: it comes back at every point of the grid, with few points and with many."""

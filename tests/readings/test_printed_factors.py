@@ -72,6 +72,14 @@ def test_steep_angles_have_the_printed_factors(angle: float) -> None:
     assert limit(angle, 1.0) == pytest.approx(e, abs=1e-3)
 
 
+@pytest.mark.parametrize("angle", [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0])
+def test_both_formulas_of_the_equivalent_load_meet_at_e(angle: float) -> None:
+    """X + Y e = 1, but for the rounding of e and Y to two decimals: of angles that no print is at hand of, too."""
+    for relative in DEEP_GROOVE:
+        (X, Y), e = factors(angle, relative), limit(angle, relative)
+        assert X + Y * e == pytest.approx(1.0, abs=0.006 * (Y + e)), relative
+
+
 @pytest.mark.parametrize("angle", STATIC)
 def test_static_factors_are_as_printed(angle: float) -> None:
     of = bearing(Z, D, 80.0, angle)

@@ -6,8 +6,8 @@
 draws operators and digits from the code of both packages, changes each in a copy, and runs the tests of its module and
 then quick checks on the copy, each with at most 60 s of processor time. The kernel runs as plain Python where the
 change is in its own source, else as its machine code. What it finds is kept in `mutations.json` from one change to the
-next, so an interrupted run goes on where it was; `mutations_of_readings.json` is a record of some folders. A change
-that nothing sees is a missing test, or makes no difference; which of the two somebody has to find out, and writes into
+next, so an interrupted run goes on where it was; `mutations_of_*.json` are records of some folders. A change that
+nothing sees is a missing test, or makes no difference; which of the two somebody has to find out, and writes into
 `survivors`.
 """
 
