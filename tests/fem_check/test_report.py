@@ -21,6 +21,7 @@ from click.testing import CliRunner
 from fem_check.cli import cli
 from fem_check.report import evidence, files, validation
 from fem_check.report.evidence import Evidence
+from fem_check.report.figures import drawn as drawn_figures
 from fem_check.report.rows import as_read, quantity, table, worst
 from fem_check.report.sections import agreement, previous, tolerances
 from fem_check.rows.agreement import AgreementRow
@@ -422,3 +423,9 @@ def test_commands_that_need_a_checkout_are_said_so(read: Page) -> None:
     assert "fem-check book" in before
     assert "fem-check book" not in after
     assert text.count("fem-check book") == 1, "one command makes all published cases"
+
+
+@pytest.mark.parametrize("path", sorted((records_store.FOLDER / "quick").glob("*.json")), ids=lambda path: path.stem)
+def test_the_quick_levels_pictures_are_drawn_without_a_warning(path: Path, drawn: None) -> None:
+    """They may have one load alone; as `fem-check report` behind `fem-check run` draws them."""
+    drawn_figures.one(json.loads(path.read_text(encoding="utf-8")))

@@ -63,6 +63,9 @@ def true_geometry(entry: Record) -> Figure:
     series = entry["pictures"]["true_geometry"]
     figure, grid = plt.subplots(2, 2, figsize=(8.4, 4.0), sharex=True, layout="constrained")
     names = ("approach", "semi_major_axis", "semi_minor_axis", "max_pressure")
+    for axes in grid.ravel():
+        # First: its ends at 0 and 1 warn on a logarithmic axis, and beside the one load of the quick level.
+        axes.axhline(0.0, **HERTZ)
     for axes, name in zip(grid.ravel(), names, strict=True):
         for race, part in series.items():
             style = "-" if race == "inner" else "--"
@@ -77,7 +80,6 @@ def true_geometry(entry: Record) -> Figure:
                 )  # fmt: skip
             values = part["boundary_elements_percent"][name]
             axes.plot(part["load_N"], values, "k+", markersize=9, label=f"boundary elements, {race}")
-        axes.axhline(0.0, **HERTZ)  # before the scale: on a logarithmic axis its ends at 0 and 1 warn
         axes.set_xscale("log")
         axes.set(title=quantity(name), ylabel="off Hertz by, %")
     for axes in grid[1]:
