@@ -10,6 +10,9 @@
 A block behind the comment `<!-- minutes long -->` is left to the heavy tests. Commands of qsbearing inside a sentence,
 in back quotes, run too, after the blocks, if they have arguments, none of which is a placeholder in
 capitals or opens a browser. A command that another page has run on the same files is not run again.
+
+Numbers of three digits and more in the sentences of a section are those that its examples print or have
+(`tests/guide/told_numbers.py`).
 """
 
 from __future__ import annotations
@@ -29,6 +32,7 @@ from click.testing import CliRunner
 
 import qsbearing.cli
 from tests.guide.mentions import NO_EXAMPLE, printed, unmentioned
+from tests.guide.told_numbers import FROM_ELSEWHERE, unfounded
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "qsbearing" / "guide"
@@ -52,15 +56,32 @@ class Block:
     language: str
     text: str
     is_heavy: bool = False
+    section: int = 0
+    """Of its page, which headings divide."""
 
 
 def blocks(page: Path) -> list[Block]:
     """The page's fenced blocks, then the commands in its sentences."""
-    text = page.read_text(encoding="utf-8")
-    found = [Block(language, body, bool(heavy)) for heavy, language, body in _BLOCK.findall(text)]
-    sentences = _BLOCK.sub("", text)
-    inline = [command for command in _INLINE.findall(sentences) if not _PLACEHOLDER.search(command)]
-    return found + [Block("sh", command + "\n") for command in dict.fromkeys(inline) if len(command.split()) > 2]
+    found, inline = [], dict[str, Block]()
+    for number, section in enumerate(sections(page.read_text(encoding="utf-8"))):
+        found += [Block(language, body, bool(heavy), number) for heavy, language, body in _BLOCK.findall(section)]
+        for command in _INLINE.findall(sentences(section)):
+            if len(command.split()) > 2 and not _PLACEHOLDER.search(command):
+                inline.setdefault(command, Block("sh", command + "\n", section=number))
+    return [*found, *inline.values()]
+
+
+def sentences(text: str) -> str:
+    """Without blocks."""
+    return _BLOCK.sub("", text)
+
+
+def sections(text: str) -> list[str]:
+    """A page between its headings, which are not looked for in blocks."""
+    fenced = [each.span() for each in _BLOCK.finditer(text)]
+    heads = [each.start() for each in re.finditer(r"^#+ ", text, flags=re.MULTILINE)]
+    heads = [at for at in heads if not any(start <= at < end for start, end in fenced)]
+    return [text[start:end] for start, end in zip([0, *heads], [*heads, len(text)], strict=True)]
 
 
 def commands(text: str) -> Iterator[list[str]]:
@@ -148,41 +169,50 @@ def _same(one: str, other: str, last_digit: float) -> bool:
         return False
 
 
-def run_program(text: str, folder: Path, names: dict[str, object]) -> None:
-    """Run a Python block; what it says that it prints, it prints."""
+def run_program(text: str, folder: Path, names: dict[str, object]) -> str:
+    """Run a Python block; what it says that it prints, it prints. All that it prints."""
     printed = io.StringIO()
     with contextlib.chdir(folder), contextlib.redirect_stdout(printed):
         exec(compile(text, "page", "exec"), names)
     for expected in re.findall(r"^print\(.*\)  # -> (.*)$", text, flags=re.MULTILINE):
         assert expected in printed.getvalue().splitlines(), f"{expected!r} is not among\n{printed.getvalue()}"
+    return printed.getvalue()
 
 
 def run_page(page: Path, folder: Path, *, heavy: bool) -> None:
     """Run the page's blocks in order, those that take minutes only if asked to."""
     names: dict[str, object] = {"__name__": "page"}
+    text = page.read_text(encoding="utf-8")
+    found = blocks(page)
     said: set[str] = set()
+    examples: dict[int, str] = {}
     output = ran = ""
-    for block in blocks(page):
+    for block in found:
         if block.language in ("toml", "xml"):
             write_file(block.text, folder)
         elif block.language == "text" and output:
             last_digit = OF_ELEMENTS if "fem-check" in ran else 0.0
-            assert not_printed(block.text, output, last_digit) == [], (
-                f"{page.name} shows what its commands do not print"
-            )
+            lacking = not_printed(block.text, output, last_digit)
+            assert lacking == [], f"{page.name} shows what its commands do not print"
         elif block.is_heavy and not heavy:
             output = ""
         elif block.language == "sh":
             output, ran = "", block.text
             for words in commands(block.text):
                 if words[0] not in NOT_HERE:
-                    of_command, text = run_command(words, folder)
-                    said, output = said | of_command, output + text
+                    of_command, one = run_command(words, folder)
+                    said, output = said | of_command, output + one
+                    examples[block.section] = examples.get(block.section, "") + one
         elif block.language == "python":
             with printed() as of_program:
-                run_program(block.text, folder, names)
+                one = run_program(block.text, folder, names)
             said = said | of_program
-    sentences = _BLOCK.sub("", page.read_text(encoding="utf-8"))
-    if sentences.strip() and page.name not in NO_EXAMPLE:
-        lacking = sorted(unmentioned(sentences, said))
-        assert lacking == [], f"{page.name} does not mention what its examples remark: {lacking}"
+            examples[block.section] = examples.get(block.section, "") + one
+    if sentences(text).strip() and page.name not in NO_EXAMPLE:
+        unsaid = sorted(unmentioned(sentences(text), said))
+        assert unsaid == [], f"{page.name} does not mention what its examples remark: {unsaid}"
+        shown = " ".join(block.text for block in found)
+        whole = examples.keys() - {block.section for block in found if block.is_heavy and not heavy}
+        parts = sections(text)
+        strange = {each for one in whole for each in unfounded(sentences(parts[one]), examples[one] + shown)}
+        assert strange - set(FROM_ELSEWHERE.get(page.name, {})) == set(), f"{page.name}: no example gives these numbers"

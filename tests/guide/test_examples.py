@@ -18,7 +18,7 @@ from qsbearing.studies.scenes import base_scene
 from qsbearing.studies.study import Study
 from tests.guide.example_rules import wrong
 from tests.guide.examples import INLINE, Example, every_page, everywhere, named
-from tests.guide.pages import GUIDE, REFUSED, ROOT, blocks, files_of
+from tests.guide.pages import GUIDE, REFUSED, ROOT, blocks, commands, files_of
 
 ON_PURPOSE = {
     "adding_an_effect.md": {
@@ -149,3 +149,34 @@ def uncompared(page: Path) -> set[str]:
 @pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))], ids=lambda page: page.stem)
 def test_each_output_is_compared_or_has_its_reason(page: Path) -> None:
     assert {(page.name, each) for each in uncompared(page)} == {each for each in NOT_COMPARED if each[0] == page.name}
+
+
+_FILE = re.compile(r"[a-z0-9][\w.]*\.(?:toml|json|nc|csv|xlsx|parquet|rexs)")
+WRITES = {">", "--out", "--csv", "--plot"}
+"""What stands before a file that a command writes."""
+
+
+def unmade(found: list[Example]) -> list[str]:
+    """Files that commands read and nothing before them has made: no block, no program, no other command."""
+    made, lacking = {"my.toml"}, []
+    for each in found:
+        if each.language in ("toml", "xml", "python"):
+            made |= set(_FILE.findall(each.text))
+        elif each.language == "sh" or re.match(r"(?:qsbearing|fem-check) ", each.text):
+            for words in commands(each.text):
+                pairs = list(zip(["", *words], words, strict=False))
+                reads = {word for before, word in pairs if before not in WRITES and _FILE.fullmatch(word)}
+                lacking += [f"{each.where}: {word}" for word in sorted(reads - made)]
+                made |= {word for before, word in pairs if before in WRITES}
+    return lacking
+
+
+@pytest.mark.parametrize("name", [named(path) for path in every_page()])
+def test_files_that_commands_read_are_made_before(name: str) -> None:
+    assert unmade(examples().get(name, [])) == []
+
+
+def test_a_file_that_nothing_made_is_found() -> None:
+    made = [Example("page.md:1", "sh", "qsbearing init > one.toml\nqsbearing run one.toml --csv balls.csv")]
+    assert unmade(made) == []
+    assert unmade([*made, Example("page.md:5", "sh", "qsbearing run two.toml")]) == ["page.md:5: two.toml"]

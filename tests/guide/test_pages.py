@@ -15,7 +15,8 @@ from qsbearing.documents.model import Table
 from tests.documents.names import WIDTHS, broken, shown
 from tests.guide.measured import STATED, stated
 from tests.guide.mentions import unmentioned
-from tests.guide.pages import GUIDE, ROOT, blocks, run_page
+from tests.guide.pages import GUIDE, ROOT, blocks, run_page, sentences
+from tests.guide.told_numbers import FROM_ELSEWHERE, told
 
 pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
@@ -67,6 +68,7 @@ def test_a_page_runs_with_its_long_commands(page: Path, tmp_path: Path) -> None:
         "```sh\nqsbearing catalogue b218\n```\n```text\nball count 15\n```\n",
         "A hypothesis, rings that deflect or expand, and slip:\n```sh\nqsbearing run b218\n```\n"
         "```text\ncontact angles  inner 49.9 deg, outer 31.4 deg\n```\n",
+        "Hypotheses, rings that deflect or expand, slip; 1454.7 N on a ball:\n```sh\nqsbearing run b218\n```\n",
         "A bearing:\n```sh\nqsbearing run b218\n```\n",
         "A bearing:\n```python\nimport qsbearing as qs\nqs.solve(qs.load_scene('b218'))._repr_html_()\n```\n",
     ],
@@ -79,6 +81,7 @@ def test_a_page_runs_with_its_long_commands(page: Path, tmp_path: Path) -> None:
         "raises",
         "output",
         "last digit of an output",
+        "number of a sentence",
         "remarks",
         "shown",
     ],
@@ -91,6 +94,12 @@ def test_a_page_that_does_not_run_is_found(wrong: str, tmp_path: Path) -> None:
     page.write_text(right + wrong, encoding="utf-8")
     with pytest.raises((AssertionError, ValueError)):
         run_page(page, tmp_path, heavy=False)
+
+
+@pytest.mark.parametrize("name", FROM_ELSEWHERE)
+def test_numbers_from_elsewhere_are_still_told(name: str) -> None:
+    told_here = {" ".join(each) for each in told(sentences((GUIDE / name).read_text(encoding="utf-8")))}
+    assert set(FROM_ELSEWHERE[name]) - told_here == set()
 
 
 def test_each_section_of_how_to_runs_on_its_own(tmp_path: Path) -> None:
