@@ -182,10 +182,10 @@ NOTES = [
     "shape does. Half-spaces inclined as the surface is have it but for the strain of the whole bodies, which changes "
     "the difference of their curvatures: the two may differ by twice that.",
     "The largest pressure is read off the pressure field; it lies beside the middle, for the groove is inclined to "
-    "the contact. Ratios are of results on the same mesh, and "
-    "uncertainties of ratios and of the ball's equator the meshes' scatter, pooled over all loads (GUM 4.2.4), where "
-    "there are several; otherwise, and of all else, the largest change from the coarser meshes to the finest. Of the "
-    "equator it also has what the direction of the forces may add, which are radial in the series.",
+    "the contact. Ratios are of results on the same mesh. Uncertainties are the largest change from the coarser meshes "
+    "to the finest; of approach and semi-axes in ratios, and of the ball's equator, the meshes' scatter, pooled over "
+    "all loads (GUM 4.2.4), where there are several; of the equator also what the direction of the forces may add, "
+    "which are radial in the series.",
 ]
 
 

@@ -686,6 +686,12 @@ PLANTED |= {
         "_load(of.gravity, each.position, 0.0 * each.mass)",
         PARTS,
     ),
+    "weights in one piece where the line is asked for": (
+        "qsbearing/systems/sets/deflection.py",
+        "self._acting(requested)\n        bent",
+        "self._acting([])\n        bent",
+        PARTS,
+    ),
     "a support twice as stiff": (
         "qsbearing/systems/sets/elastic_shaft.py",
         "elasticity += own.swapaxes(1, 2) @ support.stiffness @ own",
