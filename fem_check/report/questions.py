@@ -92,10 +92,15 @@ def of_limit(share: float) -> str:
     return f"{100.0 * share:.0f} % of its limit"
 
 
+SHORT_REASON = 32
+"""Letters of a reason that has room beside its limit on page 1."""
+
+
 def in_short(row: RowRecord) -> str:
-    """Why a row has its tolerance, up to the first stop; the annex has it in full."""
+    """Why a row has its tolerance, up to the first stop, if that is short; the annex has it in full."""
     text = as_read(row["why_tolerance"] or "")
-    return text[: min((place for stop in ";:," if (place := text.find(stop)) >= 0), default=len(text))]
+    words = text[: min((place for stop in ";:," if (place := text.find(stop)) >= 0), default=len(text))]
+    return words if len(words) <= SHORT_REASON else ""
 
 
 def _elements(evidence: Evidence) -> Question:
@@ -313,7 +318,7 @@ def _measured(evidence: Evidence) -> Question:
 
 def _and_more(records: Sequence[Kept], expected: Sequence[Kept]) -> str:
     more = len(records) - len(expected)
-    return f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree" if more else ""
+    return f", {more} counter-example{'s' if more > 1 else ''}" if more else ""
 
 
 def is_counter_example(entry: Mapping[str, Any]) -> bool:
@@ -329,8 +334,8 @@ def _hard_cases(evidence: Evidence) -> Question:
     bad = [each["case"] for each in cases if each["verdict"] not in EXPECTED]
     by_condition = sum(each["verdict"] == EXPECTED[1] for each in cases)
     return question._replace(
-        answer=f"{len(cases) - len(bad)} of {len(cases)} as expected, by solutions with fifty digits; {by_condition} by "
-        "their condition number",
+        answer=f"{len(cases) - len(bad)} of {len(cases)} as expected, by solutions with fifty digits; {by_condition} "
+        "by their condition number",
         worst=f"{len(bad)} do not", limit="1e−9",
         basis="set beforehand", verdict=judged(not bad),
         missed=f"hard cases without the expected result: {', '.join(bad)}" if bad else "",
