@@ -53,7 +53,7 @@ def _passes(kept: Kept) -> bool:
 
 def _equations(evidence: Evidence) -> Question:
     records = [evidence.reference] if evidence.reference else []
-    question = Question("Are the equations solved?", "mathematics", records)
+    question = Question("Equations solved?", "mathematics", records)
     if evidence.reference is None:
         return question
     record = evidence.reference.data
@@ -70,7 +70,7 @@ def _equations(evidence: Evidence) -> Question:
 
 def _relations(evidence: Evidence) -> Question:
     records = [evidence.relations] if evidence.relations else []
-    question = Question("Do relations between solutions hold?", "mathematics", records)
+    question = Question("Relations between solutions?", "mathematics", records)
     if evidence.relations is None:
         return question
     files = evidence.relations.data["files"]
@@ -92,80 +92,78 @@ def of_limit(share: float) -> str:
     return f"{100.0 * share:.0f} % of its limit"
 
 
+SHORT_REASON = 32
+"""Letters of a reason that has room beside its limit on page 1."""
+
+
 def in_short(row: RowRecord) -> str:
-    """Why a row has its tolerance, up to the first stop; the annex has it in full."""
+    """Why a row has its tolerance, up to the first stop, if that is short; the annex has it in full."""
     text = as_read(row["why_tolerance"] or "")
-    return text[: min((place for stop in ";:," if (place := text.find(stop)) >= 0), default=len(text))]
+    words = text[: min((place for stop in ";:," if (place := text.find(stop)) >= 0), default=len(text))]
+    return words if len(words) <= SHORT_REASON else ""
 
 
 def _elements(evidence: Evidence) -> Question:
     names = [name for name, kept in _verifying(evidence) if name not in OF_PRODUCT + OF_MOTION]
-    return _compared(evidence, "Do finite elements give Hertz's contact?", names, "half_space_contacts")
+    return _compared(evidence, "Finite elements against Hertz?", names, "half_space_contacts")
 
 
 def _contacts(evidence: Evidence) -> Question:
     names = [name for name, kept in _verifying(evidence) if name in OF_PRODUCT]
-    return _compared(evidence, "Are a solution's contacts right?", names, "solution_contacts")
+    return _compared(evidence, "Contacts of solutions?", names, "solution_contacts")
 
 
 def _motion(evidence: Evidence) -> Question:
     """What nobody has measured is assumed or comes from friction: neither may be said to be more than that."""
     records = [evidence.checks[name] for name in OF_MOTION if name in evidence.checks]
     missed = _failing(records)
-    question = Question("What does the balls' motion at speed rest on?", "check-free-ball", records)
+    question = Question("What do axes of balls rest on?", "check-free-ball", records)
     all_rows = _rows(evidence.checks, *OF_MOTION)
     rows = [row for row in all_rows if row["tolerance_percent"] and row["reference"]]
     if not rows:
         return question._replace(see="hertz")
     worst, cases = max(rows, key=used), len({row["case"] for row in rows})
-    leads = " and where friction leads" if any(OTHER_FRICTION in row["case"] for row in all_rows) else ""
-    referee = f"{cases} runs of free balls by Newton's laws prove the gyroscopic moment{leads}, not raceway control"
-    off = [f"{difference(worst)}, {of_limit(used(worst))}", *_by_assumption(all_rows)]
+    leads = " and friction's motion" if any(OTHER_FRICTION in row["case"] for row in all_rows) else ""
+    referee = f"{cases} free balls prove the moment{leads}, no control"
     return question._replace(
         answer="; ".join((*_assumed(evidence), referee, *_unmeasured(evidence), GUIDE)),
-        worst="; ".join(off), limit=row_text.of_row(worst).tolerance, basis=in_short(worst),
+        worst="; ".join((f"{difference(worst)}, {of_limit(used(worst))}", *_by_assumption(all_rows))),
+        limit=row_text.of_row(worst).tolerance, basis=in_short(worst),
         verdict=judged(False) if missed else LIMIT_OF_USE, missed=missed,
     )  # fmt: skip
 
 
-GUIDE = "pages ball_axis, free_ball of the guide"
+GUIDE = "page ball_axis"
 
 
 def _assumed(evidence: Evidence) -> list[str]:
-    """What holds the balls' axes, each with what solves its equations a second time."""
-    said = []
-    if evidence.reference:
-        record = evidence.reference.data
-        turning = [each for each in record["cases"] if each.get("raceway_control")]
-        controls = {each["raceway_control"] for each in turning}
-        hypotheses = f"{len(controls)} hypotheses of raceway control ({len(turning)} scenes with fifty digits)"
-        said += [hypotheses] if controls else []
-        balances = record.get("friction_cases", [])
-        said += [f"or friction itself ({len(balances)} balances with fifty digits)"] if balances else []
-    of_friction = {"friction", "arched"}
-    campaigns = [kept.data for kept in evidence.recomputed if kept.data["campaign"] in of_friction]
-    said += [f"{each['count']:,} random {each['campaign']}, {len(each['wrong'])} wrong" for each in campaigns]
-    return said
+    """What holds the balls' axes, and how many scenes of each are solved with fifty digits."""
+    if evidence.reference is None:
+        return []
+    cases = [each for each in evidence.reference.data["cases"] if each.get("raceway_control")]
+    controls = {each["raceway_control"] for each in cases}
+    balances = evidence.reference.data.get("friction_cases", [])
+    return [f"{len(controls)} hypotheses ({len(cases)} scenes with fifty digits) or friction ({len(balances)})"]
 
 
 def _unmeasured(evidence: Evidence) -> list[str]:
     measured = [row for kept in evidence.book.values() if kept.data["kind"] == "M" for row in kept.data["rows"]]
     angles = sum(row["unit"] == "deg" for row in measured)
-    return [f"{angles} of {len(measured)} measured numbers are of an axis or a contact angle"] if measured else []
+    return [f"measured: {angles} of {len(measured)} numbers are angles"] if measured else []
 
 
 def _by_assumption(rows: Sequence[RowRecord]) -> list[str]:
     """What becomes of a result of the free balls where their axes are assumed, or their friction is another."""
-    said: list[str] = []
-    for what, begins in (("hypotheses", HYPOTHESIS), ("friction coefficients", OTHER_FRICTION)):
+    said = []
+    for what, begins in (("hypotheses", HYPOTHESIS), ("friction of", OTHER_FRICTION)):
         others = [row for row in rows if begins in row["case"]]
         if others:
-            (size, unit), free = row_text.in_unit(others[0]), others[0]["reference"]
-            ends = (f"{size * end(map(computed_value, others)):.3g}" for end in (min, max))
-            of = f" of {span(row['case'].rpartition(begins)[2] for row in others)}" if begins == OTHER_FRICTION else ""
-            name = f"{as_read(others[0]['quantity'])} {size * free:.3g} {unit}: " if not said else ""
-            said.append(f"{name}{what}{of} give {' to '.join(ends)} {unit}")
-    return said
+            size, unit = row_text.in_unit(others[0])
+            ends = " to ".join(f"{size * end(map(computed_value, others)):.3g}" for end in (min, max))
+            of = f" {span(row['case'].rpartition(begins)[2] for row in others)}" if begins == OTHER_FRICTION else ""
+            said.append(f"by {what}{of} {ends} {unit}")
+    free = {row["reference"] * row_text.in_unit(row)[0] for row in rows if HYPOTHESIS in row["case"]}
+    return [*(f"free ball {each:.3g}" for each in free), *said]
 
 
 def _verifying(evidence: Evidence) -> list[tuple[str, Kept]]:
@@ -320,7 +318,7 @@ def _measured(evidence: Evidence) -> Question:
 
 def _and_more(records: Sequence[Kept], expected: Sequence[Kept]) -> str:
     more = len(records) - len(expected)
-    return f", {more} counter-example{'s' if more > 1 else ''}, not expected to agree" if more else ""
+    return f", {more} counter-example{'s' if more > 1 else ''}" if more else ""
 
 
 def is_counter_example(entry: Mapping[str, Any]) -> bool:
@@ -337,8 +335,8 @@ def _hard_cases(evidence: Evidence) -> Question:
     by_condition = sum(each["verdict"] == EXPECTED[1] for each in cases)
     more = f", {by_condition} of them by their condition number" if by_condition else ""
     return question._replace(
-        answer=f"{len(cases) - len(bad)} of {len(cases)} give the expected result{more}",
-        worst=f"{len(bad)} unexpected", limit="1e−9 of the solution with fifty digits",
+        answer=f"{len(cases) - len(bad)} of {len(cases)} as expected, by solutions with fifty digits{more}",
+        worst=f"{len(bad)} unexpected", limit="1e−9",
         basis="set beforehand", verdict=judged(not bad),
         missed=f"hard cases without the expected result: {', '.join(bad)}" if bad else "",
     )  # fmt: skip
