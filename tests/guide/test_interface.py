@@ -15,6 +15,10 @@ from tests.guide import interface
 PAGE = (Path(interface.qs.__file__).parent / "guide" / "interface.md").read_text(encoding="utf-8")
 
 
+def _section(heading: str) -> str:
+    return PAGE.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+
+
 @pytest.fixture(scope="module")
 def now() -> dict[str, interface.Names]:
     return interface.found()
@@ -32,10 +36,24 @@ def test_a_dropped_name_is_named() -> None:
 
 
 def test_the_exit_codes_of_the_page_are_those_of_the_code() -> None:
-    told = {int(code) for line in PAGE.splitlines() if line[2:3].isdigit() for code in line.split("|")[1].split(",")}
+    lines = _section("Exit codes").splitlines()
+    told = {int(code) for line in lines if line[2:3].isdigit() for code in line.split("|")[1].split(",")}
     ends = {output.SOLVED, output.UNSOLVED, output.BAD_INPUT, output.NOT_MET, command.FAILED}
     ends |= {ended.DEFECT, ended.INTERRUPTED, 128 + 15}
     assert told == ends
+
+
+def test_the_versions_of_python_are_those_of_the_page() -> None:
+    root = Path(interface.qs.__file__).parents[1]
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    versions = [text.rpartition(" ")[2] for text in project["classifiers"] if "Python :: 3." in text]
+    assert project["requires-python"] == f">={versions[0]}"
+    page = _section("Versions of Python")
+    assert f"\n{versions[0]} or newer. All extras install on {versions[0]} to {versions[-1]}." in page
+    told = [line.split("|")[1].strip() for line in page.splitlines() if line.startswith("| 3.")]
+    assert told[: len(versions)] == versions
+    for text in (root / "README.md", root / ".github" / "CONTRIBUTING.md"):
+        assert f"Python {versions[0]} to {versions[-1]}" in text.read_text(encoding="utf-8"), text
 
 
 def test_every_package_of_an_extra_has_its_licence_on_the_page() -> None:
