@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
+from qsbearing.files.file_errors import refused
 from qsbearing.files.limits import LONGEST_CELL, MOST_CELLS, MOST_ROWS
 
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(?:\1\d{3})*", re.ASCII)
@@ -96,7 +96,7 @@ def _mark_shown(cells: list[str], path: Path) -> str:
         return "."  # no number among them
     whole, part = re.sub("[,.]", "", text), re.sub("[,.]", ".", text)
     problem = f"{text} may be {whole} or {part}: no cell shows what stands before the decimals"
-    raise SceneFileError(str(path), [FileErrorDetail("", problem, cause=say)])
+    raise refused(path, problem, say)
 
 
 def _with_point(text: str, mark: str) -> str:
