@@ -21,7 +21,7 @@ from qsbearing.documents.html import part
 from qsbearing.documents.model import Callout
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_errors import refused
 from qsbearing.files.scene_file import document_of
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.scene_tables import input_tables
@@ -100,7 +100,7 @@ def put_way(document: Tables, channel: str, way: str, value: float | None = None
     try:
         return shown(channels.with_way(document, channel, way, value))
     except (KeyError, AttributeError, TypeError):
-        raise SceneFileError("page", [FileErrorDetail("", "no such channel, or no such way of one")]) from None
+        raise refused("page", "no such channel, or no such way of one") from None
 
 
 def solved(document: Tables, label: str) -> Answer:
@@ -170,7 +170,7 @@ def pictured(document: Tables, label: str, name: str, row: int = 0) -> Answer:
     """One picture, of a set that of a row; empty where there is no solution."""
     solution = solution_of(document, label)
     if name not in drawn.names(solution) or (isinstance(solution, SetSolution) and not 0 <= row < len(solution.rows)):
-        raise SceneFileError("page", [FileErrorDetail("", "no such picture")])
+        raise refused("page", "no such picture")
     return {"picture": drawn.drawn(name, solution, row) if solution.converged else "", "alt": drawn.ALT[name]}
 
 
@@ -206,7 +206,7 @@ def switched(document: Tables, label: str, effect: str, is_on: bool) -> Answer:
     """The tables with an effect or choice in its finest form, or without it; and what is assumed with it."""
     entry = next((each for each in EFFECTS if each.name == effect), None)
     if entry is None:
-        raise SceneFileError("page", [FileErrorDetail("", "no such effect")])
+        raise refused("page", "no such effect")
     if not is_on:
         return shown(input_tables(_with(entry, named(document, label), False))) | {"said": ""}
     tables, said = with_effect(entry, document, label)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import copy
 from typing import Any, NamedTuple
 
-from qsbearing.files.keys import OPERATION, PRELOAD, Key
+from qsbearing.files.keys import OF_OPERATION, PRELOAD, Key
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.model.operation import CHANNELS, TILT_OF, Channel
 from qsbearing.model.scene.preload import FORCES
@@ -19,10 +19,8 @@ Tables = dict[str, Any]
 LOAD, PLACE, FREE = "load", "place", "free"
 NONE = "none"
 """Of the preload's ways."""
-_OF_OPERATION = {key.field: key for key in OPERATION}
 KEYS = {
-    channel.label: {LOAD: _OF_OPERATION[channel.load], PLACE: _OF_OPERATION[channel.displacement]}
-    for channel in CHANNELS
+    channel.label: {LOAD: OF_OPERATION[channel.load], PLACE: OF_OPERATION[channel.displacement]} for channel in CHANNELS
 }
 """The keys of each channel's ways; free has none."""
 PRELOADED = "preload"
@@ -131,7 +129,7 @@ def _state(tables: Tables, operation: Tables) -> None:
     """State what the file would ask for: the tilt beside a radial load or displacement, and that nothing acts."""
     for field, number in TILT_OF.items():
         tilt = KEYS[CHANNELS[number].label]
-        if _OF_OPERATION[field].name in operation and not any(key.name in operation for key in tilt.values()):
+        if OF_OPERATION[field].name in operation and not any(key.name in operation for key in tilt.values()):
             operation[tilt[LOAD].name] = 0.0
     every = [key.name for keys in KEYS.values() for key in keys.values()]
     if PRELOADED not in tables and not any(name in operation for name in every):

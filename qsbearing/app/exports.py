@@ -9,7 +9,7 @@ from qsbearing.app.scenes import Tables, named, solution_of
 from qsbearing.documents.html import html
 from qsbearing.documents.installation import pip_install
 from qsbearing.files.csv_table import csv_bytes
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_errors import refused
 from qsbearing.model.solution.solution import Solution
 from qsbearing.remarks.of_solution import message
 from qsbearing.results.readings_record import all_columns, all_taken
@@ -24,7 +24,7 @@ def report(document: Tables, label: str) -> Answer:
     from importlib.util import find_spec
 
     if lacks := [name for name in NEEDED if find_spec(name) is None]:
-        raise _refused(f"the report needs {', '.join(lacks)}", f"Install it: {pip_install('report')}")
+        raise refused("page", f"the report needs {', '.join(lacks)}", f"Install it: {pip_install('report')}")
     from qsbearing.reports.of_any import document_of_any
 
     solution = _solved(document, label)
@@ -47,9 +47,5 @@ def table(document: Tables, label: str) -> Answer:
 def _solved(document: Tables, label: str) -> Any:
     solution = solution_of(document, label)
     if not solution.converged:
-        raise _refused("there is no solution to write", message(solution))
+        raise refused("page", "there is no solution to write", message(solution))
     return solution
-
-
-def _refused(problem: str, cause: str) -> SceneFileError:
-    return SceneFileError("page", [FileErrorDetail("", problem, cause=cause)])

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from qsbearing.app.inputs import FieldOfPage, fields
 from qsbearing.app.scenes import named, solution_of
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_errors import SceneFileError, refused
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.solution.result_keys import Place, in_name, printed_unit
 from qsbearing.model.solution.solution import Solution
@@ -96,7 +96,7 @@ def values(
     problems = [problem for path in (x, y) for problem in _problem(document, path)]
     problems += ["a map needs two different inputs"] if x == y else []
     if problems or not (xs and ys) or len(xs) * len(ys) > AT_ONCE:
-        raise SceneFileError("map", [FileErrorDetail("", ". ".join(problems) or f"takes 1 to {AT_ONCE} points")])
+        raise refused("map", ". ".join(problems) or f"takes 1 to {AT_ONCE} points")
     tables = input_tables(named(document, label))
     study = Study.of(Read(tables, "map", label), {_name(x): xs, _name(y): ys}, quantities=[result])
     grid = [each.ravel() for each in np.meshgrid(xs, ys)]

@@ -13,7 +13,7 @@ from qsbearing.model.scene.requirement import ENDS, SOURCE
 from qsbearing.model.solution.limit import Answer
 from qsbearing.model.solution.result_keys import printed_unit
 from qsbearing.results import requirements
-from qsbearing.results.requirements import COLOURS, SIGNS, name_of, numbers_of, required_answers, verdict, whose
+from qsbearing.results.requirements import COLOURS, SIGNS, numbers_of, required_answers, verdict, whose
 
 ENDINGS = [{"end": end, "sign": SIGNS[sense]} for end, sense in ENDS.items()]
 """How a limit is written: its key in the table of a requirement, and its sign."""
@@ -34,16 +34,12 @@ def told(solution: Any, readings: Any) -> dict[str, Any]:
 
 
 def _told(answer: Answer) -> dict[str, Any]:
-    value, bound = numbers_of(answer)
+    shown, _ = numbers_of(answer)
     limit, used = answer.limit, answer.used
     return {
         "path": [REQUIRE, limit.name, _END_OF[limit.sense]],
-        "name": name_of(answer),
-        "found": value,
-        "bound": bound,
-        "sign": SIGNS[limit.sense],
+        "found": shown,
         "unit": printed_unit(limit.unit),
-        "state": str(answer.state),
         "look": COLOURS[answer.state],
         "verdict": verdict(answer),
         "used": used if math.isfinite(used) and used >= 0.0 else None,

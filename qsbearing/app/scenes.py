@@ -12,7 +12,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from qsbearing.files.file_errors import FileErrorDetail, SceneFileError
+from qsbearing.files.file_errors import refused
 from qsbearing.files.scene_or_set import scene_or_set_of
 from qsbearing.files.toml import check_tables
 from qsbearing.model.scene.arched_rings import IN_RUN, refuse_arched
@@ -35,7 +35,7 @@ def read(document: Tables, label: str) -> Scene | BearingSet:
     check_tables(document, Path(label or "scene"))
     if "spectrum" in document:
         cause = "`qsbearing run` and `qsbearing report` take it; this page shows one operating point"
-        raise SceneFileError(label or "scene", [FileErrorDetail("", "is several operating points", cause=cause)])
+        raise refused(label or "scene", "is several operating points", cause)
     of = scene_or_set_of(_of_its_control(document), label or "scene", label)
     refuse_arched(getattr(of, "bearing", None), "this page", IN_RUN)
     return of

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from qsbearing.files.bearing_table import read_bearing
-from qsbearing.files.keys import NUMBERED, OPERATION
+from qsbearing.files.keys import NUMBERED, OF_OPERATION
 from qsbearing.files.row_bearing import whole_bearing
 from qsbearing.files.scene_or_set import is_set
 from qsbearing.files.set_file import is_deep_groove
@@ -147,7 +147,7 @@ def _reference(document: Tables) -> Iterator[Thing]:
     """Where the loads of [operation] act, where it is stated."""
     parts = _parts(_table(document, "shaft"), ("shaft",), _names("shaft"), {"reference_position": ALONG})
     loads = dict(zip((channel.load for channel in CHANNELS), FORCES, strict=True))
-    of_operation = {key.field: key.name for key in OPERATION}
+    of_operation = {field: key.name for field, key in OF_OPERATION.items()}
     if parts:
         parts += _parts(_table(document, "operation"), ("operation",), of_operation, loads)
         yield Thing("operation", "operation", parts)

@@ -83,13 +83,9 @@ def _write(topic: str | None, target: str | None, is_opened: bool) -> None:
 
 def _bring_pictures(into: Path) -> None:
     """A site that a wheel carries shows those of the guide beside it; a copy needs its own."""
-    from shutil import copyfile
+    from qsbearing.documents.guide import OF_GUIDE, bring_beside
 
-    from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages
-
-    for name in beside_pages():
-        (into / name).parent.mkdir(parents=True, exist_ok=True)
-        copyfile(FOLDER / name, into / name)
+    bring_beside(into)
     for page in into.glob("*.html"):
         page.write_text(page.read_text(encoding="utf-8").replace(OF_GUIDE, ""), encoding="utf-8")
 
@@ -107,10 +103,9 @@ def _build(into: Path) -> None:
 
 def _carried() -> Path | None:
     """The site that a wheel carries; None in a copy of the repository."""
-    from pathlib import Path
+    from qsbearing.documents.guide import BUILT
 
-    built = Path(__file__).parents[1] / "site" / "built"
-    return built if (built / FIRST).is_file() else None
+    return BUILT if (BUILT / FIRST).is_file() else None
 
 
 def _own_folder() -> Path:

@@ -139,10 +139,11 @@ def _checked(
 
 def _axes_of(over: Sequence[str]) -> tuple[dict[str, Any], list[str]]:
     """The axes that are named, by the fields of an operation, in SI; and what is wrong with them."""
+    from qsbearing.files.keys import OF_OPERATION
     from qsbearing.model.validation import alike, question
-    from qsbearing.studies.force_table.table_axes import FIELDS, KEYS, over_errors
+    from qsbearing.studies.force_table.table_axes import FIELDS, over_errors
 
-    fields = {KEYS[field].name: field for field in FIELDS}
+    fields = {OF_OPERATION[field].name: field for field in FIELDS}
     axes: dict[str, Any] = {}
     problems = []
     for text in over:
@@ -162,7 +163,7 @@ def _axes_of(over: Sequence[str]) -> tuple[dict[str, Any], list[str]]:
         except ValueError:
             problems.append(f"--over {text}: {RANGE}")
             continue
-        axes[field] = (KEYS[field].si(ends[0]), KEYS[field].si(ends[-1])) if ends else None
+        axes[field] = (OF_OPERATION[field].si(ends[0]), OF_OPERATION[field].si(ends[-1])) if ends else None
     return axes, [*problems, *_told(over_errors(axes))]
 
 
@@ -176,7 +177,7 @@ _OPTIONS = {"most_points": "--points", "interpolation": "--interpolation", "over
 
 def _by_option(error: ErrorDetail) -> Any:
     from qsbearing.files.file_errors import translate
-    from qsbearing.studies.force_table.table_axes import KEYS
+    from qsbearing.files.keys import OF_OPERATION
 
     if error.field == "wished_error" and error.allowed:
         percent = 100.0 * error.allowed[0], 100.0 * error.allowed[1]
@@ -184,6 +185,6 @@ def _by_option(error: ErrorDetail) -> Any:
         return replace(said, key="--error", value=100.0 * error.value, unit="%", allowed=percent)
     if error.field.startswith("over."):
         field = error.field.removeprefix("over.")
-        return replace(translate(replace(error, field=f"operation.{field}")), key=f"--over {KEYS[field].name}")
+        return replace(translate(replace(error, field=f"operation.{field}")), key=f"--over {OF_OPERATION[field].name}")
     said = translate(error)
     return replace(said, key=_OPTIONS.get(error.field, said.key))

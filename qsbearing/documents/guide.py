@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,8 +12,10 @@ from qsbearing.documents.formula import in_text
 from qsbearing.documents.model import anchor_of
 
 FOLDER = Path(__file__).parents[1] / "guide"
+BUILT = FOLDER.parent / "site" / "built"
+"""Where a wheel carries the site."""
 OF_GUIDE = "../../guide/"
-"""Where a site that a wheel carries (`qsbearing/site/built`) finds the pictures of its pages."""
+"""Where it finds the pictures of its pages there."""
 FIRST = "index"
 """The page that comes first, if there is one; its links give the order of the others."""
 
@@ -79,6 +82,13 @@ def beside_pages() -> list[str]:
     """Pictures and notebooks that pages show or lead to, by their place in the guide's folder."""
     paths = (path for path in FOLDER.rglob("*") if path.suffix in {".svg", ".png", ".ipynb"})
     return sorted(path.relative_to(FOLDER).as_posix() for path in paths)
+
+
+def bring_beside(folder: Path) -> None:
+    """Copy them to a folder of pages."""
+    for name in beside_pages():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(FOLDER / name, folder / name)
 
 
 def skill_text() -> str:

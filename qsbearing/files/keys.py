@@ -132,6 +132,7 @@ IN_PLACE = (*_OF_GROOVES, *RACEWAYS, *PRINTED, *DATA_SHEET)
 """What a file's [bearing] may hold besides, which is no length of the model."""
 
 MATERIAL, OPERATION, PRELOAD = keys_of(Material), keys_of(Operation), keys_of(Preload)
+OF_OPERATION = {key.field: key for key in OPERATION}
 SHARES = (0.0, 1.0)
 SPECTRUM = (key_of(number("share", range=SHARES)), key_of(number("hours", "h")), *OPERATION)
 """Of an operating point of a load spectrum: its share of the time, and how it is operated."""

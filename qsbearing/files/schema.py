@@ -26,6 +26,7 @@ from qsbearing.files.keys import (
     MAKES_SET,
     MATERIAL,
     MATERIALS,
+    OF_OPERATION,
     OPERATION,
     PRELOAD,
     RATINGS,
@@ -221,7 +222,7 @@ _DEEP_GROOVE: Schema = {
 
 def _rules() -> list[Schema]:
     """What relates two keys or tables."""
-    in_file = {key.field: key.name for key in OPERATION}
+    in_file = {field: key.name for field, key in OF_OPERATION.items()}
     both = [{"required": [in_file[each.load], in_file[each.displacement]]} for each in CHANNELS]
     axial = [{"required": [in_file[name]]} for name in (CHANNELS[0].load, CHANNELS[0].displacement)]
     tilts = []

@@ -36,8 +36,9 @@ if TYPE_CHECKING:
     from qsbearing.systems.sets.set_solution import SetSolution
 
 FROM_MIDDLE = Place(OF_MIDDLE, OF_MIDDLE.results[0])
-NOISE = 1e-10
-"""Part of the largest of its kind up to which a displacement or load of the ring is rounding."""
+NOISE = 1e-8
+"""Part of the largest of its kind up to which a displacement or load of the ring is left out, as rounding is: a
+hundredth of the last of the six digits that are printed."""
 
 
 class KeyNumber(NamedTuple):
@@ -86,16 +87,14 @@ def results_of(solution: Solution, readings: Mapping[str, Any]) -> list[KeyResul
     Args:
         readings: what the scene asked to be read off, by name.
     """
-    lever = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
-    ring = ring_lines(solution, "inner ring", lever)
+    ring = ring_lines(solution, "inner ring")
     heat = heat_lines(solution)
     return [*contact_lines(solution), *ring, *_preload_lines(solution), *heat, *life_lines(readings)]
 
 
 def answer(solution: Solution, readings: Mapping[str, Any]) -> Facts:
     """The same for a terminal, in the order in which they are looked for; the preload stands in the heading there."""
-    lever = 0.5 * float(np.asarray(solution.scene.bearing.pitch_diameter))
-    ring, contacts = _ring_results(solution, "inner ring", lever), _contact_results(solution)
+    ring, contacts = _ring_results(solution, "inner ring"), _contact_results(solution)
     moved = [ring.moved, ring.from_middle, ring.reactions, contacts.angles, contacts.load, contacts.pressure]
     others = [contacts.friction, contacts.unloaded, ring.stiffness, *heat_lines(solution), *life_lines(readings)]
     return facts([*moved, *others])
@@ -157,19 +156,30 @@ class KeyRing(NamedTuple):
     reactions: KeyResult
 
 
-def ring_lines(solution: Solution | SetSolution, what: str, lever: float) -> list[KeyResult]:
+def ring_lines(solution: Solution | SetSolution, what: str) -> list[KeyResult]:
     """Displacement and effective stiffness where ring or shaft is free to move, loads where it is not.
 
     Args:
         what: moves.
-        lever: at which its turning is compared with its shift [m].
     """
-    return [each for each in _ring_results(solution, what, lever) if each.parts]
+    return [each for each in _ring_results(solution, what) if each.parts]
 
 
-def _ring_results(solution: Solution | SetSolution, what: str, lever: float) -> KeyRing:
-    free = set(map(int, solution.free_channels))
-    levers = np.array([1.0 if not channel.is_rotation else lever for channel in CHANNELS])
+def levers_of(solution: Solution | SetSolution) -> NDArray:
+    """What makes each channel's displacement a shift: of a tilt the radius of the largest pitch circle [m], else 1."""
+    of = [solution.scene] if isinstance(solution, Solution) else solution.set.rows
+    lever = 0.5 * max(float(np.asarray(each.bearing.pitch_diameter)) for each in of)
+    return np.array([lever if channel.is_rotation else 1.0 for channel in CHANNELS])
+
+
+def are_rounding(values: NDArray, levers: NDArray) -> NDArray:
+    """Which of five channels are nothing beside the largest."""
+    sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
+    return np.asarray(sizes <= NOISE * sizes.max())
+
+
+def _ring_results(solution: Solution | SetSolution, what: str) -> KeyRing:
+    free, levers = set(map(int, solution.free_channels)), levers_of(solution)
     moved = of_channels(DISPLACEMENT, solution.displacement, levers, free)
     stiff = of_channels(STIFFNESS, solution.effective_stiffness, 1.0 / levers**2, free)
     given = set(range(len(CHANNELS))) - free
@@ -201,11 +211,11 @@ def of_channels(
     channels: tuple[Result, ...], values: NDArray, levers: NDArray, which: set[int]
 ) -> tuple[KeyNumber, ...]:
     """Channels with their values; what is rounding beside the largest, measured at the pitch circle, is left out."""
-    sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
+    rounding = are_rounding(values, levers)
     return tuple(
         KeyNumber(channel.label, (float(np.asarray(each.of(values))),), printed_unit(each.unit))
         for i, (channel, each) in enumerate(zip(CHANNELS, channels, strict=True))
-        if i in which and np.isfinite(values[i]) and sizes[i] > NOISE * sizes.max()
+        if i in which and np.isfinite(values[i]) and not rounding[i]
     )
 
 

@@ -34,7 +34,7 @@ from qsbearing.model.solution.traction_groups import OPPOSITE
 from qsbearing.model.units import deg, mm, mrad, rpm, um
 from qsbearing.remarks.wording import Words
 from qsbearing.results.json_record import how_it_ended, record
-from qsbearing.results.key_results import answer
+from qsbearing.results.key_results import answer, are_rounding, levers_of
 from qsbearing.results.readings_record import Readings, number
 from qsbearing.results.record_type import Record
 from qsbearing.results.remarks import blocks, every_remark
@@ -264,11 +264,12 @@ def channels_table(title: str, solution: Solution | SetSolution, record: Record)
     """Displacement and load of ring or shaft."""
     rows = []
     values = zip(CHANNELS, record["displacement"].values(), record["load"].values(), strict=True)
+    rounding = are_rounding(solution.displacement, levers_of(solution))
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
-        shown = digits(load, 0.0)
+        moved = "0" if rounding[i] and displacement is not None else digits(displacement, 0.0)
         imposed = "load" if i in solution.free_channels else "displacement"
-        rows.append((channel.label, digits(displacement, 1e-9), length, shown, force, imposed))
+        rows.append((channel.label, moved, length, digits(load, 0.0), force, imposed))
     middle, notes = record.get("axial_from_middle_um"), []
     if middle is not None:
         rows.insert(1, (FROM_MIDDLE, digits(middle, 1e-9), "µm", "", "", ""))

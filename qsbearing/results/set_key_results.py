@@ -43,10 +43,9 @@ MOUNTED_OF_ROW = Place(PRELOAD, next(each for each in PRELOAD.results if each.na
 
 def results_of_shaft(solution: SetSolution, readings: Sequence[Mapping[str, Any]]) -> list[KeyResult]:
     """Those of a set's shaft, its points first."""
-    lever = 0.5 * max(float(np.asarray(row.bearing.pitch_diameter)) for row in solution.set.rows)
     return [
         *_point_lines(solution),
-        *ring_lines(solution, "shaft", lever),
+        *ring_lines(solution, "shaft"),
         *heat_lines(solution),
         *_system_life_lines(solution, readings),
     ]

@@ -20,7 +20,7 @@ from typing import Any
 
 import click
 
-from qsbearing.documents.guide import FOLDER, OF_GUIDE, beside_pages, topics
+from qsbearing.documents.guide import BUILT, FOLDER, OF_GUIDE, beside_pages, bring_beside, topics
 from qsbearing.model.version import __version__
 from qsbearing.reports.guide_lists import LISTS
 from qsbearing.site.home import home
@@ -29,8 +29,6 @@ from qsbearing.site.versions import list_versions
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
-BUILT = HERE / "built"
-"""Where a wheel carries it."""
 TABS = ("Learn", "Do", "Trust", "Develop")
 """Headings of the guide's first page that are the site's own parts, in this order; its lists name the pages."""
 WAYS_IN = "guide.md"
@@ -44,7 +42,7 @@ IN_FILES = ("search/search_index.json", "objects.inv", "sitemap.xml", "404.html"
 def write_pages(folder: Path) -> list[dict[str, Any]]:
     """Write every page of the site to a folder; the order of them, as MkDocs takes it."""
     shutil.copytree(HERE / "assets", folder / "assets")
-    _copy_pictures(folder)
+    bring_beside(folder)
     guide = topics(lists=LISTS)
     for page in guide.values():
         name = WAYS_IN if page.topic == "index" else f"{page.topic}.md"
@@ -96,13 +94,6 @@ def _parts(guide: dict[str, Any]) -> list[dict[str, Any]]:
     if missing or tuple(parts) != TABS:
         raise ValueError(f"pages that no list of the first page names: {sorted(missing)}; parts: {list(parts)}")
     return [{part: pages} for part, pages in parts.items()]
-
-
-def _copy_pictures(folder: Path) -> None:
-    """Pictures, data and the gallery; the pages themselves are written."""
-    for name in beside_pages():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(FOLDER / name, folder / name)
 
 
 def share_with_guide(site: Path) -> None:

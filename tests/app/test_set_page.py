@@ -13,6 +13,7 @@ pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 from qsbearing.app import answers
 from qsbearing.app.inputs import ASIDE
+from qsbearing.files.file_errors import SceneFileError
 from tests.app.served import served
 from tests.app.test_answers import ran
 from tests.app.test_page import KEY, OF, SOLVED, UNDO, boxes, hold, opened, press, wait
@@ -162,7 +163,7 @@ def test_what_is_wrong_is_told_in_the_words_of_a_number_that_is_typed(page: Brow
     wait(page, f"{OF}.startsWith('Not solved.') && {wrong}.getAttribute('aria-invalid') === 'true'")
     tables = answers.opened(SPINDLE, "spindle")["document"]
     tables["shaft"]["sections"][0]["length_mm"] = number(page, LENGTH)
-    with pytest.raises(answers.SceneFileError) as caught:
+    with pytest.raises(SceneFileError) as caught:
         answers.solved(tables, "spindle")
     (said,) = (str(each) for each in caught.value.errors if each.key == LENGTH)
     wait(page, f"document.getElementById({wrong}.getAttribute('aria-describedby'))?.textContent.trim() === {said!r}")

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
@@ -24,6 +24,7 @@ from qsbearing.files import output_file
 from qsbearing.files.catalogue import find
 from qsbearing.files.csv_table import csv_bytes
 from qsbearing.systems.sets.row import Direction
+from tests.cli.command import call
 from tests.guide.pages import GUIDE
 
 COMBINED = """
@@ -41,13 +42,6 @@ raceway_control = "outer"
 STATIC = COMBINED.partition("[effects]")[0].replace("10000", "0")
 NO_EQUILIBRIUM = '[bearing]\nname = "B218"\n[operation]\naxial_load_N = -1000\n'
 BAD = '[bearing]\nname = "B218"\nball_diameter_mm = 0.022225\n[operation]\naxial_load_kN = 1\n'
-
-
-def call(*arguments: str | Path) -> Result:
-    """One command in this process; anything but a clean exit is an error."""
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
-    return result
 
 
 @pytest.fixture

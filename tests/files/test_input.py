@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import qsbearing as qs
-from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.scene_file import load_scene, scene_of
 from qsbearing.files.scene_or_set import is_set
@@ -24,6 +23,7 @@ from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
 from qsbearing.model.scene.scene import Scene
 from qsbearing.readings.asked import with_defaults
+from tests.cli.command import call
 from tests.files.test_fuzzed_files import scene_text
 from tests.qsbearing.any_scene import CHOICES, bearings, few, operations
 
@@ -253,12 +253,6 @@ def test_a_scene_of_python_comes_back_or_says_what_no_file_has() -> None:
 
 
 # Through the command line -------------------------------------------------------------------------------------------
-
-
-def call(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
-    return result
 
 
 def found(result: Result) -> dict[str, Any]:

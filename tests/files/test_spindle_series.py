@@ -8,18 +8,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import qsbearing as qs
 from fem_check.book.cases.gmn_rigidities import LEAST_RIGIDITY, column, columns, fitted_groove, rounding
 from fem_check.book.published import gmn_rows
-from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.catalogue.spindle_series import spindle_bearings
 from qsbearing.files.scene_file import scene_of
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.files.set_file import set_of
 from qsbearing.model.material import BY_NAME
+from tests.cli.command import call
 
 SCENE: dict[str, Any] = {
     "bearing": {
@@ -28,12 +27,6 @@ SCENE: dict[str, Any] = {
     },
     "operation": {"axial_load_N": 500.0},
 }  # fmt: skip
-
-
-def run(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 def scene(**bearing: Any) -> qs.Scene:
@@ -146,14 +139,14 @@ def test_dimensions_and_ratings_are_the_printed_ones() -> None:
 
 
 def test_the_command_chooses() -> None:
-    text = run("catalogue", "--bore", "70", "--angle", "15").stdout
+    text = call("catalogue", "--bore", "70", "--angle", "15").stdout
     assert "71914C" in text and "71914C_hybrid" in text and "71914E" not in text and "inferred" in text
-    text = run("catalogue", "--series", "kh70", "--hybrid").stdout
+    text = call("catalogue", "--series", "kh70", "--hybrid").stdout
     assert "KH7014E_hybrid" in text and "KH7014E " not in text and "71914" not in text
-    assert "bore_diameter_mm" in run("catalogue", "71914E").stdout
-    assert run("catalogue", "--bore", "71").exit_code == 2
-    assert run("catalogue", "b218", "--bore", "71").exit_code == 2
-    result = run("run", "7210")
+    assert "bore_diameter_mm" in call("catalogue", "71914E").stdout
+    assert call("catalogue", "--bore", "71").exit_code == 2
+    assert call("catalogue", "b218", "--bore", "71").exit_code == 2
+    result = call("run", "7210")
     assert result.exit_code == 2 and "7210C or 7210E?" in result.output and "KH" not in result.output
 
 

@@ -45,7 +45,7 @@ def test_held_at_zero_it_stands_at_one_side_and_the_table_says_so() -> None:
     assert rows["axial"] == "0" and float(rows["axial from middle"]) == pytest.approx(1e6 * SMALL.touching_offset, 1e-5)
     said = " ".join(" ".join(note) for note in table.notes)
     assert "just touch one side" in said and "in one plane" in said
-    assert "axial displacement from the middle" in [each.name for each in ring_lines(solution, "ring", 1.0)]
+    assert "axial displacement from the middle" in [each.name for each in ring_lines(solution, "ring")]
 
 
 def test_an_angular_contact_bearing_has_no_middle() -> None:

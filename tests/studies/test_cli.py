@@ -12,22 +12,15 @@ from pathlib import Path
 import pandas
 import pytest
 import xarray
-from click.testing import CliRunner, Result
 
 import qsbearing as qs
-from qsbearing.cli import cli
 from qsbearing.studies import sweep as sweeping
+from tests.cli.command import call
 from tests.systems.sets.arrangements import PAIR_FILE
 
 
-def run(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
-
-
 def test_a_quick_look_says_how_points_ended_and_what_came_out() -> None:
-    result = run("sweep", "b218", "--vary", "ball_count=16,17,18", "-y", "inner_load_max", "-y", "inner_angle_max")
+    result = call("sweep", "b218", "--vary", "ball_count=16,17,18", "-y", "inner_load_max", "-y", "inner_angle_max")
     assert result.exit_code == 0
     assert "balls do not" in result.stdout
     assert "ball_count 18" in result.stdout
@@ -40,7 +33,7 @@ def test_a_quick_look_says_how_points_ended_and_what_came_out() -> None:
 def test_files_of_every_kind_hold_the_same(tmp_path: Path) -> None:
     given = ("sweep", "b218", "--vary", "ball_count=3,18", "--vary", "speed_rpm=0:1:2", "--out")
     for name in ("r.nc", "r.csv", "r.parquet"):
-        assert run(*given, tmp_path / name).exit_code == 0
+        assert call(*given, tmp_path / name).exit_code == 0
     table = pandas.read_csv(tmp_path / "r.csv")
     assert len(table) == 2 * 3 + 2, "a row per ball, and one of each point without balls"
     assert set(table["status"]) == {"converged", "impossible"}
@@ -78,7 +71,7 @@ def test_bad_input_is_a_sentence(
     arguments: tuple[str, ...], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    result = run("sweep", *arguments)
+    result = call("sweep", *arguments)
     assert result.exit_code == 2
     assert said in result.stderr
     assert "Traceback" not in result.output
@@ -87,25 +80,25 @@ def test_bad_input_is_a_sentence(
 
 def test_tables_write_units_as_people_do() -> None:
     """Also those of `find` and `compare`; keys in files stay plain ASCII."""
-    found = run("find", "b218", "--vary", "axial_load_N=1000:2000", "--goal", "ring_displacement_axial=0")
-    for table in (run("sweep", "b218", "--vary", "speed_rpm=0,1"), run("compare", "b218", "7210c"), found):
+    found = call("find", "b218", "--vary", "axial_load_N=1000:2000", "--goal", "ring_displacement_axial=0")
+    for table in (call("sweep", "b218", "--vary", "speed_rpm=0,1"), call("compare", "b218", "7210c"), found):
         assert " µm" in table.stdout and " um" not in table.stdout, table.output
 
 
 @pytest.mark.parametrize("vary", ["axial_load_N=-1,-2", "ball_count=40,41"])
 @pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
 def test_no_point_solved_is_exit_code_1_and_a_file_that_says_why(vary: str, out: str, tmp_path: Path) -> None:
-    result = run("sweep", "b218", "--vary", vary, "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    result = call("sweep", "b218", "--vary", vary, "--out", tmp_path / out, "--plot", tmp_path / "r.png")
     assert result.exit_code == 1
     assert "nothing to draw" in result.stderr
     assert [file.name for file in tmp_path.iterdir()] == [out]
     if out == "r.nc":
-        assert "no point of these results is solved" in run("plot", tmp_path / out).stderr
+        assert "no point of these results is solved" in call("plot", tmp_path / out).stderr
 
 
 @pytest.mark.parametrize("out", ["r.nc", "r.csv", "r.parquet"])
 def test_a_single_point_is_written_drawn_and_shown(out: str, tmp_path: Path) -> None:
-    result = run("sweep", "b218", "--vary", "speed_rpm=12000", "--out", tmp_path / out, "--plot", tmp_path / "r.png")
+    result = call("sweep", "b218", "--vary", "speed_rpm=12000", "--out", tmp_path / out, "--plot", tmp_path / "r.png")
     assert result.exit_code == 0
     assert {file.name for file in tmp_path.iterdir()} == {out, "r.png"}
 
@@ -115,7 +108,7 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.Monk
         raise KeyboardInterrupt
 
     monkeypatch.setattr(sweeping, "solved_chunks", interrupted)
-    result = run("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / "r.nc")
+    result = call("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / "r.nc")
     assert result.exit_code == 130
     assert "--resume continues the run" in result.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["r.nc.parts"]
@@ -127,17 +120,17 @@ def test_a_finished_file_is_replaced_only_where_that_is_asked_for(
 ) -> None:
     given = ("sweep", "b218", "--vary", "speed_rpm=0:1:2", "--out", tmp_path / out)
     (tmp_path / out).write_bytes(b"mine")
-    refused = run(*given)
+    refused = call(*given)
     assert refused.exit_code == 2
     assert "--overwrite replaces it" in refused.stderr
     assert (tmp_path / out).read_bytes() == b"mine"
     if out == "r.nc":  # once asked for is enough: a run that goes on may do what it was to do
-        assert run(*given, "--resume").exit_code == 2
+        assert call(*given, "--resume").exit_code == 2
         with monkeypatch.context() as patch:
             patch.setattr(sweeping, "solved_chunks", lambda *given: (_ for _ in ()).throw(KeyboardInterrupt))
-            assert run(*given, "--overwrite").exit_code == 130
+            assert call(*given, "--overwrite").exit_code == 130
         assert (tmp_path / out).read_bytes() == b"mine"
-    assert run(*given, "--resume" if out == "r.nc" else "--overwrite").exit_code == 0
+    assert call(*given, "--resume" if out == "r.nc" else "--overwrite").exit_code == 0
     assert (tmp_path / out).read_bytes() != b"mine"
 
 
@@ -174,14 +167,14 @@ def test_a_sweep_is_reproduced_from_its_file(given: str, tmp_path: Path) -> None
         "auto": f'[bearing]\nname = "B218"\n{text}[vary]\ngroove_radius_coefficient = [0.5217, 0.53]\n',
     }[given])  # fmt: skip
     options = ["--vary", "ball_diameter_deviation_um=normal(0,0.1)", "-y", "inner_load"] if given == "random" else []
-    assert run("sweep", file, *options, "--out", first).exit_code == 0
+    assert call("sweep", file, *options, "--out", first).exit_code == 0
     file.unlink()
-    result = run("sweep", first, "--out", again)
+    result = call("sweep", first, "--out", again)
     assert (result.exit_code, result.stderr) == (0, "")
     with qs.open_results(first) as one, qs.open_results(again) as other:
         xarray.testing.assert_identical(other.load(), one.load())
         place = dict.fromkeys(one["status"].dims, 0)
-        result = run("run", first, "--json")
+        result = call("run", first, "--json")
         alone = json.loads(result.stdout)
         assert result.exit_code == 0
         assert bool(result.stderr) == bool(json.loads(one.attrs["remarks"])), "the remarks that the sweep made"
@@ -196,7 +189,7 @@ def test_a_sweep_is_reproduced_from_its_file(given: str, tmp_path: Path) -> None
 def test_a_study_file_is_no_scene_to_run(tmp_path: Path) -> None:
     file = tmp_path / "my.toml"
     file.write_text('[bearing]\nname = "B218"\n[operation]\naxial_load_N = 1\n[vary]\nspeed_rpm = [1, 2]\n')
-    result = run("run", file)
+    result = call("run", file)
     assert result.exit_code == 2
     assert "qsbearing sweep" in result.stderr
-    assert run("sweep", file, "-y", "inner_load").exit_code == 0
+    assert call("sweep", file, "-y", "inner_load").exit_code == 0

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -24,6 +24,7 @@ from qsbearing.documents.terminal import text_of
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.solution import comparison as results
 from qsbearing.studies.cost import accuracy_table, figures, measuring, record, speeds, tables
+from tests.cli.command import call
 from tests.qsbearing.scenes import CENTRIFUGAL, PER_BALL, resting, solved, turning
 from tests.verification.benchmarks import cost as kept
 from tests.verification.benchmarks import random_scenes
@@ -282,13 +283,6 @@ def test_an_error_of_zero_is_drawn_at_zero_and_the_others_in_their_decades(full_
         assert axes.get_ylim()[0] <= 0.0
         transform = axes.yaxis.get_transform()
         assert transform.linthresh <= smallest  # type: ignore[attr-defined]
-
-
-def call(*arguments: str | Path) -> Result:
-    """One command in this process; anything but a clean exit is an error."""
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
-    return result
 
 
 @pytest.fixture

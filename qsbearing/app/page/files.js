@@ -1,14 +1,12 @@
 // What goes out of the page and comes in: files, the report, the link, and the command of the scene.
-import {ask} from "./ask.js";
 import {$, make} from "./dom.js";
 import {take} from "./scene.js";
-import {complain, refused} from "./solving.js";
+import {answered, refused} from "./solving.js";
 import {page} from "./state.js";
 
 async function saved(question, use) {
-  const told = await ask(question, page.now);
-  if (told.errors) return complain(told.errors);
-  use(told);
+  const told = await answered(question, page.now);
+  if (told) use(told);
 }
 
 export function download(file, text, type) {

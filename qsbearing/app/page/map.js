@@ -2,12 +2,13 @@
 import {ask} from "./ask.js";
 import {$, at, leaves, make, put} from "./dom.js";
 import {svg} from "./set_drawing.js";
+import {page} from "./state.js";
 import {STEPS, nice, printed, rounded, settle, type} from "./typed.js";
 
 const HEIGHT = 380, WIDEST = 760, MARGIN = {left: 70, right: 86, top: 14, bottom: 46};  // px
 const COLOURS = ["#f7fbff", "#c6dbef", "#6baed6", "#2171b5", "#08306b"].map(each => [1, 3, 5].map(k => parseInt(each.slice(k, k + 2), 16)));
 const SHORT = 5000, PIECE = 1500, CALM = 400;  // ms: a map that is drawn anew unasked, one question, until nothing moves
-let fields = new Map(), now = {document: {}, label: ""}, known = null, map = null, running = null, calm = 0, drag = null, unsettled = "";
+let known = null, map = null, running = null, calm = 0, drag = null, unsettled = "";
 
 const called = field => `${/\d/.test(field.group) ? `${field.group.replaceAll("_", " ")}, ` : ""}${field.words}`;
 const unitOf = field => (field.unit ? `, ${field.unit}` : "");
@@ -39,11 +40,11 @@ function prepare() {
 
 // Inputs and results to choose from; what was chosen stays where it is still there.
 async function choices() {
-  const told = await ask("map_choices", now);
+  const told = await ask("map_choices", page.now);
   if (told.errors) return say(told.errors.map(({text}) => text).join("\n"));
   if (!known) pick("points").value = told.points.usual;
   Object.assign(pick("points"), {min: told.points.fewest, max: told.points.most});
-  const by = new Map([...fields.values()].map(field => [field.key, field]));
+  const by = new Map([...page.fields.values()].map(field => [field.key, field]));
   const inputs = told.inputs.map(each => by.get(each)).filter(Boolean);
   for (const name of ["x", "y"]) {
     filled(name, inputs.map(field => ({value: field.key, words: field.words + unitOf(field), group: field.group.replaceAll("_", " ")})), told.first[name]);
@@ -64,7 +65,7 @@ function filled(name, options, first) {
 
 // The ends of an axis: those of the input's slider.
 function ends(name) {
-  const field = [...fields.values()].find(each => each.key === pick(name).value);
+  const field = [...page.fields.values()].find(each => each.key === pick(name).value);
   if (!field) return;
   pick(`${name}-low`).value = field.low;
   pick(`${name}-high`).value = field.high;
@@ -75,7 +76,7 @@ const say = text => { $("map-said").textContent = text; };
 async function draw() {
   running?.abort();
   const mine = running = new AbortController(), [x, y] = ["x", "y"].map(name => known.by.get(pick(name).value));
-  const result = known.results.get(pick("result").value), asked = structuredClone(now), began = Date.now();
+  const result = known.results.get(pick("result").value), asked = structuredClone(page.now), began = Date.now();
   const {min, max} = pick("points"), count = Math.min(Math.max(Math.round(Number(pick("points").value)) || 0, Number(min)), Number(max));
   const along = name => {
     const [low, high] = ["low", "high"].map(end => Number(pick(`${name}-${end}`).value));
@@ -222,8 +223,8 @@ function render() {
 function follow() {
   const point = $("map-point");
   if (!map || !point) return;
-  const {x, y, xs, ys, result} = map, {X, Y} = frame(), [a, b] = [at(x.path, now.document), at(y.path, now.document)];
-  const isOld = others(now, x, y) !== map.others;
+  const {x, y, xs, ys, result} = map, {X, Y} = frame(), [a, b] = [at(x.path, page.now.document), at(y.path, page.now.document)];
+  const isOld = others(page.now, x, y) !== map.others;
   for (const each of [$("map-plot").querySelector("canvas"), $("map-plot").querySelector(".scale")]) each.classList.toggle("stale", isOld);
   point.toggleAttribute("hidden", !Number.isFinite(a) || !Number.isFinite(b));
   if (!Number.isFinite(a) || !Number.isFinite(b)) return;
@@ -243,9 +244,9 @@ function follow() {
 // Both numbers at once: the first goes into its field and the tables, and the second takes both on their way.
 function go(a, b) {
   const {x, y} = map;
-  if (a === at(x.path, now.document) && b === at(y.path, now.document)) return;
+  if (a === at(x.path, page.now.document) && b === at(y.path, page.now.document)) return;
   $(x.key).value = a;
-  put(x.path, a, now.document);
+  put(x.path, a, page.now.document);
   type(y.key, b);
 }
 
@@ -280,7 +281,7 @@ function key(event) {
   const turns = STEPS[event.key];
   if (!turns || !event.target.closest(".state") || event.ctrlKey || event.metaKey || event.altKey) return;
   event.preventDefault();
-  const [one, other] = steps(), [a, b] = [at(map.x.path, now.document), at(map.y.path, now.document)];
+  const [one, other] = steps(), [a, b] = [at(map.x.path, page.now.document), at(map.y.path, page.now.document)];
   const isAcross = ["ArrowLeft", "ArrowRight"].includes(event.key);
   go(isAcross ? rounded(a + turns * one, one) : a, isAcross ? b : rounded(b + turns * other, other));
   unsettled = map.y.key;
@@ -292,14 +293,13 @@ $("map").addEventListener("toggle", async () => {
   await choices();
   if (known) draw();
 });
-document.addEventListener("shown", ({detail}) => { fields = new Map(detail.fields.map(field => [field.path.join("."), field])); });
-document.addEventListener("changed", ({detail}) => { now = detail; follow(); });
+document.addEventListener("changed", follow);
 // Once nothing moves, a map that took no time is drawn anew for other inputs.
 document.addEventListener("solved", () => {
   clearTimeout(calm);
   if (!$("map").open || !known) return;
   calm = setTimeout(async () => {
-    if (drag || (map && others(now, map.x, map.y) === map.others)) return;
+    if (drag || (map && others(page.now, map.x, map.y) === map.others)) return;
     await choices();
     if (!map || map.took < SHORT) draw();
     else say("The map is of other inputs: draw it again.");

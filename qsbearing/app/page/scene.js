@@ -3,7 +3,7 @@ import {remember} from "./address.js";
 import {ask} from "./ask.js";
 import {$, kept} from "./dom.js";
 import {show} from "./inputs.js";
-import {complain, refused} from "./solving.js";
+import {answered, refused} from "./solving.js";
 import {page} from "./state.js";
 
 // What a person did is done: it can be undone, the address tells it, and the fields follow where the tables have others
@@ -40,16 +40,15 @@ export async function take(question, given, what) {
 
 // The scene with a change that the server makes: a switch, or another way of a channel.
 export async function change(question, given) {
-  const told = await ask(question, {document: page.now.document, ...given});
-  if (told.errors) return complain(told.errors), null;
-  taken(told, page.now.label);
+  const told = await answered(question, {document: page.now.document, ...given});
+  if (told) taken(told, page.now.label);
   return told;
 }
 
 // Fields and sliders anew around what the tables have now; wrong numbers stay, to be corrected.
 export async function renew() {
-  const told = await ask("show", {document: page.now.document});
-  if (told.errors) return complain(told.errors);
+  const told = await answered("show", {document: page.now.document});
+  if (!told) return;
   settle();
   kept(() => show(told));
 }

@@ -1,18 +1,19 @@
 // Rows and shaft of a set, to scale. What can be moved is a slider; what it moves is a field of the page.
 import {$, at, kept, make} from "./dom.js";
+import {page} from "./state.js";
 import {STEPS, choose, nice, open, printed, rounded, settle, type} from "./typed.js";
 
 const ASIDE = 46, TALLEST = 230, ARROW = 34, LINE = 16, LETTER = 6.3, GRIP = 12, DISC = 12, NARROWEST = 608;  // px
 const HOW = "Drag rows, loads, ends and edges, or move them by arrow keys; a double click or Enter opens the number.";
-let things = [], fields = new Map(), faults = new Map(), tables = {}, last = new Map();
+let things = [], faults = new Map(), last = new Map();
 let view = null, drag = null, unsettled = "";  // the scale stays while something is dragged
 
 const part = (thing, moves) => thing.parts.find(each => each.moves === moves);
-const fieldOf = one => one && fields.get(one.path.join("."));
+const fieldOf = one => one && page.fields.get(one.path.join("."));
 
 // What is typed; of what is no number the last one that was.
 function number(one, otherwise = 0) {
-  const value = one && at(one.path, tables), name = one?.path.join(".");
+  const value = one && at(one.path, page.now.document), name = one?.path.join(".");
   if (Number.isFinite(value)) last.set(name, value);
   return last.get(name) ?? otherwise;
 }
@@ -163,7 +164,7 @@ function start(thing, {all, X, Y}) {
 
 // Both halves of its section with the lines of action, its number, and above it which way it carries.
 function row(thing, {X, Y}) {
-  const {x, size, name} = thing, turns = part(thing, "turns"), word = turns ? at(turns.path, tables) : "";
+  const {x, size, name} = thing, turns = part(thing, "turns"), word = (turns && at(turns.path, page.now.document)) ?? "";
   if (!size) return [];
   const side = size.box * view.size, ball = size.ball * view.size, sign = {"+": 1, "-": -1}[word?.[0]] ?? 0;
   const angle = sign ? size.angle * Math.PI / 180 : 0, [dx, dy] = [sign * Math.sin(angle), Math.cos(angle)].map(each => 0.85 * ball * each);
@@ -304,7 +305,6 @@ function turn(own) {
 document.addEventListener("shown", ({detail}) => {
   const old = new Map(things.map(({name, size}) => [name, size]));
   things = detail.drawing.map(each => ({...each, size: each.size ?? old.get(each.name)}));
-  fields = new Map(detail.fields.map(field => [field.path.join("."), field]));
 });
-document.addEventListener("changed", ({detail}) => { tables = detail.document; draw(); });
+document.addEventListener("changed", draw);
 document.addEventListener("refused", ({detail}) => { faults = new Map(detail.map(({key, text}) => [key, text])); if (things.length) draw(); });

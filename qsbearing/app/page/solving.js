@@ -29,6 +29,13 @@ export function complain(errors) {
   tell("refused", errors);
 }
 
+// An answer; nothing where what is asked is wrong, which is told at its fields.
+export async function answered(question, given) {
+  const told = await ask(question, given);
+  if (told.errors) return complain(told.errors), null;
+  return told;
+}
+
 // What is wrong with a file that is not taken over: it is none of the fields' faults, and the scene stays as it is.
 export function refused(what, errors) {
   $("refused").replaceChildren(...[`${what || "The file"} is not opened. The scene stays as it was.`, ...errors.map(({text}) => text)].map(lineOf));
@@ -55,7 +62,7 @@ export async function solve() {
   page.turn += 1;
   page.late.abort();  // nobody waits for what is to be read of the input before
   grey("Solving ...");
-  tell("changed", page.now);
+  tell("changed");
   if (page.busy) return;
   page.busy = true;
   while (page.again) {

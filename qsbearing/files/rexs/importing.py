@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from qsbearing.files import paths
 from qsbearing.files.file_errors import FileErrorDetail, SceneFileError, refused
 from qsbearing.files.file_keys import ORIGIN
-from qsbearing.files.keys import OPERATION, PRELOAD, Key
+from qsbearing.files.keys import OF_OPERATION, PRELOAD
 from qsbearing.files.limits import MOST_MODEL_FILES, MOST_OF_SHAFT
 from qsbearing.files.rexs import shaft_mapping
 from qsbearing.files.rexs.bearing_mapping import ASSUMED, ROLLING, BearingRow, is_ours, readings, rows_of
@@ -32,7 +32,6 @@ from qsbearing.files.toml import read_back
 from qsbearing.model.validation import printable
 from qsbearing.systems.sets.row import OUT_OF_LINE
 
-_OPERATION: dict[str, Key] = {key.field: key for key in OPERATION}
 _PRELOAD, _ROW = ({key.field: key for key in keys} for keys in (PRELOAD, SET_NUMBERS["rows"]))
 _OUT_OF_LINE = tuple(name for name, *_ in OUT_OF_LINE)
 _LOADS = ("axial_load", "radial_load_y", "radial_load_z", "moment_y", "moment_z")
@@ -175,8 +174,8 @@ def _speeds(reader: AttributeReader, bearing: Component, table: NotedTable) -> b
         of_shaft = reader.number(part, "rotational_speed") if part is not None and part.kind == "shaft" else None
         value = of_shaft if value is None else value
         if field == "speed" or value:
-            table.put(_OPERATION[field], value or 0.0, "" if value is not None else ASSUMED)
-    return any(table.get(_OPERATION[field].name) for field in ("speed", "outer_speed"))
+            table.put(OF_OPERATION[field], value or 0.0, "" if value is not None else ASSUMED)
+    return any(table.get(OF_OPERATION[field].name) for field in ("speed", "outer_speed"))
 
 
 def _effects(turns: bool, own: NotedTable) -> NotedTable:
@@ -200,7 +199,7 @@ def _of_bearing(reader: AttributeReader, path: Path, bearing: Component) -> Scen
     turns = _speeds(reader, bearing, operation)
     lacks = _load(reader, bearing, row, sign, document)
     if row.first_azimuth:
-        operation.put(_OPERATION["first_ball_azimuth"], row.first_azimuth)
+        operation.put(OF_OPERATION["first_ball_azimuth"], row.first_azimuth)
     if effects := _effects(turns, row.effects if is_single else NotedTable()):
         document["effects"] = effects
     document["readings"] = readings(reader, bearing, parts.get("outer_part"))
@@ -296,9 +295,9 @@ def _load(reader: AttributeReader, bearing: Component, row: BearingRow, sign: fl
             table.put(_PRELOAD["axial_displacement"], row.offset, "assumed: held rigidly; programs differ")
         return []
     for field, value in zip(_LOADS[:3], forces * (sign, 1.0, 1.0), strict=True):
-        operation.put(_OPERATION[field], float(value) + 0.0, note)
+        operation.put(OF_OPERATION[field], float(value) + 0.0, note)
     for field, value in zip(("tilt_y", "tilt_z"), tilts, strict=True):
-        operation.put(_OPERATION[field], float(value) + 0.0, of_tilts)
+        operation.put(OF_OPERATION[field], float(value) + 0.0, of_tilts)
     return []
 
 
@@ -342,9 +341,9 @@ def _of_shaft(reader: AttributeReader, path: Path, shaft: Component) -> SceneTex
     operation = document["operation"] = NotedTable()
     turns = _speeds(reader, bearings[0], operation)
     for field in _LOADS:
-        operation.put(_OPERATION[field], 0.0)
+        operation.put(OF_OPERATION[field], 0.0)
     if len({each for row in rows if (each := row.first_azimuth) is not None}) == 1:
-        operation.put(_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
+        operation.put(OF_OPERATION["first_ball_azimuth"], rows[0].first_azimuth)
     _preload(document, [force for each in bearings if (force := reader.positive(each, "preload_force")) is not None])
     floating = [number for number, row in enumerate(rows, 1) if row.floats and row.table["kind"] != "deep_groove"]
     document |= {"floating": [NotedTable(rows=[number]) for number in floating]} if floating else {}

@@ -186,9 +186,9 @@ def job_of(sources: Sequence[Source], at: Source | None = None, settings: Sequen
     documents = [_read(source, errors) for source in sources]
     if at is not None:
         documents.append(_read(at, errors))
-    changes = _put(documents, -1 if at is not None else 0, settings, count, errors) if not errors else []
-    job = documents[-1 if at is not None else 0][0]
-    del documents[count:]
+    of_job = 0 if at is None else count
+    changes = _put(documents, of_job, settings, count, errors) if not errors else []
+    job, documents = documents[of_job][0], documents[:count]
     if "spectrum" in job:
         errors.append(FileErrorDetail("[[spectrum]]", "has several operating points: a comparison takes one"))
     made: list[Scene | BearingSet] = []

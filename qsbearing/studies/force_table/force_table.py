@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.files.keys import OPERATION
+from qsbearing.files.keys import OF_OPERATION
 from qsbearing.files.scene_tables import input_tables
 from qsbearing.model.bearing_errors import shapes_of
 from qsbearing.model.operation import CHANNELS
@@ -36,7 +36,7 @@ MOST = 100_000
 CHECKED = 1000
 BOUNDS = {"wished_error": (1e-6, 1.0), "most_points": (FIRST, 10_000_000), "checked_points": (1, 1_000_000)}
 """What may be asked for."""
-LOADS = {each.load: key for each in CHANNELS for key in OPERATION if key.field == each.load}
+LOADS = {each.load: OF_OPERATION[each.load] for each in CHANNELS}
 STIFFNESS = "stiffness_SI"
 ORDER = "x, y, z, tilt y, tilt z"
 SOLVED_STATUSES = STATUSES[:3]

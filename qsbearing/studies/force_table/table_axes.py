@@ -13,22 +13,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qsbearing.files.keys import OPERATION, Key
-from qsbearing.model.operation import CHANNELS, DISPLACEMENTS, SPEEDS, TILTS
+from qsbearing.files.keys import OF_OPERATION, Key
+from qsbearing.model.operation import CHANNELS
 from qsbearing.model.scene.scene import Scene
 from qsbearing.model.solution.solution import Solution
-from qsbearing.model.validation import ErrorDetail, Quantity, alike, question, raise_if_any
+from qsbearing.model.validation import ErrorDetail, alike, question, raise_if_any
 from qsbearing.studies.chooser.choose import solve
 
 SPEED = "speed"
-KEYS = {key.field: key for key in OPERATION}
-"""Of a file, by the field."""
 FIELDS = (SPEED, *(each.displacement for each in CHANNELS))
 """What may be an axis, in the order of a table's axes."""
-LIMITS = {
-    SPEED: SPEEDS,
-    **{each.displacement: TILTS if each.is_rotation else DISPLACEMENTS for each in CHANNELS},
-}
 REACH = 2.0
 """An axis without a range goes to so many times the displacement under the scene's load (chosen: 2.8 times the load,
 by Hertz)."""
@@ -51,7 +45,7 @@ class TableAxis:
     @property
     def key(self) -> Key:
         """As a file spells it, and its unit."""
-        return KEYS[self.field]
+        return OF_OPERATION[self.field]
 
 
 def held(axes: list[TableAxis]) -> dict[str, float]:
@@ -68,20 +62,20 @@ def over_errors(over: Mapping[str, Any]) -> list[ErrorDetail]:
             cause = question(alike(field, FIELDS)) or f"One of: {', '.join(FIELDS)}"
             errors.append(ErrorDetail(where, "is no axis of a table", cause=cause))
         elif given is not None:
-            errors += _range_errors(where, KEYS[field].quantity, given, LIMITS[field])
+            errors += _range_errors(where, OF_OPERATION[field], given)
     return errors
 
 
-def _range_errors(where: str, quantity: Quantity | None, given: Any, limits: Range) -> list[ErrorDetail]:
+def _range_errors(where: str, key: Key, given: Any) -> list[ErrorDetail]:
     try:
         low, high = (float(each) for each in given)
     except (TypeError, ValueError):
         return [ErrorDetail(where, "is no range", cause="Give its two ends, the lower one first; or None")]
     for end in (low, high):
-        if not limits[0] <= end <= limits[1]:
-            return [ErrorDetail(where, "is out of range", end, quantity, limits)]
+        if key.range is not None and not key.range[0] <= end <= key.range[1]:
+            return [ErrorDetail(where, "is out of range", end, key.quantity, key.range)]
     if high < low:
-        return [ErrorDetail(where, "is reversed: it ends below its start", low, quantity, cause="Swap the two")]
+        return [ErrorDetail(where, "is reversed: it ends below its start", low, key.quantity, cause="Swap the two")]
     return []
 
 
@@ -207,7 +201,7 @@ def _rounded(field: str, value: float) -> float:
     """Away from zero, to two digits in the unit of files."""
     if value == 0.0:
         return 0.0
-    key = KEYS[field]
+    key = OF_OPERATION[field]
     size = key.in_file(abs(value))
     step = 10.0 ** (floor(log10(size)) - 1)
     return float(np.sign(value)) * key.si(float(f"{ceil(size / step - 1e-9) * step:.12g}"))

@@ -10,10 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import qsbearing as qs
-from qsbearing.cli import cli
 from qsbearing.model.effects import EFFECTS, QUANTITIES
 from qsbearing.model.effects.changed_geometry import GeometryChange, geometry_errors
 from qsbearing.model.solution.comparison import by_quantity
@@ -21,6 +19,7 @@ from qsbearing.model.solution.judgement import estimated, judge, shifted
 from qsbearing.remarks.missing_effects import MOST_CASES
 from qsbearing.studies.chooser import explain as explaining
 from qsbearing.studies.chooser.explain import explain
+from tests.cli.command import call
 from tests.qsbearing.scenes import resting, solved, turning
 
 TRAP = """[bearing]
@@ -30,13 +29,6 @@ speed_rpm = 15000
 axial_load_N = 17800
 """
 """A designer who has forgotten the effects, at dm n = 1.9e6."""
-
-
-def call(*arguments: str | Path) -> Result:
-    """One command in this process; anything but a clean exit is an error."""
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
-    return result
 
 
 @pytest.fixture

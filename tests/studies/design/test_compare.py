@@ -8,11 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies.design.compare import Compared
+from tests.cli.command import call
 from tests.systems.sets.arrangements import PAIR_FILE
 
 JOB = (
@@ -26,12 +27,6 @@ def job(tmp_path: Path) -> Path:
     path = tmp_path / "job.toml"
     path.write_text(JOB)
     return path
-
-
-def run(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 SETS = """
@@ -59,7 +54,7 @@ def test_sets_are_compared_as_they_are(tmp_path: Path) -> None:
     alone = qs.solve_set(qs.load_set(tmp_path / "slow.toml"))
     loads = {line.name: line.values[1] for line in found.results}
     assert loads["row_1_axial_load"] == pytest.approx(alone.axial_loads[0], rel=1e-9)
-    assert "rows.2.position_mm" in run("compare", tmp_path / "short.toml", tmp_path / "long.toml").stdout
+    assert "rows.2.position_mm" in call("compare", tmp_path / "short.toml", tmp_path / "long.toml").stdout
 
 
 def test_each_bearing_does_the_same_job(job: Path) -> None:
@@ -112,7 +107,7 @@ def test_the_job_is_shown_and_what_changes_its_sign_has_no_percentage(job: Path)
 def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path, drawn: None) -> None:
     picture, table = tmp_path / "a.svg", tmp_path / "a.csv"
     names = ("b218", "7210C", "7210C_hybrid", "turbopump25")
-    result = run("compare", *names, "--at", job, "--plot", picture, "--csv", table)
+    result = call("compare", *names, "--at", job, "--plot", picture, "--csv", table)
     assert result.exit_code == 0, result.output
     found = qs.compare(names, job)
     lines = {line.name: line for line in found.results}
@@ -125,7 +120,7 @@ def test_the_command_shows_draws_and_writes(job: Path, tmp_path: Path, drawn: No
 
 def test_a_bearing_without_equilibrium_stays_in_the_table(job: Path) -> None:
     job.write_text(JOB.replace("3000", "-3000"))
-    result = run("compare", "b218", "iso16281_7ball", "--at", job)
+    result = call("compare", "b218", "iso16281_7ball", "--at", job)
     assert result.exit_code == 1
     assert "no_equilibrium" in result.stdout and "converged" in result.stdout
 
@@ -133,10 +128,10 @@ def test_a_bearing_without_equilibrium_stays_in_the_table(job: Path) -> None:
 def test_all_that_is_wrong_is_said_at_once(job: Path, tmp_path: Path) -> None:
     bad = tmp_path / "bad.toml"
     bad.write_text('[bearing]\nname = "B218"\nball_count = 40\n')
-    result = run("compare", "b218", "no_such", bad, tmp_path / "nix.toml", "--at", job, "--plot", "a.txt")
+    result = call("compare", "b218", "no_such", bad, tmp_path / "nix.toml", "--at", job, "--plot", "a.txt")
     assert result.exit_code == 2
     for words in ("no_such", "nix.toml", "a.txt"):
         assert words in result.output
-    result = run("compare", "b218", bad, "--at", job)
+    result = call("compare", "b218", bad, "--at", job)
     assert result.exit_code == 2 and "bad.toml: bearing" in result.output
-    assert run("compare", "b218").exit_code == 2
+    assert call("compare", "b218").exit_code == 2

@@ -11,19 +11,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 from numpy.typing import NDArray
 from scipy.optimize import differential_evolution
 
 import qsbearing as qs
 from fem_check.book.cases.bearing_design import LIMITS, PRINTED, PRINTED_CAPACITY, PROBLEM, capacity
-from qsbearing.cli import cli
 from qsbearing.documents.model import Paragraph
 from qsbearing.pictures.feasible_region import Along, Bounded, draw_region
 from qsbearing.studies.design.find import Found
 from qsbearing.studies.design.optimum import search
 from qsbearing.studies.design.problem import Variable, problem_of
 from qsbearing.studies.design.shown import heading, picture, record, tables
+from tests.cli.command import call
 from tests.studies.design.problems import BALLS, PRESSURE, PROBLEMS, RIGID, SPINDLE, STIFF, Problem, stiffness
 
 CLOSE = 1e-3
@@ -245,17 +244,11 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
-def run(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
-
-
 def test_its_json_is_a_scene_that_runs(file: Path, tmp_path: Path) -> None:
-    result = run("find", file, "--vary", "rigid_N=10:2000", "--goal", f"{STIFF}=200", "--points", "128", "--json")
+    result = call("find", file, "--vary", "rigid_N=10:2000", "--goal", f"{STIFF}=200", "--points", "128", "--json")
     assert result.exit_code == 0
     (tmp_path / "found.json").write_text(result.stdout)
-    again = json.loads(run("run", tmp_path / "found.json", "--json").stdout)
+    again = json.loads(call("run", tmp_path / "found.json", "--json").stdout)
     found = json.loads(result.stdout)["results"]["ring_effective_stiffness_radial_y"]
     assert qs.solve(qs.load_scene(tmp_path / "found.json")).effective_stiffness[1] / 1e6 == pytest.approx(found)
     assert again["input"]["preload"]["rigid_N"] == json.loads(result.stdout)["values"]["rigid_N"]
@@ -271,9 +264,9 @@ def test_it_prints_the_remarks_that_run_gives_of_what_is_found(tmp_path: Path, i
     rows = ('[[rows]]\nposition_mm = 0\ncarries = "+x"\n', '[[rows]]\nposition_mm = 20\ncarries = "-x"\n')
     (tmp_path / "any.toml").write_text(text + "".join(rows) * is_set)
     asked = ("--vary", "rigid_N=100:2000", "--goal", goal, "--points", "64")
-    printed = run("find", tmp_path / "any.toml", *asked).stdout
-    (tmp_path / "found.json").write_text(run("find", tmp_path / "any.toml", *asked, "--json").stdout)
-    again = run("run", tmp_path / "found.json").stdout
+    printed = call("find", tmp_path / "any.toml", *asked).stdout
+    (tmp_path / "found.json").write_text(call("find", tmp_path / "any.toml", *asked, "--json").stdout)
+    again = call("run", tmp_path / "found.json").stdout
     (found, shown) = (" ".join(each.split()).partition("Incomplete model: ")[2] for each in (printed, again))
     shown = shown.partition(" Converged in ")[0]
     assert "centrifugal force" in found
@@ -287,10 +280,10 @@ def test_the_command_draws_and_ends_as_it_says(file: Path, tmp_path: Path, vary:
     options = [word for each in vary for word in ("--vary", each)]
     picture = tmp_path / "region.svg"
     limits = ("--limit", f"{PRESSURE}<=1500", "--maximise", STIFF, "--points", "64")
-    result = run("find", file, *options, *limits, "--plot", picture)
+    result = call("find", file, *options, *limits, "--plot", picture)
     assert result.exit_code == 0 and "Largest" in result.stdout
     assert "1500" in picture.read_text()
-    result = run("find", file, *options, "--limit", f"{PRESSURE}<=100", "--points", "64")
+    result = call("find", file, *options, "--limit", f"{PRESSURE}<=100", "--points", "64")
     assert result.exit_code == 1 and "Not met: inner_max_pressure_max <= 100" in result.stdout
-    result = run("find", file, *options, "--limit", f"{PRESSURE}", "--plot", tmp_path / "no" / "a.png")
+    result = call("find", file, *options, "--limit", f"{PRESSURE}", "--plot", tmp_path / "no" / "a.png")
     assert result.exit_code == 2 and "no folder" in result.output and "form" in result.output

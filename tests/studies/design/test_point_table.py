@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.studies.design import point_table
 from qsbearing.studies.design.point_table import read_table, solve_table, table_bytes
+from tests.cli.command import call
 
 pandas = pytest.importorskip("pandas")
 pytest.importorskip("openpyxl")
@@ -23,12 +24,6 @@ ROWS = (
     "slow,1000,2000,500,0\nfast,12000.5,8000,1000,0\nwrong,x,8000,0,0\nempty,1000,,0,0\nimpossible,-1e9,1,0,0\n"
     "off,1000,-500,0,0\n"
 )
-
-
-def run(*arguments: object) -> Result:
-    result = CliRunner().invoke(cli, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.fixture
@@ -46,7 +41,7 @@ def points(tmp_path: Path) -> dict[str, Path]:
 @pytest.mark.parametrize("wanted", [".csv", ".xlsx", ".parquet"])
 def test_each_row_is_the_scene_at_its_numbers(points: dict[str, Path], tmp_path: Path, given: str, wanted: str) -> None:
     out = tmp_path / f"results{wanted}"
-    result = run("run", "b218", "--points", points[given], "--out", out)
+    result = call("run", "b218", "--points", points[given], "--out", out)
     assert result.exit_code == 0, result.output
     assert "2 of 6 rows solved" in result.stdout and "row 3" in result.stdout
     read = {".csv": pandas.read_csv, ".xlsx": pandas.read_excel, ".parquet": pandas.read_parquet}[wanted]
@@ -111,7 +106,7 @@ def test_the_number_of_balls_may_differ_from_row_to_row() -> None:
 def test_a_table_that_cannot_be_is_refused(tmp_path: Path, text: str, said: list[str]) -> None:
     path = tmp_path / "points.csv"
     path.write_text(text)
-    result = run("run", "b218", "--points", path, "--out", tmp_path / "out.csv")
+    result = call("run", "b218", "--points", path, "--out", tmp_path / "out.csv")
     assert result.exit_code == 2
     for words in said:
         assert words in result.output
@@ -119,20 +114,20 @@ def test_a_table_that_cannot_be_is_refused(tmp_path: Path, text: str, said: list
 
 
 def test_options_that_do_not_go_together_are_all_named(tmp_path: Path) -> None:
-    result = run("run", "b218", "--points", tmp_path / "a.txt", "--json", "--accuracy", "0.1")
+    result = call("run", "b218", "--points", tmp_path / "a.txt", "--json", "--accuracy", "0.1")
     assert result.exit_code == 2
     for words in ("--json", "--accuracy", "--out FILE is missing", "must end in"):
         assert words in result.output
     (tmp_path / "a.xlsx").write_bytes(b"no such thing")
-    result = run("run", "b218", "--points", tmp_path / "a.xlsx", "--out", tmp_path / "b.csv")
+    result = call("run", "b218", "--points", tmp_path / "a.xlsx", "--out", tmp_path / "b.csv")
     assert result.exit_code == 2 and "is not a zip file" in result.output
 
 
 def test_no_row_solved_is_exit_code_1(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("axial_load_N\n-100\n")
-    assert run("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
+    assert call("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
     (tmp_path / "a.csv").write_text("axial_load_N\nx\n")
-    assert run("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
+    assert call("run", "b218", "--points", tmp_path / "a.csv", "--out", tmp_path / "b.csv").exit_code == 1
 
 
 # What is solved is not lost -------------------------------------------------------------------------------------------
@@ -146,7 +141,7 @@ def test_a_bad_cell_costs_its_row(ending: str, tmp_path: Path) -> None:
     path.write_text(
         "name,axial_load_N\n" + "".join(f"a\x01{i},{cell}\n" for i, cell in enumerate(BAD_CELLS)) + "b,1000\n"
     )
-    result = run("run", "b218", "--points", path, "--out", out)
+    result = call("run", "b218", "--points", path, "--out", out)
     assert result.exit_code == 0, result.output
     found = read_table(str(out))
     assert found["status"] == ["impossible"] * len(BAD_CELLS) + ["converged"]
@@ -183,7 +178,7 @@ def test_rows_that_are_solved_are_kept_where_the_rest_fails(
     kept = out.with_name(f"{out.name}.part")
     assert pandas.read_csv(kept)["status"].tolist() == ["converged"] * 2
     monkeypatch.setattr(point_table, "solve_points", solve)
-    assert run("run", "b218", "--points", path, "--out", out).exit_code == 0
+    assert call("run", "b218", "--points", path, "--out", out).exit_code == 0
     assert out.exists() and not kept.exists()
 
 
@@ -197,7 +192,7 @@ def test_rows_are_kept_as_csv_where_their_file_cannot_be_written(
     monkeypatch.setattr(point_table, "table_bytes", fails)
     (tmp_path / "points.csv").write_text("axial_load_N\n1000\n")
     out = tmp_path / f"out{ending}"
-    result = run("run", "b218", "--points", tmp_path / "points.csv", "--out", out)
+    result = call("run", "b218", "--points", tmp_path / "points.csv", "--out", out)
     assert result.exit_code == 2 and "No space left" in result.stderr
     assert pandas.read_csv(tmp_path / f"out{ending}.part")["status"].tolist() == ["converged"]
 
