@@ -112,7 +112,7 @@ class Film(Remarked):
     """SKF's factor phi_ish = 1/(1 + 1.84e-9 (n dm)^1.28 nu^0.64), n rpm, dm mm, nu mm^2/s; shape (*cases) [-]. None
     where the oil's kinematic viscosity is not known."""
     combined_roughness: NDArray | None
-    """Root mean square of ball and raceway together [m]; None without roughness."""
+    """Root mean square of ball and raceway together [m]; (*cases), None without roughness."""
     remarks: Remarks
 
 

@@ -61,7 +61,8 @@ class Frequencies:
     nominal: FrequencySet
     """At the nominal contact angle: the free one, or zero for deep groove."""
     orbit_spread: NDArray
-    """(fastest - slowest)/mean orbital speed of the balls that touch both raceways: what the cage takes up [-]."""
+    """(fastest - slowest)/mean orbital speed of the balls that touch both raceways: what the cage takes up [-];
+    (*cases)."""
 
 
 def frequencies(solution: Solution) -> Frequencies:

@@ -132,8 +132,6 @@ OF_CASES = re.compile(
     r"\(\*cases|\(case|\bshape\b|spans? (the )?cases|may be (an array|arrays)|case axes|over the cases|which cases",
     re.I,
 )
-NOT_YET = {"Film.combined_roughness", "Frequencies.orbit_spread", "Traction.coefficient", "Traction.slip_speed"}
-"""One number of each case, which their words do not state: they stand in source of the kernel's library."""
 
 
 def test_every_array_names_its_shape(described: dict[str, Words]) -> None:
@@ -143,7 +141,7 @@ def test_every_array_names_its_shape(described: dict[str, Words]) -> None:
         of = classes()[name.rpartition(".")[0]]
         if re.search("ArrayLike|NDArray", kind) and not OF_CASES.search(text + (inspect.getdoc(of) or "")):
             silent.add(name.removeprefix("qs.").removeprefix("readings."))
-    assert silent == NOT_YET
+    assert silent == set()
 
 
 AXES = re.compile(r"\(\*cases((?:, \w+)*)\)")

@@ -62,7 +62,7 @@ class Traction:
     friction_coefficient: ArrayLike | None = field(default=None, metadata=given_in(range=COEFFICIENTS))
     """mu, at slips far above the slip speed [-]; None: 0.07 is assumed. An array spans cases, as for `slip_speed`."""
     slip_speed: ArrayLike = field(default=0.1, metadata=given_in("m/s", SLIP_SPEEDS))
-    """vc, at which friction has reached 0.71 mu [m/s]."""
+    """vc, at which friction has reached 0.71 mu [m/s]; it may span cases."""
     law: TractionLaw = TractionLaw.COULOMB
     has_curvature: bool = True
     """Whether contacts lie on the common curvature of ball and groove, whose parts slide; False: they are flat."""
@@ -134,7 +134,7 @@ class Traction:
 
     @property
     def coefficient(self) -> ArrayLike:
-        """mu, which is assumed where it is not given [-]."""
+        """mu, which is assumed where it is not given [-]; it may span cases."""
         return FRICTION_COEFFICIENT if self.friction_coefficient is None else self.friction_coefficient
 
     @property
