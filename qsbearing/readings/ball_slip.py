@@ -50,7 +50,7 @@ FACTORS = (1e-6, 1e9)
 
 AXIS_NOT_HELD = Kind(
     "axis_not_held", WRONG, SEE_HYPOTHESES,
-    "the gyroscopic moment is larger than the friction of both contacts of a ball holds with the coefficient "
+    "the gyroscopic moment is larger than what the friction of both contacts of a ball holds with the coefficient "
     "given: balls slip, and do not turn as raceway control has it",
     more=f". {SOLVED}",
     setting=by_friction,

@@ -165,6 +165,11 @@ def test_slip_names_no_line_that_would_be_refused() -> None:
     assert "raceway_control =" not in said_of(pair)["axis_not_held"]
 
 
+def test_the_moment_is_larger_than_what_friction_holds() -> None:
+    said = said_of(document(axial_load_N=8e3) | {"readings": {"ball_slip": {"friction_coefficient": 0.05}}})
+    assert "larger than what the friction of both contacts" in said["axis_not_held"]
+
+
 def test_friction_of_contacts_says_when_it_may_be_too_low() -> None:
     """B218 needs 0.069 at its outer contacts."""
     needed = solved(B218).outer.required_friction[0]
