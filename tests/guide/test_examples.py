@@ -21,6 +21,9 @@ from tests.guide.examples import INLINE, Example, every_page, everywhere, named
 from tests.guide.pages import GUIDE, REFUSED, ROOT, blocks, commands, files_of
 
 ON_PURPOSE = {
+    "adding_a_reading.md": {
+        "qsbearing.": "the page is about the code itself",
+    },
     "adding_an_effect.md": {
         "qsbearing.model.": "the page is about the code itself",
         "[effects.groove_wear]": "the effect that it adds",

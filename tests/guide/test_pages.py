@@ -36,6 +36,7 @@ def tables_have_whole_names(monkeypatch: pytest.MonkeyPatch) -> None:
 
 ELSEWHERE = {
     "adding_an_effect.md": "tests/model/effects/test_adding_an_effect.py, on a copy of the package",
+    "adding_a_reading.md": "tests/readings/test_asked.py, as a module of its own",
     "rotor_dynamics.md": "tests/systems/rotor_dynamics/test_guide_page.py, where ROSS is installed",
 }
 """Pages whose blocks another test runs."""

@@ -347,57 +347,8 @@ def test_an_oil_by_two_viscosities() -> None:
 
 # -------------------------------------------------------------------------------------------------------- a new reading
 
-NEW = '''
-"""Stiffness of every contact by Hertz's law."""
-
-from dataclasses import dataclass, field
-
-from qsbearing.readings.entry import Reading, ReadingTable, simply, with_arguments
-from qsbearing.model.described import given_in
-from qsbearing.model.solution.result_keys import Result
-from qsbearing.model.validation import RATIO, within
-
-
-@dataclass(frozen=True, kw_only=True)
-class Arguments:
-    exponent: float = field(default=1.5, metadata=given_in())
-
-    def errors(self, bearing):
-        return within("exponent", self.exponent, RATIO, 1.0, 2.0)
-
-
-@dataclass(frozen=True)
-class Raceway:
-    stiffness: object
-
-
-@dataclass(frozen=True)
-class Contacts:
-    inner: Raceway
-    outer: Raceway
-    loaded: object
-    warnings: tuple = ()
-
-
-@with_arguments(Arguments)
-def contact_stiffness(solution, given):
-    """dQ/ddelta of every contact."""
-    sides = (Raceway(given.exponent * each.load / each.approach) for each in (solution.inner, solution.outer))
-    return Contacts(*sides, (solution.inner.load > 0.0).sum(axis=-1))
-
-
-ENTRY = Reading(
-    name="contact_stiffness",
-    gives="stiffness of every contact",
-    by="Hertz",
-    take=simply(contact_stiffness),
-    record=Arguments,
-    table=ReadingTable(example="exponent = 1.5"),
-    needs=(("load", "approach"), ()),
-    of_case=(Result("loaded", words="balls under load"),),
-    of_contact=(Result("stiffness", "N", "stiffness of a contact", size=1e6),),
-)
-'''
+PAGE = Path(qs.__file__).parent / "guide" / "adding_a_reading.md"
+NEW = re.findall(r"^```python\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)[0]
 
 
 def test_a_new_reading_is_shown_everywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
