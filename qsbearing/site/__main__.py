@@ -65,8 +65,16 @@ def _about(folder: Path) -> list[dict[str, str]]:
     changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
     (folder / "changes.md").write_text(f"---\nsearch: {{boost: 0.3}}\n---\n\n{_of_site(changes)}", encoding="utf-8")
     (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
+    contributing = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    of_site = _of_site(contributing.replace("](../qsbearing/guide/", "]("))
+    (folder / "contributing.md").write_text(of_site, encoding="utf-8")
     shutil.copy(ROOT / "qsbearing" / "THIRD_PARTY_LICENSES.md", folder / "licences.md")
-    return [{"Changes": "changes.md"}, {"How to cite": "cite.md"}, {"Licences of others": "licences.md"}]
+    return [
+        {"Contributing": "contributing.md"},
+        {"Changes": "changes.md"},
+        {"How to cite": "cite.md"},
+        {"Licences of others": "licences.md"},
+    ]
 
 
 def _written(folder: Path, pages: dict[str, tuple[str, str]]) -> Iterator[dict[str, str]]:

@@ -11,6 +11,7 @@ LATEST = "latest"
 LEADS_ON = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>qsbearing {version}</title>
 <meta http-equiv="refresh" content="0; url={version}/index.html">
+<link rel="icon" href="{version}/assets/images/favicon.png">
 <a href="{version}/index.html">qsbearing {version}</a></html>
 """
 
