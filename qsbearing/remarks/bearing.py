@@ -153,8 +153,12 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
     said = [f"Tolerance {choice.tolerance:g}: {left}"]
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
-        needed = f"Needed, but not named in the scene: {', '.join(entry.what for entry in added)}."
-        said.append(f"{needed} {to_add(settings_to_add(named, added), words)}")
+        what_added = ", ".join(entry.what for entry in added)
+        how = to_add(settings_to_add(named, added), words)
+        said.append(
+            f"Needed, and so simulated though the scene does not name it: {what_added}. "
+            f"To have it whatever the tolerance, {how[0].lower()}{how[1:]}"
+        )
     return said
 
 

@@ -286,7 +286,7 @@ def test_a_file_may_leave_its_effects_to_be_chosen(tmp_path: Path) -> None:
     assert found["balls"][0]["gyroscopic_moment_Nmm"] is None
     text = call("run", path).stdout
     assert "Tolerance 0.01: left out, with the expected error: the gyroscopic moment" in text
-    assert "Needed, but not named in the scene: the centrifugal force" in text
+    assert "Needed, and so simulated though the scene does not name it: the centrifugal force" in text
 
 
 def test_accuracy_judges_the_operating_point_and_not_what_the_file_names(trap: Path) -> None:
