@@ -64,8 +64,8 @@ def _class_named(name: str, of: Any, package: Any) -> Any:
         return None
     try:
         path = of.module.resolve(name)
-        found = package[path.removeprefix(f"{package.path}.")]
+        named = package[path.removeprefix(f"{package.path}.")]
     except (griffe.NameResolutionError, KeyError):
         return None
-    found = found.final_target if found.is_alias else found
-    return found if found.is_class else None
+    named = named.final_target if named.is_alias else named
+    return named if named.is_class else None

@@ -213,8 +213,8 @@ def test_a_free_outside_diameter_softens_the_bearing():
 def test_every_finding_is_uncertain_and_every_quantity_judged_at_speed():
     """In the gate's record: ellipses and pressures, loads and angles, of both raceways."""
     rows = records_store.read_all()["bearing_sector"]["rows"]
-    found = [row for row in rows if row["tolerance_percent"] is None and "largest uncertainty" not in row["case"]]
-    assert found and all(row["uncertainty_percent"] is not None for row in found)
+    free = [row for row in rows if row["tolerance_percent"] is None and "largest uncertainty" not in row["case"]]
+    assert free and all(row["uncertainty_percent"] is not None for row in free)
     judged = {row["quantity"] for row in rows if row["tolerance_percent"] and "rpm" in row["case"]}
     assert judged >= set(sector_comparison.QUANTITIES)
 

@@ -185,8 +185,8 @@ def test_one_row_says_what_the_motion_of_balls_rests_on(shipped: Evidence) -> No
     """Its counts and deviations follow the records: hypotheses, friction, referee, what is not measured."""
 
     def row(records: Evidence) -> questions.Question:
-        (found,) = [each for each in questions.all_of(records) if each.text == "What do axes of balls rest on?"]
-        return found
+        (asked,) = [each for each in questions.all_of(records) if each.text == "What do axes of balls rest on?"]
+        return asked
 
     assert shipped.reference
     cases = shipped.reference.data["cases"]

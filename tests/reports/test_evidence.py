@@ -139,5 +139,7 @@ def test_guide_and_readme_say_what_the_records_say() -> None:
     assert f"the loads differ by up to {max(map(abs, free['load_percent'])):.1f} %" in page
     assert f"the angles are up to {free['angle_deg'][1]:.1f}° larger" in page
     readme = (evidence_numbers.ROOT / "README.md").read_text(encoding="utf-8")
-    told = f"{rigidities['values']} catalogue rigidities at 25° agree to {100.0 * rigidities['rms']:.1f} % rms"
-    assert f"{told}, with groove radii fitted at 15°" in readme
+    told = (
+        f"{rigidities['values']} axial stiffnesses of a catalogue at 25° agree to {100.0 * rigidities['rms']:.1f} % rms"
+    )
+    assert f"{told} (grooves fitted at 15°)" in readme

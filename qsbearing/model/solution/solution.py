@@ -29,7 +29,7 @@ from qsbearing.model.solution.raceway_contacts import (
 )
 from qsbearing.model.solution.ring_shape import RingShape, shape_of, share_of_displacement
 from qsbearing.model.solution.rounding import rounding_of_load
-from qsbearing.model.solution.solved_cases import SolvedCases
+from qsbearing.model.solution.solved_cases import OfSolvedCases, SolvedCases
 from qsbearing.model.solution.status import reasons
 from qsbearing.model.units import deg
 
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from qsbearing.model.solution.moved import Moved
 
 
-class Solution(SolutionOfArcs):
+class Solution(SolutionOfArcs, OfSolvedCases):
     """Solved cases of a scene. Arrays lead with the case axes of the scene: none for a single case.
 
     Displacements and loads are in the order x, y, z, tilt y, tilt z; SI units and radians. Cases that did not converge
@@ -69,7 +69,7 @@ class Solution(SolutionOfArcs):
         self._preloaded = preloaded
         self._moved = moved  # arrays and stiffness where friction moves the balls; None by a hypothesis
         known = None if moved is None else moved.known
-        self._solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
+        self._keep_solved(SolvedCases(maker, cases, results, positions, controls, threads, known))
 
     @property
     def balance(self) -> FrictionMotion | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,7 +105,13 @@ class SolvedCases:
             self._own = self.maker.own_balls(self._cases)
 
 
-def solved_of(solution: Any) -> SolvedCases:
-    """Those of a `Solution`."""
-    solved: SolvedCases = solution._solved
-    return solved
+class OfSolvedCases:
+    """What keeps the records of its cases, for `solved_of`."""
+
+    def _keep_solved(self, solved: SolvedCases) -> None:
+        self._solved = solved
+
+
+def solved_of(solution: OfSolvedCases) -> SolvedCases:
+    """The records of its cases, for what computes with them; users read results."""
+    return solution._solved

@@ -18,6 +18,7 @@ from qsbearing.model.effects.traction import ANGLES, RADII, Traction
 from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, read
+from qsbearing.model.solution.solved_cases import solved_of
 from tests.verification.campaign.certificates import NOT_PROVED, RESTRICTIONS
 
 ROUNDING = 1e-12
@@ -49,7 +50,7 @@ def as_if_found(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> F
         raceway_control=qs.RacewayControl.FRICTION,
         traction=traction,
     )
-    unread = balanced(found.start, CaseMaker(moved, found.start.maker.axial), traction, RADII, ANGLES)
+    unread = balanced(found.start, CaseMaker(moved, solved_of(found.start).maker.axial), traction, RADII, ANGLES)
     unread.results["status"][unread.results["status"] == NO_EQUILIBRIUM] = CONVERGED
     return read(unread)
 
