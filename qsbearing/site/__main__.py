@@ -39,6 +39,10 @@ IN_FILES = ("search/search_index.json", "objects.inv", "sitemap.xml", "404.html"
 """What pages opened as files do not read."""
 
 
+UNSEARCHED = "---\nsearch: {exclude: true}\n---\n\n"
+"""Beginning of pages of names and changes, whose subjects have pages of their own: a fifth of all that is searched."""
+
+
 def write_pages(folder: Path) -> list[dict[str, Any]]:
     """Write every page of the site to a folder; the order of them, as MkDocs takes it."""
     shutil.copytree(HERE / "assets", folder / "assets")
@@ -46,7 +50,8 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
     guide = topics(lists=LISTS)
     for page in guide.values():
         name = WAYS_IN if page.topic == "index" else f"{page.topic}.md"
-        (folder / name).write_text(_of_site(page.text), encoding="utf-8")
+        text = _of_site(page.text)
+        (folder / name).write_text(f"{UNSEARCHED}{text}" if page.topic == "interface" else text, encoding="utf-8")
     (folder / "index.md").write_text(home(folder), encoding="utf-8")
     reference = [
         {"Python": list(_written(folder, python_pages()))},
@@ -63,12 +68,13 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
 def _about(folder: Path) -> list[dict[str, str]]:
     """What a copy of the repository has besides, an installed package not."""
     changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
-    (folder / "changes.md").write_text(f"---\nsearch: {{boost: 0.3}}\n---\n\n{_of_site(changes)}", encoding="utf-8")
+    (folder / "changes.md").write_text(f"{UNSEARCHED}{_of_site(changes)}", encoding="utf-8")
     (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
     contributing = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
     of_site = _of_site(contributing.replace("](../qsbearing/guide/", "]("))
     (folder / "contributing.md").write_text(of_site, encoding="utf-8")
-    shutil.copy(ROOT / "qsbearing" / "THIRD_PARTY_LICENSES.md", folder / "licences.md")
+    licences = (ROOT / "qsbearing" / "THIRD_PARTY_LICENSES.md").read_text(encoding="utf-8")
+    (folder / "licences.md").write_text(f"{UNSEARCHED}{licences}", encoding="utf-8")
     return [
         {"Contributing": "contributing.md"},
         {"Changes": "changes.md"},
