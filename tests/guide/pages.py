@@ -215,4 +215,4 @@ def run_page(page: Path, folder: Path, *, heavy: bool) -> None:
         whole = examples.keys() - {block.section for block in found if block.is_heavy and not heavy}
         parts = sections(text)
         strange = {each for one in whole for each in unfounded(sentences(parts[one]), examples[one] + shown)}
-        assert strange - set(FROM_ELSEWHERE.get(page.name, {})) == set(), f"{page.name}: no example gives these numbers"
+        assert strange - set(FROM_ELSEWHERE.get(page.name, {})) == set(), f"{page.name}: no example gives {strange}"

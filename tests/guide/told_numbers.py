@@ -18,6 +18,13 @@ FROM_ELSEWHERE = {
         **dict.fromkeys(("250 °C", "−253 °C", "250 mm"), "ends of a range"),
         "130 N": "of a scene with another load",
     },
+    "rotor_dynamics.md": {
+        **dict.fromkeys(("32.2 N/µm", "39.6 N/µm"), "in the file written, and at each azimuth"),
+        **dict.fromkeys(
+            ("300 mm", "116 %", "1.65 kN", "5,000 rpm", "10,000 %"),
+            "of test_springs.py",
+        ),
+    },
     "spindle.md": {
         "210 mm": "between points of the sweep",
         **dict.fromkeys(("25,443 rpm", "25,304 rpm", "24,672 rpm"), "printed where ROSS is installed"),
