@@ -160,13 +160,14 @@ def _alike(shown: list[str], printed: list[str], last_digit: float) -> bool:
 
 
 def _same(one: str, other: str, last_digit: float) -> bool:
-    number = re.fullmatch(r"[-+]?\d+(?:\.(\d+))?(%|°)?", one)
+    number = re.fullmatch(r"[−+]?\d+(?:\.(\d+))?(%|°)?", one)
     if one == other or not number:
         return one == other
     try:
-        return abs(float(one.rstrip("%°")) - float(other.rstrip("%°"))) < last_digit * 10.0 ** -len(number[1] or "")
+        shown, printed = (float(each.rstrip("%°").replace("−", "-")) for each in (one, other))
     except ValueError:
         return False
+    return abs(shown - printed) < last_digit * 10.0 ** -len(number[1] or "")
 
 
 def run_program(text: str, folder: Path, names: dict[str, object]) -> str:
