@@ -18,7 +18,7 @@ from qsbearing.studies.scenes import base_scene
 from qsbearing.studies.study import Study
 from tests.guide.example_rules import wrong
 from tests.guide.examples import INLINE, Example, every_page, everywhere, named
-from tests.guide.pages import GUIDE, REFUSED, ROOT, blocks, commands, files_of
+from tests.guide.pages import GUIDE, PAGES, REFUSED, blocks, commands, files_of
 
 ON_PURPOSE = {
     "adding_a_reading.md": {
@@ -112,7 +112,7 @@ def load(document: dict[str, object]) -> object:
     return base_scene(Study.of(document)) if "vary" in document else scene_or_set_of(document, "file", may_infer=True)
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_every_file_of_a_page_loads(page: Path, tmp_path: Path) -> None:
     for name, document in files_of(page, tmp_path):
         if isinstance(document.get("spectrum"), dict):
@@ -144,7 +144,7 @@ def uncompared(page: Path) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_each_output_is_compared_or_has_its_reason(page: Path) -> None:
     assert {(page.name, each) for each in uncompared(page)} == {each for each in NOT_COMPARED if each[0] == page.name}
 
