@@ -21,12 +21,11 @@ from tests.guide.pages import GUIDE, ROOT, blocks
 OWN_WORDS = {"require", "shaft.points", "thermal", "vary"}
 """Tables with words of the reader's own as keys: names of results, points, nodes, paths."""
 OF_OTHERS = {
-    **dict.fromkeys(("run_campbell", "run_critical_speed", "n_link"), "of ROSS"),
+    **dict.fromkeys(("run_campbell", "run_critical_speed"), "of ROSS"),
     **dict.fromkeys(("k_x_x_SI", "k_x_y_SI"), "columns of a table of force"),
     **dict.fromkeys(("k_radial_0Hz_N_per_m", "k_radial_1x_N_per_m"), "columns of a table of stiffness"),
-    "life_Mrev": "in the JSON of a load spectrum",
     "axial_growth_um": "in the JSON of a shaft's points",
-    **dict.fromkeys(("ball_diameter_deviation_um", "ball_diameter_deviation_um_3"), "of each ball or one, in a study"),
+    "ball_diameter_deviation_um_3": "of one ball, in a study",
     "depth_um": "the key that the walk-through adds",
 }
 """Names that none of the lists below has, with whose they are."""
