@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-import qsbearing as qs
 from qsbearing import pictures
 from qsbearing.files.require_table import SPARE, PossibleResults, known_of
 from qsbearing.files.scene_or_set import scene_or_set_of
@@ -69,15 +68,12 @@ def is_result(name: str) -> bool:
 
 @cache
 def words() -> frozenset[str]:
-    """Whatever stays and has a name, with arguments and attributes of public Python."""
+    """Whatever stays and has a name, with the arguments of public functions."""
     groups = [each for kind in interface.kept().values() for each in kind.items()]
-    found = {name for group, names in groups for name in (*group.split("."), *names)}
-    for holder in (qs, qs.readings, pictures):
-        for name in holder.__all__:
-            value = getattr(holder, name)
-            found |= {name, *getattr(value, "__dataclass_fields__", ())}
-            found |= set(dir(value)) if inspect.isclass(value) else set()
-            found |= set(inspect.signature(value).parameters) if inspect.isfunction(value) else set()
+    found = {name for group, names in groups for name in (*group.split("."), *names)} | set(pictures.__all__)
+    for holder in (*interface.HOLDERS.values(), pictures):
+        functions = filter(inspect.isfunction, (getattr(holder, name) for name in holder.__all__))
+        found |= {name for each in functions for name in inspect.signature(each).parameters}
     return keys() | found | {each.name.lower() for each in Severity}
 
 
