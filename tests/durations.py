@@ -21,7 +21,7 @@ RECORD = Path(__file__).with_suffix(".json")
 SLOW = 0.1
 """Seconds from which on a test has an entry of its own, all its parameters together."""
 QUICK = 0.38
-"""Seconds that a file may take without these, for its others to be quick."""
+"""Seconds that a file may take without these, for its others to be quick (chosen: all of them take half a minute)."""
 UNKNOWN = {"": 2.5}
 """Of a file that is not in the record: not quick."""
 

@@ -7,7 +7,6 @@ import json
 import re
 import shlex
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from click.testing import CliRunner
@@ -17,7 +16,6 @@ from qsbearing.cli import cli
 from tests.reports import evidence_numbers
 from tests.verification.benchmarks import record
 
-ROOT = Path(__file__).parents[2]
 B218 = "qsbearing run b218"
 FRICTION_RANGE = [0.03, 0.1]
 FRICTION = f"{B218} --set effects.raceway_control=friction --set 'effects.traction.friction_range={FRICTION_RANGE}'"

@@ -8,9 +8,7 @@ import json
 import re
 import shlex
 import tomllib
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Collection, Iterator
-from functools import cache
 from types import ModuleType
 from typing import Any
 
@@ -22,7 +20,7 @@ from fem_check.cli import cli as fem_check
 from qsbearing import pictures
 from tests.guide.examples import INLINE, Example
 from tests.guide.known_names import OF_OTHERS, OWN_WORDS, is_key, is_known, is_result
-from tests.guide.pages import ROOT
+from tests.guide.pages import ROOT, commands
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROGRAMS: dict[str, click.Group] = {"qsbearing": qsbearing.cli.cli, "fem-check": fem_check}
@@ -45,13 +43,15 @@ def wrong(example: Example, beside: Collection[str] = ()) -> list[str]:
     Args:
         beside: words of the blocks of its page, which a sentence may name.
     """
-    if example.language == INLINE:
-        is_source = example.where.partition(":")[0].endswith(".py")
-        return list(_wrong_inline(example.text, beside, is_source))
-    try:
-        return list(RULES[example.language](example.text))
-    except KeyError:
+    if example.language != INLINE and example.language not in RULES:
         return [f"no rule for examples in {example.language!r}"]
+    try:
+        if example.language == INLINE:
+            is_source = example.where.partition(":")[0].endswith(".py")
+            return list(_wrong_inline(example.text, beside, is_source))
+        return list(RULES[example.language](example.text))
+    except (SyntaxError, ValueError) as error:  # of Python; of TOML, JSON and quotes of a shell
+        return [f"cannot be read: {error}"]
 
 
 # Shell ----------------------------------------------------------------------------------------------------------------
@@ -59,25 +59,14 @@ def wrong(example: Example, beside: Collection[str] = ()) -> list[str]:
 
 def wrong_commands(text: str) -> Iterator[str]:
     """Programs, commands, options, choices and files of the repository that are not there."""
-    for line in text.replace("\\\n", " ").splitlines():
-        try:
-            words = shlex.split(line.replace("&&", " && "), comments=True)
-        except ValueError as error:
-            yield f"{line}: {error}"
-            continue
-        while words:
-            end = next((at for at, word in enumerate(words) if word in ("&&", "|")), len(words))
-            command, words = words[:end], words[end + 1 :]
-            command = command[: command.index(">")] if ">" in command else command
-            if command:
-                yield from _wrong_command(command)
+    for words in commands(text):
+        yield from _wrong_command(words[: words.index(">")] if ">" in words else words)
 
 
 def _wrong_command(words: list[str]) -> Iterator[str]:
     first, *rest = words
-    first = first.removeprefix(".venv/bin/")
     if first in ("python", "python3") and rest[:1] == ["-m"]:
-        first, rest = rest[1].replace("fem_check", "fem-check") if rest[1] == "fem_check" else rest[1], rest[2:]
+        first, rest = "fem-check" if rest[1] == "fem_check" else rest[1], rest[2:]
         if first in ("venv", "build"):
             return
         if first not in PROGRAMS and first not in ("pip", "pytest"):
@@ -166,13 +155,8 @@ _SAME = {"Nm": "N m", "um": "µm", "deg": "°", "degrees": "°", "1/min": "rpm"}
 
 
 def wrong_tables(text: str) -> Iterator[str]:
-    """Lines that are no TOML, keys that no file has, and comments in another unit than the key's."""
-    try:
-        document = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        yield f"no TOML: {error}"
-        return
-    yield from _wrong_keys(document)
+    """Keys that no file has, and comments in another unit than the key's."""
+    yield from _wrong_keys(tomllib.loads(text))
     for line in text.splitlines():
         key = re.match(r"\s*([\w.]+)\s*=[^#]*#\s*(.*)", line)
         if key:
@@ -198,15 +182,10 @@ def _wrong_unit(unit: str | None, of: str, comment: str) -> Iterator[str]:
 
 
 def wrong_program(text: str) -> Iterator[str]:
-    """Syntax; imports and names that are not public; arguments that a public function does not take; comments in
-    another unit than the argument's beside them."""
-    try:
-        tree = ast.parse(text)
-    except SyntaxError as error:
-        yield f"no Python: {error}"
-        return
+    """Imports and names that are not public; comments in another unit than the argument's beside them. Whether a
+    function takes its arguments shows where the program runs."""
     comments = {number: line.partition("  # ")[2] for number, line in enumerate(text.splitlines(), 1)}
-    for node in ast.walk(tree):
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             yield from (f"{each.name} is not public" for each in node.names if _is_private(each.name))
         elif isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] in ("qsbearing", "fem_check"):
@@ -220,8 +199,9 @@ def wrong_program(text: str) -> Iterator[str]:
             )
         elif isinstance(node, ast.Attribute):
             yield from _wrong_name(node)
-        elif isinstance(node, ast.Call):
-            yield from _wrong_call(node, comments)
+        elif isinstance(node, ast.keyword):
+            comment = comments.get(node.value.end_lineno or 0, "")
+            yield from _wrong_unit(_unit_of(node.value), f"{node.arg}=...", comment)
 
 
 def _is_private(module: str) -> bool:
@@ -258,31 +238,6 @@ def _wrong_name(node: ast.Attribute) -> Iterator[str]:
             yield f"{'.'.join(names)} is no public name"
 
 
-def _wrong_call(node: ast.Call, comments: dict[int, str]) -> Iterator[str]:
-    given = [each for each in node.keywords if each.arg is not None]
-    is_whole = len(given) == len(node.keywords) and not any(isinstance(each, ast.Starred) for each in node.args)
-    names = _chain(node.func)
-    try:
-        function = public(names) if names else None
-    except AttributeError:
-        return  # told of the name
-    if callable(function):
-        signature = inspect.signature(function)
-        try:
-            bind: Callable[..., Any] = signature.bind if is_whole else signature.bind_partial
-            bind(*([None] * (len(node.args) if is_whole else 0)), **{str(each.arg): None for each in given})
-        except TypeError as error:
-            yield f"{'.'.join(names)}: {error}"
-        for each in given:
-            comment = comments.get(each.value.end_lineno or 0, "")
-            yield from _wrong_unit(_unit_of(each.value), f"{'.'.join(names)}({each.arg}=...)", comment)
-    elif isinstance(node.func, ast.Attribute) and not names:
-        name = node.func.attr
-        known = _fields() if name == "replace" else _methods().get(name)
-        if known and "**" not in known:
-            yield from (f"{name} has no {each.arg}" for each in given if each.arg not in known)
-
-
 def _unit_of(value: ast.expr) -> str | None:
     """The unit that a value is multiplied by, as comments spell it."""
     if isinstance(value, ast.BinOp) and isinstance(value.op, ast.Mult) and (names := _chain(value.right)):
@@ -290,54 +245,17 @@ def _unit_of(value: ast.expr) -> str | None:
     return None
 
 
-@cache
-def _classes() -> list[type]:
-    values = [getattr(holder, name) for holder in (qs, qs.readings) for name in holder.__all__]
-    return [value for value in values if inspect.isclass(value)]
-
-
-@cache
-def _fields() -> frozenset[str]:
-    """What `dataclasses.replace` changes of one public class or another."""
-    return frozenset(name for each in _classes() for name in getattr(each, "__dataclass_fields__", ()))
-
-
-@cache
-def _methods() -> dict[str, frozenset[str]]:
-    """Arguments of public methods by name; ** where one takes any."""
-    found: dict[str, frozenset[str]] = {}
-    for each in _classes():
-        for name, method in inspect.getmembers(each, lambda it: inspect.isfunction(it) or inspect.ismethod(it)):
-            if not name.startswith("_"):
-                taken = inspect.signature(method).parameters.values()
-                names = ("**" if one.kind is one.VAR_KEYWORD else one.name for one in taken)
-                found[name] = found.get(name, frozenset()) | frozenset(names)
-    return found
-
-
 # Others ---------------------------------------------------------------------------------------------------------------
 
 
 def wrong_json(text: str) -> Iterator[str]:
-    """No JSON; or a program to start, with its arguments, that is not there."""
-    try:
-        document = json.loads(text)
-    except json.JSONDecodeError as error:
-        yield f"no JSON: {error}"
-        return
-    found = [document]
+    """A program to start, with its arguments, that is not there."""
+    found = [json.loads(text)]
     for each in found:
         if isinstance(each, dict):
             found += each.values()
             if isinstance(each.get("command"), str):
                 yield from _wrong_command([each["command"].rpartition("/")[2], *map(str, each.get("args", ()))])
-
-
-def _wrong_xml(text: str) -> Iterator[str]:
-    try:
-        ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        yield f"no XML: {error}"
 
 
 def _nothing(_: str) -> Iterator[str]:
@@ -349,7 +267,7 @@ RULES: dict[str, Callable[[str], Iterator[str]]] = {
     "toml": wrong_tables,
     "python": wrong_program,
     "json": wrong_json,
-    "xml": _wrong_xml,
+    "xml": _nothing,
     "text": _nothing,
     "matlab": _nothing,
 }

@@ -30,6 +30,9 @@ KEPT = Path(__file__).with_name("interface.json")
 PAIR = '{start}\n[[rows]]\nposition_mm = 0\ncarries = "+x"\n[[rows]]\nposition_mm = 20\ncarries = "-x"\n'
 LOADED = '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 1000\naxial_load_N = 100\n'
 
+HOLDERS = {"qs": qs, "qs.readings": qs.readings}
+"""Of public names."""
+
 Names = dict[str, list[str]]
 
 
@@ -67,15 +70,13 @@ DEEPEST = 4
 
 def python() -> Names:
     """Names of `qs` and `qs.readings`, and of every class there."""
-    holders = {"qs": qs, "qs.readings": qs.readings}
-    of = {name: sorted(holder.__all__) for name, holder in holders.items()}
+    of = {name: sorted(holder.__all__) for name, holder in HOLDERS.items()}
     return of | {name: _public(each) for name, each in classes().items()}
 
 
 def classes() -> dict[str, type]:
     """The public ones, by their names."""
-    holders = {"qs": qs, "qs.readings": qs.readings}
-    values = {f"{at}.{name}": getattr(of, name) for at, of in holders.items() for name in of.__all__}
+    values = {f"{at}.{name}": getattr(of, name) for at, of in HOLDERS.items() for name in of.__all__}
     return {name: value for name, value in values.items() if isclass(value)}
 
 

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-import qsbearing as qs
 from qsbearing import pictures
 from qsbearing.files.require_table import SPARE, PossibleResults, known_of
 from qsbearing.files.scene_or_set import scene_or_set_of
@@ -21,12 +20,11 @@ from tests.guide.pages import GUIDE, ROOT, blocks
 OWN_WORDS = {"require", "shaft.points", "thermal", "vary"}
 """Tables with words of the reader's own as keys: names of results, points, nodes, paths."""
 OF_OTHERS = {
-    **dict.fromkeys(("run_campbell", "run_critical_speed", "n_link"), "of ROSS"),
+    **dict.fromkeys(("run_campbell", "run_critical_speed"), "of ROSS"),
     **dict.fromkeys(("k_x_x_SI", "k_x_y_SI"), "columns of a table of force"),
     **dict.fromkeys(("k_radial_0Hz_N_per_m", "k_radial_1x_N_per_m"), "columns of a table of stiffness"),
-    "life_Mrev": "in the JSON of a load spectrum",
     "axial_growth_um": "in the JSON of a shaft's points",
-    **dict.fromkeys(("ball_diameter_deviation_um", "ball_diameter_deviation_um_3"), "of each ball or one, in a study"),
+    "ball_diameter_deviation_um_3": "of one ball, in a study",
     "depth_um": "the key that the walk-through adds",
 }
 """Names that none of the lists below has, with whose they are."""
@@ -70,15 +68,12 @@ def is_result(name: str) -> bool:
 
 @cache
 def words() -> frozenset[str]:
-    """Whatever stays and has a name, with arguments and attributes of public Python."""
+    """Whatever stays and has a name, with the arguments of public functions."""
     groups = [each for kind in interface.kept().values() for each in kind.items()]
-    found = {name for group, names in groups for name in (*group.split("."), *names)}
-    for holder in (qs, qs.readings, pictures):
-        for name in holder.__all__:
-            value = getattr(holder, name)
-            found |= {name, *getattr(value, "__dataclass_fields__", ())}
-            found |= set(dir(value)) if inspect.isclass(value) else set()
-            found |= set(inspect.signature(value).parameters) if inspect.isfunction(value) else set()
+    found = {name for group, names in groups for name in (*group.split("."), *names)} | set(pictures.__all__)
+    for holder in (*interface.HOLDERS.values(), pictures):
+        functions = filter(inspect.isfunction, (getattr(holder, name) for name in holder.__all__))
+        found |= {name for each in functions for name in inspect.signature(each).parameters}
     return keys() | found | {each.name.lower() for each in Severity}
 
 

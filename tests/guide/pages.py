@@ -36,6 +36,8 @@ from tests.guide.told_numbers import FROM_ELSEWHERE, unfounded
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "qsbearing" / "guide"
+PAGES = [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))]
+"""README and guide."""
 NOT_HERE = ("python", "python3", "pip", "pytest", "git")
 """The repository's own scripts, and the installation, which continuous integration runs."""
 _BLOCK = re.compile(r"(<!-- minutes long -->\n+)?^```(\w+)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)

@@ -7,8 +7,9 @@ import re
 import pytest
 
 from tests.guide import claims
+from tests.guide.pages import ROOT
 
-README = (claims.ROOT / "README.md").read_text(encoding="utf-8")
+README = (ROOT / "README.md").read_text(encoding="utf-8")
 TRUST = README.partition("## How far to trust it")[2].partition("\n## ")[0]
 
 

@@ -18,7 +18,7 @@ import pytest
 import qsbearing as qs
 from qsbearing.model.solution.groups import GROUPS
 from qsbearing.model.solution.result_keys import BALL
-from tests.guide.interface import classes, kept, words_of
+from tests.guide.interface import HOLDERS, classes, kept, words_of
 
 pytest.importorskip("xarray")
 pytest.importorskip("matplotlib")
@@ -27,7 +27,7 @@ WITHOUT_EXAMPLE = {"ross_element", "to_ross"}
 
 
 def functions() -> Iterator[tuple[str, Any]]:
-    for prefix, holder in (("qs", qs), ("qs.readings", qs.readings)):
+    for prefix, holder in HOLDERS.items():
         for name in holder.__all__:
             if inspect.isfunction(value := getattr(holder, name)):
                 yield f"{prefix}.{name}", value

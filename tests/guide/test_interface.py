@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
@@ -11,8 +10,9 @@ from packaging.requirements import Requirement
 from fem_check.release import command
 from qsbearing.cli import ended, output
 from tests.guide import interface
+from tests.guide.pages import GUIDE, ROOT
 
-PAGE = (Path(interface.qs.__file__).parent / "guide" / "interface.md").read_text(encoding="utf-8")
+PAGE = (GUIDE / "interface.md").read_text(encoding="utf-8")
 
 
 def _section(heading: str) -> str:
@@ -44,21 +44,19 @@ def test_the_exit_codes_of_the_page_are_those_of_the_code() -> None:
 
 
 def test_the_versions_of_python_are_those_of_the_page() -> None:
-    root = Path(interface.qs.__file__).parents[1]
-    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     versions = [text.rpartition(" ")[2] for text in project["classifiers"] if "Python :: 3." in text]
     assert project["requires-python"] == f">={versions[0]}"
     page = _section("Versions of Python")
     assert f"\n{versions[0]} or newer. All extras install on {versions[0]} to {versions[-1]}." in page
     told = [line.split("|")[1].strip() for line in page.splitlines() if line.startswith("| 3.")]
     assert told[: len(versions)] == versions
-    for text in (root / "README.md", root / ".github" / "CONTRIBUTING.md"):
+    for text in (ROOT / "README.md", ROOT / ".github" / "CONTRIBUTING.md"):
         assert f"Python {versions[0]} to {versions[-1]}" in text.read_text(encoding="utf-8"), text
 
 
 def test_every_package_of_an_extra_has_its_licence_on_the_page() -> None:
-    root = Path(interface.qs.__file__).parents[1]
-    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     lines = [line.split("|")[1:4] for line in PAGE.partition("## Extras")[2].splitlines() if line.startswith("| ")]
     told = {extra.strip(" `"): packages for names, _, packages in lines for extra in names.split(",")}
     for extra, asked in ({"": project["dependencies"]} | project["optional-dependencies"]).items():

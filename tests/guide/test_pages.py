@@ -15,7 +15,7 @@ from qsbearing.documents.model import Table
 from tests.documents.names import WIDTHS, broken, shown
 from tests.guide.measured import STATED, stated
 from tests.guide.mentions import unmentioned
-from tests.guide.pages import GUIDE, ROOT, blocks, run_page, sentences
+from tests.guide.pages import GUIDE, PAGES, blocks, run_page, sentences
 from tests.guide.told_numbers import FROM_ELSEWHERE, told
 
 pytest.importorskip("xarray")
@@ -40,15 +40,15 @@ ELSEWHERE = {
     "rotor_dynamics.md": "tests/systems/rotor_dynamics/test_guide_page.py, where ROSS is installed",
 }
 """Pages whose blocks another test runs."""
-PAGES = [page for page in [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))] if page.name not in ELSEWHERE]
+RUN_HERE = [page for page in PAGES if page.name not in ELSEWHERE]
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if page.name != "gallery.md"], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", [page for page in RUN_HERE if page.name != "gallery.md"], ids=lambda page: page.stem)
 def test_a_page_runs(page: Path, tmp_path: Path) -> None:
     run_page(page, tmp_path, heavy=False)
 
 
-LONG = [page for page in PAGES if page.name == "gallery.md" or any(block.is_heavy for block in blocks(page))]
+LONG = [page for page in RUN_HERE if page.name == "gallery.md" or any(block.is_heavy for block in blocks(page))]
 
 
 @pytest.mark.heavy
@@ -116,7 +116,7 @@ def test_each_section_of_how_to_runs_on_its_own(tmp_path: Path) -> None:
         run_page(page, tmp_path, heavy=False)
 
 
-@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_headings_are_in_order(page: Path) -> None:
     text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     levels = [len(marks) for marks in re.findall(r"^(#+) ", text, flags=re.MULTILINE)]
@@ -124,14 +124,14 @@ def test_headings_are_in_order(page: Path) -> None:
     assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
 
 
-@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_thousands_are_parted_by_commas(page: Path) -> None:
     """In prose: at a space, a line end makes two numbers of one."""
     text = re.sub(r"^```.*?^```$|`[^`]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     assert re.findall(r"\b[0-9]{1,3} [0-9]{3}\b", text) == []
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(GUIDE.glob("*.md"))], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_measured_numbers_are_made_from_records_or_stated_with_a_reason(page: Path) -> None:
     """Times, sizes and counts in sentences: what is made from a record stands between its marks."""
     assert stated(page) == set(STATED.get(page.name, {})), "make it from a record, or say in `STATED` why not"
@@ -151,7 +151,7 @@ def test_lines_of_code_fit_on_a_page(page: Path) -> None:
             assert [line for line in each.text.splitlines() if len(line) > 79] == []
 
 
-@pytest.mark.parametrize("page", [*PAGES, *(GUIDE / name for name in ELSEWHERE)], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_pictures_have_a_text(page: Path) -> None:
     for text, _ in re.findall(r"!\[(.*?)\]\((.*?)\)", page.read_text(encoding="utf-8"), flags=re.DOTALL):
         assert len(text.split()) >= 3

@@ -26,9 +26,12 @@ COMMAND = re.compile(r"python -m tests\.\w|fem-check \w|qsbearing \w|pytest \w|[
 def untraced(page: str) -> list[str]:
     """Headings of sections with measured numbers that name no command, and do not say that there is none."""
     outside = re.sub(r"^```toml\n.*?^```$", "", page, flags=re.DOTALL | re.MULTILINE)
-    sections = re.split(r"^(?=## )", outside, flags=re.MULTILINE)
-    sections = [re.sub(r"\s+", " ", each.partition("\n")[2]) + "|" + each.partition("\n")[0] for each in sections]
-    return [each.rpartition("|")[2] for each in sections if _MEASURED.search(each) and not COMMAND.search(each)]
+    found = []
+    for section in re.split(r"^(?=## )", outside, flags=re.MULTILINE):
+        plain = re.sub(r"\s+", " ", section)
+        if _MEASURED.search(plain) and not COMMAND.search(plain):
+            found.append(section.partition("\n")[0])
+    return found
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
