@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from qsbearing.model.version import __version__
+from qsbearing.reports.effects import NOT_MODELLED
 
 TEXT = Path(__file__).with_name("home.md")
 PICTURE = "home.svg"
@@ -39,18 +40,16 @@ def trust() -> str:
     """What page 1 of the validation report answers, from the records; loaded by name, as no module of qsbearing imports
     its check."""
     evidence = import_module("fem_check.report.evidence").read()
-    random = import_module("fem_check.report.random_scenes")
-    questions = import_module("fem_check.report.questions").all_of(evidence)
-    told = [each for each in questions if not any(kept in evidence.random_scenes for kept in each.records)]
+    page_one, random = (import_module(f"fem_check.report.{name}") for name in ("page_one", "random_scenes"))
+    asked = import_module("fem_check.report.questions").all_of(evidence)
     text = "\n\n".join(
         [
             "Answered from the records of the release, each line by its worst case. `fem-check report` has all.",
-            "| question | worst case | verdict |\n|---|---|---|\n" + "".join(map(_row, told)),
-            *_use("May be used for", [each.may for each in told]),
-            *_use("Not validated for", [each.not_for for each in told]),
+            "| question | worst case | verdict |\n|---|---|---|\n" + "".join(map(_row, random.beside(evidence, asked))),
+            *(f"**{words}** {'; '.join(parts)}." for words, parts in page_one.uses(evidence, asked).items()),
             _random([random.scenes(kept) for kept in evidence.random_scenes]),
-            "**Not modelled:** vibration, forces of the cage, plastic deformation; lubricant films and groove edges in "
-            "the equilibrium ([limits](limits.md)).",
+            f"**Not modelled:** {NOT_MODELLED}; lubricant films and groove edges in the equilibrium "
+            "([limits](limits.md)).",
         ]
     )
     return re.sub(r"(?<=[ |])-(?=\d)", "\N{MINUS SIGN}", text)
@@ -61,11 +60,6 @@ def _row(question: Any) -> str:
     answer = f"<br>{question.answer}" if question.answer else ""
     cells = (f"**{question.text}**{answer}", question.worst, verdict)
     return f"| {' | '.join(cells)} |\n"
-
-
-def _use(words: str, parts: list[str]) -> list[str]:
-    named = [part for part in parts if part]
-    return [f"**{words}** {'; '.join(named)}."] if named else []
 
 
 def _random(scenes: list[Any]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 
 import qsbearing as qs
 from fem_check.report import evidence, questions
-from qsbearing.site.home import home
+from qsbearing.site.home import home, trust
 
 pytest.importorskip("matplotlib")
 
@@ -48,3 +49,13 @@ def test_what_it_names_as_limits_is_there(page: tuple[str, Path]) -> None:
     text, _ = page
     for words in ("May be used for", "Not validated for", "Random scenes", "Not modelled"):
         assert f"**{words}" in text
+
+
+def test_nothing_may_be_used_where_a_check_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on page 1 of the validation report."""
+    records = evidence.read()
+    name, kept = next(iter(records.checks.items()))
+    failing = dataclasses.replace(kept, data=kept.data | {"verdict": "fail"})
+    spoilt = dataclasses.replace(records, checks=records.checks | {name: failing})
+    monkeypatch.setattr(evidence, "read", lambda: spoilt)
+    assert "May be used for" not in trust()
