@@ -15,6 +15,7 @@ from fem_check.report.sections import previous, traceability
 from fem_check.running import suite
 from qsbearing import __version__
 from qsbearing.documents.model import Block, Callout, Cell, Facts, Md, Paragraph, Section, Table
+from qsbearing.reports.effects import NOT_MODELLED
 from qsbearing.results import provenance
 
 BLANK = "\N{NO-BREAK SPACE}" * 34
@@ -29,7 +30,7 @@ def blocks(evidence: Evidence, questions: Sequence[Question]) -> list[Block]:
         verdict(evidence, questions),
         Table(
             ("question", "answer", "worst found", "limit", "verdict", "see"),
-            [_line(q) for q in questions if not any(each in evidence.random_scenes for each in q.records)],
+            [_line(q) for q in random_scenes.beside(evidence, questions)],
             "llllll", "What may be relied on", stack=True,
         ),
         *([random_scenes.table(evidence.random_scenes, RANDOM)] if evidence.random_scenes else []),
@@ -81,14 +82,10 @@ def level(evidence: Evidence) -> str:
 
 def verdict(evidence: Evidence, questions: Sequence[Question]) -> Callout:
     """Whether the version may be used, for what, and what is against it."""
-    groups, is_release = (*evidence.checks.items(), *evidence.book.items()), False
-    failed = [name for name, kept in groups if kept.data["verdict"] == "fail"]
+    failed, is_release = _failed(evidence), False
     missed = [each for each in questions if each.verdict.kind == "fail"]
     absent = [name for name in ALL if name not in evidence.checks] + ([] if evidence.book else ["the validation book"])
-    may, not_for = ([each for q in questions if (each := getattr(q, name))] for name in ("may", "not_for"))
-    said = [f"May be used for {'; '.join(may)}."] if may and not failed else []
-    if not_for:
-        said.append(f"Not validated for {'; '.join(not_for)}.")
+    said = [f"{words} {'; '.join(parts)}." for words, parts in uses(evidence, questions).items()]
     said += [f"Missed: {each.missed}." for each in missed if each.missed]
     if absent:
         said.append(f"Not on record: {', '.join(absent)}.")
@@ -110,6 +107,18 @@ def verdict(evidence: Evidence, questions: Sequence[Question]) -> Callout:
     return Callout(Md(f"**{head}.** {' '.join(said)}"), status)
 
 
+def _failed(evidence: Evidence) -> list[str]:
+    groups = (*evidence.checks.items(), *evidence.book.items())
+    return [name for name, kept in groups if kept.data["verdict"] == "fail"]
+
+
+def uses(evidence: Evidence, questions: Sequence[Question]) -> dict[str, list[str]]:
+    """What the version may be used for, nothing where a check or case fails, and what it is not validated for."""
+    may = [] if _failed(evidence) else [each.may for each in questions]
+    parts = {"May be used for": may, "Not validated for": [each.not_for for each in questions]}
+    return {words: named for words, each in parts.items() if (named := [part for part in each if part])}
+
+
 def _scope(evidence: Evidence) -> str:
     """What was covered, from the records; what was not, in words."""
     ranges = []
@@ -124,8 +133,8 @@ def _scope(evidence: Evidence) -> str:
     covered = f"Covered: {'; '.join(ranges)}. " if ranges else ""
     return (
         f"{covered}Not covered: radial load and moments between elastic bodies in three dimensions; measured "
-        "temperatures. Not covered means untested, not wrong. Not in the model: vibration, cage forces, oil drag, "
-        "plastic deformation; lubricant films and groove edges in the equilibrium."
+        f"temperatures. Not covered means untested, not wrong. Not in the model: {NOT_MODELLED}; lubricant films and "
+        "groove edges in the equilibrium."
     )
 
 

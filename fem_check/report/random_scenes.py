@@ -106,6 +106,11 @@ def questions(evidence: Evidence) -> list[Question]:
     return [_question(kept) for kept in evidence.random_scenes]
 
 
+def beside(evidence: Evidence, asked: Sequence[Question]) -> list[Question]:
+    """Those that are not of a campaign on record, which has a row of its own table."""
+    return [each for each in asked if not any(kept in evidence.random_scenes for kept in each.records)]
+
+
 def _question(kept: Kept) -> Question:
     one = scenes(kept)
     missed = []

@@ -49,7 +49,8 @@ UNBOUNDED = (
     "Friction carries the whole gyroscopic moment; the friction coefficient that this requires is a result, in the "
     "table of inertia and motion."
 )
-NEVER = "Never in the model: vibration, cage forces, oil drag on the balls, plastic deformation."
+NOT_MODELLED = "vibration, cage forces, oil drag on the balls, plastic deformation"
+NEVER = f"Never in the model: {NOT_MODELLED}."
 BOUNDED = "Contacts carry the gyroscopic moment up to the friction coefficient of the input; beyond it they slip."
 
 

@@ -24,7 +24,7 @@ from qsbearing.documents.guide import BUILT, FOLDER, OF_GUIDE, beside_pages, bri
 from qsbearing.model.version import __version__
 from qsbearing.reports.guide_lists import LISTS
 from qsbearing.site.home import home
-from qsbearing.site.reference import command_pages, key_pages, python_pages, result_pages
+from qsbearing.site.reference import Pages, command_pages, key_pages, python_pages, result_pages
 from qsbearing.site.versions import list_versions
 
 HERE = Path(__file__).parent
@@ -37,8 +37,6 @@ UNUSED = ("**/*.map", "assets/javascripts/lunr/*.js", "assets/javascripts/lunr/m
 """Of the theme: languages of the search other than English, and maps of its scripts."""
 IN_FILES = ("search/search_index.json", "objects.inv", "sitemap.xml", "404.html")
 """What pages opened as files do not read."""
-
-
 UNSEARCHED = "---\nsearch: {exclude: true}\n---\n\n"
 """Beginning of pages of names and changes, whose subjects have pages of their own: a fifth of all that is searched."""
 
@@ -54,42 +52,39 @@ def write_pages(folder: Path) -> list[dict[str, Any]]:
         (folder / name).write_text(f"{UNSEARCHED}{text}" if page.topic == "interface" else text, encoding="utf-8")
     (folder / "index.md").write_text(home(folder), encoding="utf-8")
     reference = [
-        {"Python": list(_written(folder, python_pages()))},
-        {"Files": list(_written(folder, key_pages()))},
-        {"Commands": list(_written(folder, command_pages()))},
-        {"Results": list(_written(folder, result_pages()))},
+        {"Python": list(_written(folder, python_pages(), "reference/"))},
+        {"Files": list(_written(folder, key_pages(), "reference/"))},
+        {"Commands": list(_written(folder, command_pages(), "reference/"))},
+        {"Results": list(_written(folder, result_pages(), "reference/"))},
         {"Names that stay": "interface.md"},
     ]
-    about = [{"About": _about(folder)}] if (ROOT / "CHANGELOG.md").is_file() else []
+    about = [{"About": list(_written(folder, _about()))}] if (ROOT / "CHANGELOG.md").is_file() else []
     *parts, develop = _parts(guide)
     return [{"Home": "index.md"}, *parts, {"Reference": reference}, develop, *about]
 
 
-def _about(folder: Path) -> list[dict[str, str]]:
+def _about() -> Pages:
     """What a copy of the repository has besides, an installed package not."""
-    changes, citation = ((ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff"))
-    (folder / "changes.md").write_text(f"{UNSEARCHED}{_of_site(changes)}", encoding="utf-8")
-    (folder / "cite.md").write_text(f"# How to cite\n\n```yaml\n{citation}```\n", encoding="utf-8")
-    contributing = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    of_site = _of_site(contributing.replace("](../qsbearing/guide/", "]("))
-    (folder / "contributing.md").write_text(of_site, encoding="utf-8")
-    licences = (ROOT / "qsbearing" / "THIRD_PARTY_LICENSES.md").read_text(encoding="utf-8")
-    (folder / "licences.md").write_text(f"{UNSEARCHED}{licences}", encoding="utf-8")
-    return [
-        {"Contributing": "contributing.md"},
-        {"Changes": "changes.md"},
-        {"How to cite": "cite.md"},
-        {"Licences of others": "licences.md"},
-    ]
+
+    def text(name: str) -> str:
+        return (ROOT / name).read_text(encoding="utf-8")
+
+    contributing = text(".github/CONTRIBUTING.md").replace("](../qsbearing/guide/", "](")
+    return {
+        "contributing.md": ("Contributing", _of_site(contributing)),
+        "changes.md": ("Changes", UNSEARCHED + _of_site(text("CHANGELOG.md"))),
+        "cite.md": ("How to cite", f"# How to cite\n\n```yaml\n{text('CITATION.cff')}```\n"),
+        "licences.md": ("Licences of others", UNSEARCHED + text("qsbearing/THIRD_PARTY_LICENSES.md")),
+    }
 
 
-def _written(folder: Path, pages: dict[str, tuple[str, str]]) -> Iterator[dict[str, str]]:
+def _written(folder: Path, pages: Pages, under: str = "") -> Iterator[dict[str, str]]:
     """Of pages by their files: (title, text)."""
     for name, (title, text) in pages.items():
-        path = folder / "reference" / name
+        path = folder / under / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
-        yield {title: f"reference/{name}"}
+        yield {title: f"{under}{name}"}
 
 
 def _parts(guide: dict[str, Any]) -> list[dict[str, Any]]:

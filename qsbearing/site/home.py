@@ -2,55 +2,61 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from qsbearing import pictures
+from qsbearing.documents.drawing import picture
+from qsbearing.files.scene_file import load_scene
+from qsbearing.model.solution.solver import solve
 from qsbearing.model.version import __version__
+from qsbearing.reports.effects import NOT_MODELLED
+from qsbearing.results.key_results import answer
 
 TEXT = Path(__file__).with_name("home.md")
 PICTURE = "home.svg"
 EXAMPLE = "b218"
-WIDE = {"COLUMNS": "200", "PYTHONIOENCODING": "utf-8"}
-"""A terminal in which a result is one line."""
+SHOWN = (
+    "Section through a ball of the 218 bearing at 10,000 rpm: rings, lines of action, contact angles, loads and "
+    "pressures"
+)
+"""What the picture shows, for those who do not see it."""
 
 
 def home(folder: Path) -> str:
     """Its Markdown; the picture of the run is written to the folder."""
-    parts = {"version": __version__, "result": run(folder / PICTURE), "trust": trust()}
+    parts = {"version": __version__, **run(folder), "trust": trust()}
     return re.sub(r"<!-- (\w+) -->", lambda mark: parts[mark[1]], TEXT.read_text(encoding="utf-8"))
 
 
-def run(picture: Path) -> str:
-    """The key results that the command prints, as a table, and its picture."""
-    command = [sys.executable, "-m", "qsbearing", "run", EXAMPLE, "--plot", str(picture), "--picture", "section"]
-    environment = os.environ | WIDE
-    printed = subprocess.run(command, env=environment, check=True, capture_output=True, encoding="utf-8").stdout
-    lines = printed.split("\n\n")[1].splitlines()
-    rows = [re.split(r"\s{2,}", line.strip(), maxsplit=1) for line in lines]
-    return "\n".join(["| quantity | result |", "|---|---|", *(f"| {name} | {values} |" for name, values in rows)])
+def run(folder: Path) -> dict[str, str]:
+    """The key results that the command prints, as a table, and their picture: the same bytes every time."""
+    solution = solve(load_scene(EXAMPLE))
+    lines = (f"| {name} | {values} |" for name, values in answer(solution, {}).pairs)
+    drawn = picture(pictures.section(solution), SHOWN)
+    (folder / PICTURE).write_bytes(drawn.data)
+    return {
+        "result": "\n".join(["| quantity | result |", "|---|---|", *lines]),
+        "picture": f"![{drawn.alt}]({PICTURE})",
+    }
 
 
 def trust() -> str:
     """What page 1 of the validation report answers, from the records; loaded by name, as no module of qsbearing imports
     its check."""
     evidence = import_module("fem_check.report.evidence").read()
-    random = import_module("fem_check.report.random_scenes")
-    questions = import_module("fem_check.report.questions").all_of(evidence)
-    told = [each for each in questions if not any(kept in evidence.random_scenes for kept in each.records)]
+    page_one, random = (import_module(f"fem_check.report.{name}") for name in ("page_one", "random_scenes"))
+    asked = import_module("fem_check.report.questions").all_of(evidence)
     text = "\n\n".join(
         [
             "Answered from the records of the release, each line by its worst case. `fem-check report` has all.",
-            "| question | worst case | verdict |\n|---|---|---|\n" + "".join(map(_row, told)),
-            *_use("May be used for", [each.may for each in told]),
-            *_use("Not validated for", [each.not_for for each in told]),
+            "| question | worst case | verdict |\n|---|---|---|\n" + "".join(map(_row, random.beside(evidence, asked))),
+            *(f"**{words}** {'; '.join(parts)}." for words, parts in page_one.uses(evidence, asked).items()),
             _random([random.scenes(kept) for kept in evidence.random_scenes]),
-            "**Not modelled:** vibration, forces of the cage, plastic deformation; lubricant films and groove edges in "
-            "the equilibrium ([limits](limits.md)).",
+            f"**Not modelled:** {NOT_MODELLED}; lubricant films and groove edges in the equilibrium "
+            "([limits](limits.md)).",
         ]
     )
     return re.sub(r"(?<=[ |])-(?=\d)", "\N{MINUS SIGN}", text)
@@ -61,11 +67,6 @@ def _row(question: Any) -> str:
     answer = f"<br>{question.answer}" if question.answer else ""
     cells = (f"**{question.text}**{answer}", question.worst, verdict)
     return f"| {' | '.join(cells)} |\n"
-
-
-def _use(words: str, parts: list[str]) -> list[str]:
-    named = [part for part in parts if part]
-    return [f"**{words}** {'; '.join(named)}."] if named else []
 
 
 def _random(scenes: list[Any]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from pathlib import Path
 
@@ -9,7 +10,9 @@ import pytest
 
 import qsbearing as qs
 from fem_check.report import evidence, questions
-from qsbearing.site.home import home
+from qsbearing.site.home import home, run, trust
+from tests.cli.command import call
+from tests.drawing import drawing
 
 pytest.importorskip("matplotlib")
 
@@ -18,7 +21,8 @@ pytest.importorskip("matplotlib")
 def page(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
     """Its Markdown, and the folder of its picture."""
     folder = tmp_path_factory.mktemp("home")
-    return home(folder), folder
+    with drawing():
+        return home(folder), folder
 
 
 def test_its_result_is_that_of_a_run(page: tuple[str, Path]) -> None:
@@ -30,6 +34,16 @@ def test_its_result_is_that_of_a_run(page: tuple[str, Path]) -> None:
     drawn = (folder / "home.svg").read_text(encoding="utf-8")  # letters as outlines, with their text as a comment
     assert f"= {inner:.1f}°" in drawn and f"= {outer:.1f}°" in drawn
     assert "<!--" not in text
+    rows = re.findall(r"^\| (.+?) \| (.+?) \|$", text.partition("| quantity | result |")[2].partition("\n\n")[0], re.M)
+    printed = " ".join(call("run", "b218").stdout.split())
+    assert len(rows) >= 4 and all(f"{name} {values}" in printed for name, values in rows)
+
+
+def test_its_picture_is_the_same_bytes_every_time(page: tuple[str, Path], drawn: None, tmp_path: Path) -> None:
+    """So that the site of one version is."""
+    _, folder = page
+    run(tmp_path)
+    assert (tmp_path / "home.svg").read_bytes() == (folder / "home.svg").read_bytes()
 
 
 def test_every_question_of_the_records_has_its_verdict(page: tuple[str, Path]) -> None:
@@ -48,3 +62,13 @@ def test_what_it_names_as_limits_is_there(page: tuple[str, Path]) -> None:
     text, _ = page
     for words in ("May be used for", "Not validated for", "Random scenes", "Not modelled"):
         assert f"**{words}" in text
+
+
+def test_nothing_may_be_used_where_a_check_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on page 1 of the validation report."""
+    records = evidence.read()
+    name, kept = next(iter(records.checks.items()))
+    failing = dataclasses.replace(kept, data=kept.data | {"verdict": "fail"})
+    spoilt = dataclasses.replace(records, checks=records.checks | {name: failing})
+    monkeypatch.setattr(evidence, "read", lambda: spoilt)
+    assert "May be used for" not in trust()

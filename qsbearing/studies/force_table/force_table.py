@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -48,8 +48,8 @@ class _Task(NamedTuple):
     scene: Scene
     """With everything chosen, and held where an axis has one value."""
     axes: list[TableAxis]
-    solution: Solution
-    """Of the scene's own operating point."""
+    remarks: list[Remark]
+    """What there is to say of the scene's own operating point; none where it is not solved."""
     load: float
     """Size of the force under the scene's own operation [N]; 0: none, or no equilibrium."""
 
@@ -59,7 +59,6 @@ class Tabulated(NamedTuple):
 
     table: xarray.Dataset
     remarks: list[Remark]
-    """None where the scene's own operating point is not solved."""
 
 
 def force_table(
@@ -151,9 +150,8 @@ def tabulated(
     scale = size * np.where([each.is_rotation for each in CHANNELS], lever, 1.0)
     errors = grid.refine(wished_error, scale, most_points, checked_points)
     table = xarray.Dataset(_variables(spans, grid, errors, scale), _coordinates(spans, grid))
-    said = every_remark(task.solution) if task.solution.converged else []
-    attributes = _attributes(task, grid, errors, wished_error, scale, seed, requested, said)
-    return Tabulated(table.assign_attrs(attributes), said)
+    attributes = _attributes(task, grid, errors, wished_error, scale, seed, requested)
+    return Tabulated(table.assign_attrs(attributes), task.remarks)
 
 
 def scene_errors(scene: Scene) -> list[ErrorDetail]:
@@ -200,9 +198,11 @@ def _task_of(scene: Scene, over: Mapping[str, tuple[float, float] | None]) -> _T
         raise_if_any([ErrorDetail("over", "is empty, and no channel of the scene carries a load", cause=cause)])
     solution = solve(scene)
     axes = axes_of(solution.scene, over, solution)
-    force = float(np.linalg.norm(solution.load[:3])) if solution.converged else 0.0
+    force, remarks = 0.0, list[Remark]()
+    if solution.converged:
+        force, remarks = float(np.linalg.norm(solution.load[:3])), every_remark(solution)
     fixed = at_points(solution.scene, {name: np.asarray(value) for name, value in held(axes).items()})
-    return _Task(fixed, axes, solution, force)
+    return _Task(fixed, axes, remarks, force)
 
 
 def _evaluation(scene: Scene, fields: list[str], report: Callable[[int], object]) -> Evaluate:
@@ -258,14 +258,7 @@ def _variables(spans: list[TableAxis], grid: RefinedGrid, errors: Errors, scale:
 
 
 def _attributes(
-    task: _Task,
-    grid: RefinedGrid,
-    errors: Errors,
-    wished: float,
-    scale: NDArray,
-    seed: int,
-    requested: Interpolation,
-    said: Sequence[Remark],
+    task: _Task, grid: RefinedGrid, errors: Errors, wished: float, scale: NDArray, seed: int, requested: Interpolation
 ) -> dict[str, Any]:
     worst = float(np.max(errors.largest / scale))
     status, balls = grid.solved.status, grid.solved.loaded_balls
@@ -290,5 +283,5 @@ def _attributes(
         "points_without_loaded_balls": int((balls == 0).sum()),
         "points_with_some_unloaded_balls": int(((balls > 0) & (balls < count)).sum()),
         "input": json.dumps(input_tables(task.scene)),
-        "remarks": json.dumps(remarks_record(said)["remarks"]),
+        "remarks": json.dumps(remarks_record(task.remarks)["remarks"]),
     }
