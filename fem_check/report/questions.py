@@ -162,8 +162,8 @@ def _by_assumption(rows: Sequence[RowRecord]) -> list[str]:
             ends = " to ".join(f"{size * end(map(computed_value, others)):.3g}" for end in (min, max))
             of = f" {span(row['case'].rpartition(begins)[2] for row in others)}" if begins == OTHER_FRICTION else ""
             said.append(f"by {what}{of} {ends} {unit}")
-    free = {row["reference"] * row_text.in_unit(row)[0] for row in rows if HYPOTHESIS in row["case"]}
-    return [*(f"free ball {each:.3g}" for each in free), *said]
+    free = {(row["quantity"], row["reference"] * row_text.in_unit(row)[0]) for row in rows if HYPOTHESIS in row["case"]}
+    return [*(f"{quantity} by the free ball {size:.3g}" for quantity, size in free), *said]
 
 
 def _verifying(evidence: Evidence) -> list[tuple[str, Kept]]:

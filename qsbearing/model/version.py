@@ -1,3 +1,3 @@
 """The version of the package: a file of its own, so that no folder imports the whole package for it."""
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"

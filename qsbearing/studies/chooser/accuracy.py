@@ -44,5 +44,5 @@ def renamed(old: str, by_old: float | None, new: str, by_new: float | None) -> f
         return by_new
     if by_new is not None:
         raise ValueError(f"{old} and {new} are one argument: give {new} alone")
-    warnings.warn(f"{old} is called {new} from 0.2.1 on", DeprecationWarning, stacklevel=3)
+    warnings.warn(f"{old} is called {new} from 0.3.0 on", DeprecationWarning, stacklevel=3)
     return by_old
