@@ -111,6 +111,14 @@ def test_a_few_rounds_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
         assert len(rounds) - 1 <= 6  # without the start's
 
 
+def test_a_motion_that_is_not_found_is_not_converged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The case that turns needs more than one round; the one at rest needs none."""
+    monkeypatch.setattr(common_motion, "MOST_ROUNDS", 1)
+    found = qs.solve(scene(17.8e3, 8e3, np.array([0.0, 10_000.0])))
+    assert list(found.status) == ["converged", "not_converged"]
+    assert np.isfinite(found.displacement).all(axis=-1).tolist() == [True, False]
+
+
 def test_slow_balls_have_time_for_their_own_motion() -> None:
     common = qs.solve(scene(17.8e3, 8e3, np.array([0.0, 100.0, 10_000.0])))
     own = of_own(common.scene)
