@@ -278,15 +278,15 @@ def row_scene(of: BearingSet, number: int, operation: Operation) -> Scene:
     )
 
 
-def offset_in_operation(of: BearingSet, row: Row, offset: NDArray) -> NDArray:
+def offset_in_operation(of: BearingSet, number: int, offset: NDArray) -> NDArray:
     """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
 
     What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
     the reference position. A row that stands by its middle is as far from touching as its grooves then are.
     """
+    row = of.rows[number]
     along, outside = (growth(row.position) for growth in of.growth)
     moved = offset * (1.0 + seat_strains(of, row)[SHAFT]) + row.sign * (along - outside)
-    number = next(number for number, each in enumerate(of.rows) if each is row)
     if of.is_two_sided[number]:
         scene = of.turning_scene(of.alike[number])
         moved = moved - (scene.operating_bearing.touching_offset - scene.axial_datum_shift)
