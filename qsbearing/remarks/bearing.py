@@ -32,7 +32,7 @@ from qsbearing.remarks.missing_effects import missing_effects, to_add
 from qsbearing.remarks.preload import preloads
 from qsbearing.remarks.remark import Holding, Remark, remark
 from qsbearing.remarks.ring import RING
-from qsbearing.remarks.wording import Words
+from qsbearing.remarks.wording import Words, not_capital
 
 
 def message(solution: Solution, index: Index = None) -> str:
@@ -154,10 +154,10 @@ def chosen(solution: Any, named: Any, words: Words) -> list[str]:
     if choice.added:
         added = [entry for entry in EFFECTS if entry.name in choice.added]
         what_added = ", ".join(entry.what for entry in added)
-        how = to_add(settings_to_add(named, added), words)
+        how = not_capital(to_add(settings_to_add(named, added), words))
         said.append(
             f"Needed, and so simulated though the scene does not name it: {what_added}. "
-            f"To have it whatever the tolerance, {how[0].lower()}{how[1:]}"
+            f"To have it whatever the tolerance, {how}"
         )
     return said
 

@@ -101,3 +101,8 @@ def listed(said: Iterable[str]) -> str:
 def capital(text: str) -> str:
     """The text as the beginning of a sentence."""
     return text[:1].upper() + text[1:]
+
+
+def not_capital(text: str) -> str:
+    """A sentence as the end of another."""
+    return text[:1].lower() + text[1:]

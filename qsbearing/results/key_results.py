@@ -173,9 +173,9 @@ def levers_of(solution: Solution | SetSolution) -> NDArray:
 
 
 def are_rounding(values: NDArray, levers: NDArray) -> NDArray:
-    """Which of five channels are nothing beside the largest."""
-    sizes = np.abs(np.nan_to_num(values, nan=0.0)) * levers
-    return np.asarray(sizes <= NOISE * sizes.max())
+    """Which of five channels are nothing beside the largest; none that is not known."""
+    sizes = np.abs(values) * levers
+    return np.asarray(sizes <= NOISE * np.nan_to_num(sizes, nan=0.0).max())
 
 
 def _ring_results(solution: Solution | SetSolution, what: str) -> KeyRing:

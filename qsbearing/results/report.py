@@ -267,7 +267,7 @@ def channels_table(title: str, solution: Solution | SetSolution, record: Record)
     rounding = are_rounding(solution.displacement, levers_of(solution))
     for i, (channel, displacement, load) in enumerate(values):
         length, force, _ = _UNITS[channel.is_rotation]
-        moved = "0" if rounding[i] and displacement is not None else digits(displacement, 0.0)
+        moved = digits(0.0 if rounding[i] else displacement, 0.0)
         imposed = "load" if i in solution.free_channels else "displacement"
         rows.append((channel.label, moved, length, digits(load, 0.0), force, imposed))
     middle, notes = record.get("axial_from_middle_um"), []

@@ -11,6 +11,7 @@ import numpy as np
 from qsbearing.documents.model import Block, Paragraph, Table
 from qsbearing.model.solution.case_index import CasePlace
 from qsbearing.model.units import rpm, zero_celsius
+from qsbearing.remarks.wording import not_capital
 from qsbearing.results.group_numbers import tables_of
 from qsbearing.results.record_type import Record
 from qsbearing.results.tables import digits_of
@@ -73,7 +74,7 @@ def whole_bearing_record(state: ThermalState) -> Record | None:
         return {"message": f"{OF_WHOLE_BEARING}: not computed. {reasons}", "assumed": [], "states": [], "fold": None}
     record, assumed = speeds_record(whole.state), whole.assumed
     basis = f"{OF_WHOLE_BEARING} (assumed: {', '.join(assumed)})" if assumed else OF_WHOLE_BEARING
-    return {**record, "message": f"{basis}: {record['message'][0].lower()}{record['message'][1:]}", "assumed": assumed}
+    return {**record, "message": f"{basis}: {not_capital(record['message'])}", "assumed": assumed}
 
 
 def whole_bearing_table(record: Record) -> Table:

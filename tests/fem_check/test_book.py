@@ -219,8 +219,8 @@ def lost_offset(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first row of a set as if its faces were not ground."""
     right = problem.offset_in_operation
 
-    def lost(of: Any, row: Any, offset: Any) -> Any:
-        return right(of, row, 0.0 * offset if row is of.rows[0] else offset)
+    def lost(of: Any, number: int, offset: Any) -> Any:
+        return right(of, number, 0.0 * offset if number == 0 else offset)
 
     monkeypatch.setattr(problem, "offset_in_operation", lost)
 

@@ -28,6 +28,7 @@ from qsbearing.results.readings_record import taken
 from qsbearing.results.report import result
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
+from tests.guide.pages import GUIDE, blocks
 
 BASE: dict[str, Any] = {
     "bearing": {"name": "B218"},
@@ -347,8 +348,8 @@ def test_an_oil_by_two_viscosities() -> None:
 
 # -------------------------------------------------------------------------------------------------------- a new reading
 
-PAGE = Path(qs.__file__).parent / "guide" / "adding_a_reading.md"
-NEW = re.findall(r"^```python\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)[0]
+PAGE = GUIDE / "adding_a_reading.md"
+NEW = next(block.text for block in blocks(PAGE) if block.language == "python")
 
 
 def test_a_new_reading_is_shown_everywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -181,7 +181,7 @@ class Scene(InNotebooks):
 
     def at_rest(self, fitted: bool, **axial: Any) -> Scene:
         """The bearing at rest and cold, before or after fitting, straight and centred, by the same Hertz contacts."""
-        choices = {name: getattr(self, name) for name in ("hertz_angle", "hertz_form", "tilt_lever")}
+        choices = {name: getattr(self, name) for name in CHOICES_OF_CONTACT}
         effects = (as_fitted if fitted else as_made)(self.ring_effects)
         return Scene(self.bearing, Operation(**axial, **STRAIGHT), **choices, ring_effects=effects)
 
@@ -223,6 +223,8 @@ class Scene(InNotebooks):
 
 CHOICES: dict[str, Any] = dict(choices_of(Scene))
 """The fields of a scene that choose one of several; each may be given as a member or as its word."""
+CHOICES_OF_CONTACT = ("hertz_angle", "hertz_form", "tilt_lever")
+"""Those that a bearing at rest has too."""
 
 
 def tolerance_errors(of: Any) -> list[ErrorDetail]:

@@ -64,9 +64,10 @@ def solve_common(scene: Scene, start: Solution | None, solve_with: SolveWith) ->
         step = -np.einsum("cij,cj->ci", inverse, apart)
         change[:, ACTING] = step
         motion = motion + change
-    solved, solution.seconds = solved_of(solution), seconds
+    solution.seconds = seconds
+    solution.mark_unsolved(differs & (solution.codes == CONVERGED), NOT_CONVERGED)
+    solved = solved_of(solution)
     solved.results["iterations"] = iterations
-    solved.results["status"][differs & (solution.codes == CONVERGED)] = NOT_CONVERGED
     solved.following = cache(lambda: following(solution, solve_with))
     return solution
 

@@ -108,8 +108,7 @@ class SolvedCases:
 class OfSolvedCases:
     """What keeps the records of its cases, for `solved_of`."""
 
-    def _keep_solved(self, solved: SolvedCases) -> None:
-        self._solved = solved
+    _solved: SolvedCases
 
 
 def solved_of(solution: OfSolvedCases) -> SolvedCases:

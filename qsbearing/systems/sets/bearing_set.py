@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -251,17 +250,12 @@ class BearingSet(InNotebooks):
         return location.opposes(self, tuple(range(len(self.rows))))
 
     @property
-    def _has_shared_places(self) -> bool:
-        """Whether two rows stand at one place, as in a four-point bearing."""
-        return any(_share_place(row, other) for row, other in combinations(self.rows, 2))
-
-    @property
     def arrangement(self) -> str:
         """DB, DF or DT for pairs; else the directions that rows carry, from the least x to the largest; of rows that
         stand by their middle planes, how they are held."""
         if any(self.is_two_sided):
             return location.in_words(self)
-        if self._has_shared_places and len(self.rows) == 2:
+        if len(self.rows) == 2 and _share_place(*self.rows):
             return "four-point contact (two opposed rows at one place)"
         order = sorted(self.rows, key=lambda row: float(np.ravel(row.position)[0]))
         pair = tuple(str(row.carries) for row in order)
@@ -274,26 +268,25 @@ class BearingSet(InNotebooks):
 def row_scene(of: BearingSet, number: int, operation: Operation) -> Scene:
     """A row alone under an operation of its own, in its own mirror image where it carries in -x."""
     row = of.rows[number]
-    choices = ("raceway_control", "hertz_angle", "hertz_form", "tilt_lever", "orbit_radius", "ball_motion")
     return Scene(
         row.bearing,
         operation,
         ring_effects=of.effects_of(row),
         readings=of.readings if row.readings is None else row.readings,
         ball_effects=of.ball_effects,
-        **{name: getattr(of, name) for name in choices},
+        **{name: getattr(of, name) for name in CHOICES},
     )
 
 
-def offset_in_operation(of: BearingSet, row: Row, offset: NDArray) -> NDArray:
+def offset_in_operation(of: BearingSet, number: int, offset: NDArray) -> NDArray:
     """How far a row is pressed together while the shaft is at its zero, and as warm as it is in operation [m].
 
     What its offset was grows as the shaft. Inner rings move with the shaft, outer ones with the housing, both from
     the reference position. A row that stands by its middle is as far from touching as its grooves then are.
     """
+    row = of.rows[number]
     along, outside = (growth(row.position) for growth in of.growth)
     moved = offset * (1.0 + seat_strains(of, row)[SHAFT]) + row.sign * (along - outside)
-    number = next(number for number, each in enumerate(of.rows) if each is row)
     if of.is_two_sided[number]:
         scene = of.turning_scene(of.alike[number])
         moved = moved - (scene.operating_bearing.touching_offset - scene.axial_datum_shift)

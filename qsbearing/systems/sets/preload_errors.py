@@ -29,12 +29,7 @@ def preload_errors(of: Any) -> list[ErrorDetail]:
         errors.append(ErrorDetail("preload.spring", "presses rows that carry in opposite directions", cause=cause))
     one_sided = [row for row, both in zip(of.rows, of.is_two_sided, strict=True) if not both]
     directions = {way for row in (of.rows if kind == "spring" else one_sided) for way in carried(row)}
-    if (
-        kind is not None
-        and kind != "spring"
-        and len(directions) == 2
-        and not any(opposes(of, each) for each, _ in of.groups)
-    ):
+    if kind not in (None, "spring") and len(directions) == 2 and not any(opposes(of, each) for each, _ in of.groups):
         cause = (
             "No group of rows, in the housing or floating, carries in both directions: give the floating group a force"
         )

@@ -115,7 +115,7 @@ class Problem:
         given = {channel.displacement: np.zeros(self.shape) for channel in CHANNELS}
         self.makers = {number: CaseMaker(scene, dict(given)) for number, scene in scenes.items()}
         """Of bearings that are not alike, by their first row."""
-        warm = (offset_in_operation(of, row, offset) for row, offset in zip(of.rows, offsets, strict=True))
+        warm = (offset_in_operation(of, number, offset) for number, offset in enumerate(offsets))
         self.offsets = np.nan_to_num([self._flat(offset) for offset in warm])
         self._lever = 0.5 * np.mean(self._of_rows(lambda row: row.bearing.pitch_diameter), axis=0)
         self.structure = structure_of(of, self.shape, self._lever)

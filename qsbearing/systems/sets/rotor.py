@@ -47,12 +47,12 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
     return ross_rotor.rotor(sections, holders, speed, places, [*masses, *disks], longest)
 
 
-def rotor_of(solution: Any, turned: NDArray, at_rest: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
+def rotor_of(solution: Any, turned: NDArray, given: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
     """What `SetSolution.to_ross_rotor` gives.
 
     Args:
-        turned: how far each row's place on the shaft has turned.
-        at_rest: `Outcome.held`.
+        turned, given: as for `held_by`.
+        disks, longest: as there.
     """
     if len(solution.shape) > 1:
         problem = "has several axes of cases; one is wanted, that of speed"
@@ -60,25 +60,25 @@ def rotor_of(solution: Any, turned: NDArray, at_rest: NDArray, disks: Sequence[d
     if not np.all(solution.converged):
         raise SceneError([ErrorDetail("status", "not all cases are solved", cause="solution.message() says why")])
     own = np.stack([row.stiffness.reshape(-1, 5, 5) for row in solution.rows])
-    held = held_by(solution.set, own, turned, at_rest)
+    held = held_by(solution.set, own, turned, given)
     return rotor(solution.set, held.reshape(len(solution.rows), *solution.shape, 5, 5), disks, longest)
 
 
-def held_by(of: BearingSet, own: NDArray, turned: NDArray, at_rest: NDArray) -> NDArray:
+def held_by(of: BearingSet, own: NDArray, turned: NDArray, given: NDArray) -> NDArray:
     """Stiffness with which each row holds its place on the shaft; shape (row, case, 5, 5).
 
     Args:
         own: stiffness of the rows; shape (row, case, 5, 5).
         turned: the matrices that turn the shaft's axes into the row's.
-        at_rest: which unknowns are given, rings at what holds them among them; shape (case, unknown).
+        given: which unknowns are given, rings at what holds them among them; shape (case, unknown).
     """
     held: NDArray = turned.swapaxes(2, 3) @ own @ turned
     for number, row in enumerate(of.rows):
         if row.housing_stiffness is not None:
             softening = np.eye(5) + row.housing_stiffness.compliance @ held[number]
             held[number] = held[number] @ np.linalg.inv(softening)
-    sleeves = [(list(sleeve), ~at_rest[:, column]) for column, sleeve in enumerate(of.sleeves, UNKNOWNS)]
-    sleeves += [([number for number, row in enumerate(of.rows) if row.sprung], ~at_rest[:, SLIDE])]
+    sleeves = [(list(sleeve), ~given[:, column]) for column, sleeve in enumerate(of.sleeves, UNKNOWNS)]
+    sleeves += [([number for number, row in enumerate(of.rows) if row.sprung], ~given[:, SLIDE])]
     for sleeve, slides in sleeves:
         if not sleeve:
             continue

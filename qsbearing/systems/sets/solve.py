@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from qsbearing.model.compiler.threads import in_threads, thread_count
 from qsbearing.model.effects import as_fitted, as_made
 from qsbearing.model.operation import STRAIGHT, Operation
-from qsbearing.model.scene.scene import Scene
+from qsbearing.model.scene.scene import CHOICES_OF_CONTACT, Scene
 from qsbearing.model.solution.solution import Solution
 from qsbearing.model.solution.solver import TOLERANCE, unfound_errors
 from qsbearing.model.validation import raise_if_any
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 Sides = dict[tuple[int, ...], SetSolution]
 """Rows of one direction and group, pressed alone; by their numbers."""
-CHOICES_OF_CONTACT = ("hertz_angle", "hertz_form", "tilt_lever")
 
 
 def solve_set(of: BearingSet, *, threads: int | None = None, tolerance: float = TOLERANCE) -> SetSolution:

@@ -18,6 +18,8 @@ import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.files import catalogue
 from qsbearing.files.scene_tables import input_tables
+from qsbearing.model.effects import EFFECTS
+from qsbearing.model.solution.judgement import judge
 from tests.model.effects.uneven import contacts, turned
 from tests.qsbearing.mechanics import lobe, ring_load, stored_energy
 from tests.qsbearing.scenes import (
@@ -452,6 +454,16 @@ def test_of_many_cases_the_impossible_are_told() -> None:
     with pytest.raises(qs.SceneError) as raised:
         of(resting(axial_load=1e3), **form("inner", 3, sizes))
     assert np.array_equal(raised.value.errors[0].where, [False, False, True])
+
+
+def test_what_is_estimated_of_one_effect_is_its_own_beside_another() -> None:
+    """Whichever of the two stands first in the scene."""
+    both = of(replace(turning(8000, **FIVE), ring_effects=(unequal_balls(),)), **form("outer", 2, 2e-6, 0.3))
+    one, other = solved(both), solved(replace(both, ring_effects=both.ring_effects[::-1]))
+    for entry in (each for each in EFFECTS if each.name in ("unequal_balls", "seats_out_of_round")):
+        errors = judge(entry, one).errors
+        assert errors["pressure"] > 1e-3
+        assert judge(entry, other).errors == pytest.approx(errors, rel=1e-9)
 
 
 @pytest.mark.parametrize(("load", "least", "most"), [(230.0, 0.55, 0.65), (520.0, 0.33, 0.38), (1040.0, 0.2, 0.25)])

@@ -14,6 +14,7 @@ from qsbearing.model.kernel import traction_balance, traction_ball
 from qsbearing.model.kernel.traction_ball import FY, LAW, MX, MY, MZ, WX
 from qsbearing.model.kernel.traction_ring import MOTION
 from qsbearing.model.solution.friction_motion import laws_of
+from qsbearing.model.solution.solved_cases import solved_of
 from tests.qsbearing.scenes import BOTH, OUTER
 
 
@@ -34,15 +35,16 @@ class Ball:
     """The ball of a bearing under thrust."""
 
     def __init__(self, solution: qs.Solution, traction: Traction, points: NDArray) -> None:
-        cases = solution._solved.maker.make()
+        solved = solved_of(solution)
+        cases = solved.maker.make()
         self.case, self.law, self.points = cases[0], laws_of(cases, traction)[0], points
         self.grooves = np.zeros(2, traction_ball.GROOVE)
         self.motion, self.balls = np.zeros(1, MOTION)[0], np.zeros(1, traction_ball.MOVED_BALL)
         self.record = self.balls[0]
         for groove, side in zip(self.grooves, (-1.0, 1.0), strict=True):
             traction_balance.set_groove(self.case, self.law, groove, side)
-        traction_balance.set_ring(self.case, self.motion, solution._solved.results[0], True)
-        traction_balance.place_balls(self.case, self.motion, self.balls, solution._solved.positions[0])
+        traction_balance.set_ring(self.case, self.motion, solved.results[0], True)
+        traction_balance.place_balls(self.case, self.motion, self.balls, solved.positions[0])
         self.start = np.array(self.record.unknown)
         self.ring = (float(self.motion.displacement[0]), 0.0)
 

@@ -19,6 +19,7 @@ from qsbearing.model.effects.raceway_control import CONTROL_CODES, HYPOTHESES
 from qsbearing.model.kernel.ball_inertia import inertia
 from qsbearing.model.kernel.workspace import GIVEN, working_memory
 from qsbearing.model.solution.flatten import CaseMaker
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.remarks.of_solution import warnings
 from tests.qsbearing.mechanics import ring_load
 from tests.qsbearing.scenes import (
@@ -652,11 +653,8 @@ def test_control_by_each_ball_never_asks_friction_of_an_unloaded_contact(
     """The outer raceway controls a ball that has left the inner one, by the criterion: no verdict on friction."""
     scene = turning(speed / qs.rpm, replace(bearing, kind=qs.BearingKind.DEEP_GROOVE), control=PER_BALL)
     solution = qs.solve(with_operation(scene, **dict(zip(LOADS, load, strict=True))))
-    assert solution.status is qs.Status.CONVERGED, (
-        solution.status,
-        solution._solved.results["notes"],
-        solution.residual,
-    )
+    notes = solved_of(solution).results["notes"]
+    assert solution.status is qs.Status.CONVERGED, (solution.status, notes, solution.residual)
 
 
 @pytest.mark.parametrize("speed", [0.0, 700.0])
@@ -666,9 +664,9 @@ def test_what_is_not_a_number_is_never_converged(speed: float) -> None:
     expected = qs.solve(scene)
     for codes in (0, 2):
         start = qs.solve(scene)
-        start._solved.results["displacement"] = np.nan
-        start._solved.positions[:] = np.nan
-        start._solved.results["status"] = codes
+        before = solved_of(start)
+        before.results["displacement"], before.results["status"] = np.nan, codes
+        before.positions[:] = np.nan
         found = qs.solve(scene, start=start)
         assert found.converged
         assert found.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)

@@ -13,6 +13,7 @@ import qsbearing as qs
 from qsbearing.model.solution import common_motion
 from qsbearing.model.solution.common_motion import mean_motion
 from qsbearing.model.solution.ring_forces import radial_forces
+from qsbearing.model.solution.solved_cases import solved_of
 from qsbearing.model.validation import SceneError
 from tests.qsbearing.scenes import B218, BOTH, OUTER, UPRIGHT
 
@@ -96,8 +97,9 @@ def test_the_tangent_is_that_of_neighbouring_solutions() -> None:
     found = qs.solve(of)
     np.testing.assert_allclose((found.stiffness[:3, :3] @ by_load)[:2], np.eye(2), atol=2e-5)
     np.testing.assert_allclose(found.compliance[:2, :2], by_load[:2], rtol=2e-5)
-    assert found._solved.following is not None
-    assert np.abs(found._solved.following()).max() > 0.01 * found.stiffness[1, 1]
+    following = solved_of(found).following
+    assert following is not None
+    assert np.abs(following()).max() > 0.01 * found.stiffness[1, 1]
 
 
 def test_a_few_rounds_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -109,6 +111,14 @@ def test_a_few_rounds_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
         assert qs.solve(scene(axial, radial)).status == "converged"
         print(len(rounds) - 1)
         assert len(rounds) - 1 <= 6  # without the start's
+
+
+def test_a_motion_that_is_not_found_is_not_converged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The case that turns needs more than one round; the one at rest needs none."""
+    monkeypatch.setattr(common_motion, "MOST_ROUNDS", 1)
+    found = qs.solve(scene(17.8e3, 8e3, np.array([0.0, 10_000.0])))
+    assert list(found.status) == ["converged", "not_converged"]
+    assert np.isfinite(found.displacement).all(axis=-1).tolist() == [True, False]
 
 
 def test_slow_balls_have_time_for_their_own_motion() -> None:

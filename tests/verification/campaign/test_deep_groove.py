@@ -71,8 +71,8 @@ def lost_heat(monkeypatch: pytest.MonkeyPatch) -> None:
     """Grooves where they were cold, of rings that have grown."""
     right = problem.offset_in_operation
 
-    def moved(of: Any, row: Any, offset: Any) -> Any:
-        return right(of, row, np.asarray(offset) + 1e-9)
+    def moved(of: Any, number: int, offset: Any) -> Any:
+        return right(of, number, np.asarray(offset) + 1e-9)
 
     monkeypatch.setattr(problem, "offset_in_operation", moved)
 
