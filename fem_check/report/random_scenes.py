@@ -10,7 +10,7 @@ from typing import Any
 
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.question import Question, judged
-from fem_check.running.known import NO_LIMIT, NOT_CONVERGED, REFUSED
+from fem_check.running.known import NO_LIMIT, NOT_CONVERGED, REFUSED, of_status
 from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Table
 
 NOT_RECORDED = "not recorded"
@@ -63,7 +63,7 @@ def scenes(kept: Kept) -> Scenes:
 
 def _recomputed(record: dict[str, Any]) -> Scenes:
     ended, certified, bar = record["ended"], record.get(REFUSED, {}), record.get("bar", {})
-    refused, unsolved = (_of_status(ended, status) for status in (REFUSED, "not_converged"))
+    refused, unsolved = (of_status(ended, status) for status in (REFUSED, "not_converged"))
     proved, evidence = certified.get("proofs", 0), certified.get("evidence", 0)
     lost = len(record["not_converged"])
     return Scenes(
@@ -82,10 +82,6 @@ def _classified(record: dict[str, Any]) -> Scenes:
         proved, evidence, classes.get(REFUSED, 0) - proved - evidence, 0, named,
         classes.get("not_converged", 0) - named, bar["allowed"], bar.get("basis", ""),
     )  # fmt: skip
-
-
-def _of_status(ended: dict[str, int], status: str) -> int:
-    return sum(number for how, number in ended.items() if how.partition(":")[0] == status)
 
 
 def reasons(kept: Kept) -> dict[str, int]:

@@ -21,7 +21,7 @@ from fem_check.report.figures import sector as sector_figures
 from fem_check.report.rows import as_read, difference, quantity, used
 from fem_check.rows import row_text
 from fem_check.rows.agreement import MeshLevel
-from fem_check.running import records_store
+from fem_check.running import known, records_store
 from qsbearing.model.solution.point_errors import CREEP, HELD
 from tests.guide import agreement, claims, interface
 from tests.reports import evidence_numbers
@@ -266,10 +266,7 @@ def recomputed() -> str:
     rows = []
     for record in campaigns_of(RECOMPUTED):
         ended = record["ended"]
-        refused, lost = (
-            sum(number for how, number in ended.items() if how.startswith(status))
-            for status in ("no_equilibrium", "not_converged")
-        )
+        refused, lost = (known.of_status(ended, status) for status in (known.REFUSED, "not_converged"))
         wrong = len(record["wrong"])
         worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
         counts = (f"{record['count']:,}", f"{ended['converged']:,}", f"{refused:,} ({strength(record)})", f"{lost:,}")
