@@ -32,7 +32,7 @@ class Scenes:
     unproved: int
     """Refused, and nothing but the solver says so."""
     explained: int
-    """Not converged for a reason that the campaign counts apart: balls that skid."""
+    """Not converged for a reason that the campaign counts apart, see `STRENGTH`."""
     named: int
     """Not converged, and named in `running/known.py`."""
     lost: int
@@ -143,7 +143,7 @@ STRENGTH = (
     "pressed, or by a unique equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, "
     "where others are not excluded; *not proved* means that the solver alone says so. Scenes that did not converge are "
     "*named*, in a list of known ones, or *explained*: balls that skid, that nothing holds against drag, or that lose "
-    "their load or the inner ring; `allowed` counts the others."
+    "their load; `allowed` counts the others."
 )
 """What the columns of the table mean."""
 
