@@ -23,7 +23,9 @@ from fem_check.independent.slip_friction import Coulomb, at_centre, over_ellipse
 from fem_check.product.scenes import drawing_at_rest
 from fem_check.rows.agreement import EXAMPLE, AgreementRow, Check, CheckKind, Findings, MeshLevel, Progress
 from fem_check.rows.row_text import scientific
+from qsbearing.model.effects.raceway_control import HYPOTHESES
 from qsbearing.model.effects.traction import Traction
+from qsbearing.studies.chooser import by_friction
 
 BOTH = (qs.CentrifugalForce(), qs.GyroscopicMoment())
 DISPLACED: dict[str, Any] = {"ball_effects": BOTH, "orbit_radius": "displaced"}
@@ -51,9 +53,6 @@ SHARED = 22.40e-6, 0.01e-6
 """Displacement of B218's ring with friction at both points [m]: another code's, to its last digit."""
 SETTLING, SETTLING_STEP = 0.15, 5e-6
 """Of friction over ellipses [s]: the slowest decay is by 90 1/s."""
-FRICTION_BAND = 0.03, 0.1
-"""Of oiled contacts: nobody knows the coefficient of a bearing nearer than that."""
-HYPOTHESES = [each for each in qs.RacewayControl if each is not qs.RacewayControl.FRICTION]
 FEW_POINTS = 0.05e-6, 2e-4
 """Of displacement [m] and orbit over the ring's speed: what 6 x 16 points and other few ones differ by."""
 
@@ -171,7 +170,7 @@ def balance_rows(progress: Progress) -> Iterator[AgreementRow]:
     assumed: dict[str, dict[str, Any]] = {
         f"{HYPOTHESIS}{each.replace('_', ' ')}": {"raceway_control": each} for each in HYPOTHESES
     }
-    for mu in FRICTION_BAND:
+    for mu in by_friction.USUAL:  # nobody knows the coefficient of a bearing nearer than that
         law = Traction(mu, ELLIPSE_SLIP)
         assumed[f"{OTHER_FRICTION}{mu:g}"] = {"raceway_control": qs.RacewayControl.FRICTION, "traction": law}
     for end_of_case, changes in assumed.items():

@@ -51,7 +51,7 @@ def rows(solved: TrueContactStudy) -> list[AgreementRow]:
                 boundary_element.ALONG_NORMALS,
                 effect,
                 100.0 * doubt,
-                *solved.limit(name, limit(solved.groove, solved.load), WHY),
+                *solved.tolerance_of(name, limit(solved.groove, solved.load), WHY),
             )
         )
     return table

@@ -62,7 +62,7 @@ def gap_rows(solved: TrueContactStudy) -> list[AgreementRow]:
                 boundary_element.SOURCE,
                 effect,
                 of_both,
-                *solved.limit(name, tolerance, GAP_REASON),
+                *solved.tolerance_of(name, tolerance, GAP_REASON),
             )
         )
     ratio, uncertainty = solved.bulge()

@@ -54,7 +54,7 @@ SHAFT = qs.Shaft(
     supports=(qs.ShaftSupport(0.21, 4e6, 9e6, 1.4e7, 3e3, 5e3),),
     temperature=CELSIUS + 49.0, masses=(qs.ShaftMass(0.19, 3.5),), gravity=(1.2, -9.2, 3.1),
 )  # fmt: skip
-BETWEEN = (SHAFT.start, -0.05, 0.1, 0.23)
+BETWEEN = (SHAFT.start, *(each.position for each in SHAFT.loads), 0.1, 0.23)
 """Places where nothing holds the shaft: its ends, its load, and amid its rows [m]."""
 SPACER = qs.Spacer(
     (1, 2), 0.11 + 11e-6, 0.11, inner_material=qs.STEEL, outer_material=BRONZE,

@@ -147,23 +147,29 @@ def _assumed(evidence: Evidence) -> list[str]:
 
 
 def _unmeasured(evidence: Evidence) -> list[str]:
-    measured = [row for kept in evidence.book.values() if kept.data["kind"] == "M" for row in kept.data["rows"]]
+    measured = [row for kept in _published_as(evidence, EvidenceKind.MEASUREMENT) for row in kept.data["rows"]]
     angles = sum(row["unit"] == "deg" for row in measured)
     return [f"measured: {angles} of {len(measured)} numbers are angles"] if measured else []
 
 
 def _by_assumption(rows: Sequence[RowRecord]) -> list[str]:
     """What becomes of a result of the free balls where their axes are assumed, or their friction is another."""
+    assumed, rubbed = ([row for row in rows if begins in row["case"]] for begins in (HYPOTHESIS, OTHER_FRICTION))
     said = []
-    for what, begins in (("hypotheses", HYPOTHESIS), ("friction of", OTHER_FRICTION)):
-        others = [row for row in rows if begins in row["case"]]
-        if others:
-            size, unit = row_text.in_unit(others[0])
-            ends = " to ".join(f"{size * end(map(computed_value, others)):.3g}" for end in (min, max))
-            of = f" {span(row['case'].rpartition(begins)[2] for row in others)}" if begins == OTHER_FRICTION else ""
-            said.append(f"by {what}{of} {ends} {unit}")
-    free = {(row["quantity"], row["reference"] * row_text.in_unit(row)[0]) for row in rows if HYPOTHESIS in row["case"]}
-    return [*(f"{quantity} by the free ball {size:.3g}" for quantity, size in free), *said]
+    if assumed:
+        one, (size, _) = assumed[0], row_text.in_unit(assumed[0])
+        said.append(f"{quantity(one['quantity'])} by the free ball {size * one['reference']:.3g}")
+        said.append(f"by hypotheses {_found(assumed)}")
+    if rubbed:
+        coefficients = span(row["case"].rpartition(OTHER_FRICTION)[2] for row in rubbed)
+        said.append(f"by friction of {coefficients} {_found(rubbed)}")
+    return said
+
+
+def _found(rows: Sequence[RowRecord]) -> str:
+    """From the smallest to the largest result, with the unit that readers see."""
+    size, unit = row_text.in_unit(rows[0])
+    return f"{span(f'{size * computed_value(row):.3g}' for row in rows)} {unit}"
 
 
 def _verifying(evidence: Evidence) -> list[tuple[str, Kept]]:
@@ -278,9 +284,13 @@ PUBLISHED = {
 """By what a published number is: the question, and what may be used where it is met."""
 
 
+def _published_as(evidence: Evidence, kind: EvidenceKind) -> list[Kept]:
+    return [kept for kept in evidence.book.values() if kept.data["kind"] == kind]
+
+
 def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
     text, may = PUBLISHED[kind]
-    records = [kept for kept in evidence.book.values() if kept.data["kind"] == kind]
+    records = _published_as(evidence, kind)
     question = Question(text, "published", records)
     if not records:
         return question
@@ -299,7 +309,7 @@ def _published(evidence: Evidence, kind: EvidenceKind) -> Question:
 
 
 def _measured(evidence: Evidence) -> Question:
-    records = [kept for kept in evidence.book.values() if kept.data["kind"] == "M"]
+    records = _published_as(evidence, EvidenceKind.MEASUREMENT)
     question = Question("Measurements?", "measurements" if records else "published", records)
     if not records:
         return question

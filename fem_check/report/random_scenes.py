@@ -10,7 +10,7 @@ from typing import Any
 
 from fem_check.report.evidence import Evidence, Kept
 from fem_check.report.question import Question, judged
-from fem_check.running.known import NO_LIMIT, NOT_CONVERGED, REFUSED
+from fem_check.running.known import NO_LIMIT, NOT_CONVERGED, REFUSED, of_status
 from qsbearing.documents.model import Badge, Block, Cell, Md, Paragraph, Table
 
 NOT_RECORDED = "not recorded"
@@ -32,7 +32,7 @@ class Scenes:
     unproved: int
     """Refused, and nothing but the solver says so."""
     explained: int
-    """Not converged for a reason that the campaign counts apart: balls that skid."""
+    """Not converged for a reason that the campaign counts apart, see `STRENGTH`."""
     named: int
     """Not converged, and named in `running/known.py`."""
     lost: int
@@ -63,7 +63,7 @@ def scenes(kept: Kept) -> Scenes:
 
 def _recomputed(record: dict[str, Any]) -> Scenes:
     ended, certified, bar = record["ended"], record.get(REFUSED, {}), record.get("bar", {})
-    refused, unsolved = (_of_status(ended, status) for status in (REFUSED, "not_converged"))
+    refused, unsolved = (of_status(ended, status) for status in (REFUSED, "not_converged"))
     proved, evidence = certified.get("proofs", 0), certified.get("evidence", 0)
     lost = len(record["not_converged"])
     return Scenes(
@@ -82,10 +82,6 @@ def _classified(record: dict[str, Any]) -> Scenes:
         proved, evidence, classes.get(REFUSED, 0) - proved - evidence, 0, named,
         classes.get("not_converged", 0) - named, bar["allowed"], bar.get("basis", ""),
     )  # fmt: skip
-
-
-def _of_status(ended: dict[str, int], status: str) -> int:
-    return sum(number for how, number in ended.items() if how.partition(":")[0] == status)
 
 
 def reasons(kept: Kept) -> dict[str, int]:
@@ -152,7 +148,7 @@ STRENGTH = (
     "pressed, or by a unique equilibrium that is not admissible; *evidence* is an equilibrium that is not admissible, "
     "where others are not excluded; *not proved* means that the solver alone says so. Scenes that did not converge are "
     "*named*, in a list of known ones, or *explained*: balls that skid, that nothing holds against drag, or that lose "
-    "their load or the inner ring; `allowed` counts the others."
+    "their load; `allowed` counts the others."
 )
 """What the columns of the table mean."""
 

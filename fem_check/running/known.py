@@ -26,6 +26,11 @@ _CHUNK = 1000
 """Scenes of a campaign's chunk, by which its scenes are numbered."""
 
 
+def of_status(ended: dict[str, int], status: str) -> int:
+    """How many cases of a campaign ended so, whatever the reason."""
+    return sum(number for how, number in ended.items() if how.partition(":")[0] == status)
+
+
 def unnamed(lost: list[str]) -> list[str]:
     """Of scenes that did not converge those that do not stand here."""
     return [name for name in lost if name not in NOT_CONVERGED]
@@ -42,7 +47,7 @@ def above(record: Record) -> list[str]:
 
 def unsaid(record: Record) -> list[str]:
     """What is to be said where some refused cases of a campaign count neither as certified nor as not proved."""
-    refused = sum(number for how, number in record["ended"].items() if how.partition(":")[0] == REFUSED)
+    refused = of_status(record["ended"], REFUSED)
     said = sum(record.get(REFUSED, {}).get("certificates", {}).values())
     if said == refused:
         return []

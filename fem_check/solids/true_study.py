@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import degrees
 from typing import Any
@@ -75,22 +76,23 @@ class TrueContactStudy:
         own = self.effects(above, below, name)[-1]
         return 1.0 + own, abs(own) * doubt
 
-    def limit(self, name: str, tolerance: float, why: str) -> tuple[float | None, str]:
+    def tolerance_of(self, name: str, tolerance: float, why: str) -> tuple[float | None, str]:
         """Tolerance of a ratio, and why that; of an approach on two meshes none, since two values know next to nothing
         of the scatter that is its uncertainty."""
         return (None, WHY_FOUND) if name == "approach" and len(self.surface) < 3 else (tolerance, why)
 
     def effects(self, above: str, below: str, name: str) -> list[float]:
         """What one result has more than the other, over it, on each mesh; of approaches over Hertz's."""
-        if name != "approach":
-            return [ratio - 1.0 for ratio in self.ratios(above, below, name)]
-        pairs = zip(getattr(self, above), getattr(self, below), strict=True)
-        return [one[name] - other[name] for one, other in pairs]
+        if name == "approach":
+            return [one[name] - other[name] for one, other in self._pairs(above, below)]
+        return [ratio - 1.0 for ratio in self.ratios(above, below, name)]
 
     def ratios(self, above: str, below: str, name: str) -> list[float]:
         """Of two results on each mesh, coarse to fine; not of approaches."""
-        pairs = zip(getattr(self, above), getattr(self, below), strict=True)
-        return [one[name] / other[name] * _beside(name, one, other) for one, other in pairs]
+        return [one[name] / other[name] * _beside(name, one, other) for one, other in self._pairs(above, below)]
+
+    def _pairs(self, above: str, below: str) -> Iterator[tuple[dict[str, float], dict[str, float]]]:
+        return zip(getattr(self, above), getattr(self, below), strict=True)
 
     def bulge(self) -> tuple[float, float]:
         """The ball's equator over an elastic sphere's, each mesh's pressure on both; with its uncertainty.

@@ -41,6 +41,16 @@ def test_tests_of_a_module_come_first_by_its_name():
     )
 
 
+@pytest.mark.parametrize(("path", "is_plain"), [("model/kernel/newton.py", True), ("readings/lubricant.py", False)])
+def test_a_kernel_that_is_changed_runs_as_plain_python(path, is_plain, tmp_path, monkeypatch):
+    """Its machine code has no change."""
+    modes = []
+    monkeypatch.setattr(mutations, "commands_for", lambda path: {"tests": ("pytest",)})
+    monkeypatch.setattr(mutations, "run", lambda *command, plain: modes.append(plain) or ("pass", ""))
+    assert mutations.seen_by(tmp_path, tmp_path / "module.py", "as it is", "changed", f"qsbearing/{path}") == ("", [])
+    assert modes == [is_plain]
+
+
 @pytest.mark.parametrize("is_seen", [True, False])
 def test_a_test_that_fails_without_the_change_sees_nothing(is_seen, tmp_path, monkeypatch):
     """test_a fails always, test_b where the file is changed and anything looks at it."""

@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 import qsbearing as qs
 from qsbearing.model.effects.hypotheses import other_controls
 from qsbearing.pictures.style import GREY, STYLE, figure_of_size, plain
+from qsbearing.studies.chooser import by_friction
 
 COEFFICIENTS = np.geomspace(0.02, 0.2, 46)
-USUAL = (0.03, 0.1)
 
 
 def levels(others: list[tuple[str, Any]], read: Callable[[Any], Any]) -> dict[float, list[str]]:
@@ -45,7 +45,7 @@ def over_friction() -> Figure:
         (qs.um, 1.0 / qs.um), strict=True,
     ):  # fmt: skip
         values = getattr(moved, name)[:, 0] / size
-        axes.axvspan(*USUAL, color=GREY, alpha=0.15, linewidth=0.0)
+        axes.axvspan(*by_friction.USUAL, color=GREY, alpha=0.15, linewidth=0.0)
         axes.semilogx(COEFFICIENTS, values, color=STYLE["outer"]["color"], linewidth=1.8)
         for level, names in levels(others, lambda each, name=name, size=size: getattr(each, name)[0] / size).items():
             axes.axhline(level, color=GREY, linestyle="--", linewidth=0.9)

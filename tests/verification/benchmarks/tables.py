@@ -21,7 +21,7 @@ from fem_check.report.figures import sector as sector_figures
 from fem_check.report.rows import as_read, difference, quantity, used
 from fem_check.rows import row_text
 from fem_check.rows.agreement import MeshLevel
-from fem_check.running import records_store
+from fem_check.running import known, records_store
 from qsbearing.model.solution.point_errors import CREEP, HELD
 from tests.guide import agreement, claims, interface
 from tests.reports import evidence_numbers
@@ -32,7 +32,8 @@ from tests.verification.hard_cases import table as hard_cases_table
 
 GUIDE = Path(qs.__file__).parent / "guide"
 ROOT = Path(__file__).parents[3]
-CAMPAIGNS = records_store.FOLDER / "gate" / "release" / "campaign"
+GATE = records_store.FOLDER / "gate" / MeshLevel.RELEASE
+CAMPAIGNS = GATE / "campaign"
 
 QUANTITIES = {
     "approach": "approach",
@@ -266,10 +267,7 @@ def recomputed() -> str:
     rows = []
     for record in campaigns_of(RECOMPUTED):
         ended = record["ended"]
-        refused, lost = (
-            sum(number for how, number in ended.items() if how.startswith(status))
-            for status in ("no_equilibrium", "not_converged")
-        )
+        refused, lost = (known.of_status(ended, status) for status in (known.REFUSED, "not_converged"))
         wrong = len(record["wrong"])
         worst = ", ".join(f"{SHOWN.get(name, name)} {value:.1g}" for name, value in record["largest"].items())
         counts = (f"{record['count']:,}", f"{ended['converged']:,}", f"{refused:,} ({strength(record)})", f"{lost:,}")
@@ -334,14 +332,17 @@ def errors_of_points() -> str:
 
 NAMED_STEPS = 6
 """Of the gate, the longest of each kind."""
+AT_ONCE = {"first, on all cores": 1, "on one core, two at a time": 2, "alone, at the end": 1}
+"""Kinds of steps of the gate by how they run, and how many of a kind run at once."""
 
 
 def gate_minutes() -> str:
     """How long the last gate took, by how its steps run; those that are new since have no time."""
-    done = read(records_store.FOLDER / "gate" / "release" / "steps.json")["steps"]
+    done = read(GATE / "steps.json")["steps"]
+    first, shared, alone = AT_ONCE
     kinds: dict[str, list[tuple[float, str]]] = {}
     for step in steps.all_steps(MeshLevel.RELEASE):
-        kind = "first, on all cores" if step.is_first else "alone, at the end" if step.is_alone else ONE_CORE
+        kind = first if step.is_first else alone if step.is_alone else shared
         if step.name in done:
             kinds.setdefault(kind, []).append((done[step.name]["seconds"] / 60.0, step.name.removeprefix("check ")))
     rows = []
@@ -349,12 +350,10 @@ def gate_minutes() -> str:
         found.sort(reverse=True)
         named = ", ".join(f"{name} {minutes:.1f}" for minutes, name in found[:NAMED_STEPS])
         others = f", {len(found) - NAMED_STEPS} others" if len(found) > NAMED_STEPS else ""
-        minutes = sum(each for each, _ in found) / (2 if kind == ONE_CORE else 1)
-        rows.append([kind, f"{minutes:.0f}", f"{named}{others}"])
+        whole = sum(minutes for minutes, _ in found) / AT_ONCE[kind]
+        rows.append([kind, f"{whole:.0f}", f"{named}{others}"])
     return markdown(["steps that run", "minutes of the clock", "minutes of each"], rows)
 
-
-ONE_CORE = "on one core, two at a time"
 
 PAGES: dict[str, dict[str, Callable[[], str]]] = {
     "model.md": {"gyroscopic moment": gyroscopic_moment},

@@ -19,10 +19,8 @@ from qsbearing.model.kernel.admissibility import CONVERGED, NO_EQUILIBRIUM
 from qsbearing.model.solution.flatten import CaseMaker
 from qsbearing.model.solution.friction_balance import FrictionMotion, balanced, read
 from qsbearing.model.solution.solved_cases import solved_of
-from tests.verification.campaign.certificates import NOT_PROVED, RESTRICTIONS
-
-ROUNDING = 1e-12
-"""Of sine and cosine of an angle, which are what the place of a contact is judged by."""
+from tests.qsbearing.scenes import BOTH
+from tests.verification.campaign.certificates import NOT_PROVED, RESTRICTIONS, ROUNDING
 
 
 def certificates(
@@ -44,12 +42,7 @@ def certificates(
 
 def as_if_found(scene: qs.Scene, traction: Traction, found: FrictionMotion) -> FrictionMotion:
     """The same balances, the refused ones as results."""
-    moved = replace(
-        scene,
-        ball_effects=(qs.CentrifugalForce(), qs.GyroscopicMoment()),
-        raceway_control=qs.RacewayControl.FRICTION,
-        traction=traction,
-    )
+    moved = replace(scene, ball_effects=BOTH, raceway_control=qs.RacewayControl.FRICTION, traction=traction)
     unread = balanced(found.start, CaseMaker(moved, solved_of(found.start).maker.axial), traction, RADII, ANGLES)
     unread.results["status"][unread.results["status"] == NO_EQUILIBRIUM] = CONVERGED
     return read(unread)

@@ -59,6 +59,9 @@ def test_a_refusal_has_an_equilibrium_over_the_shoulder() -> None:
         assert certificates(scene, traction, found, lambda of: np.zeros(of.status.shape, bool)) == [NOT_PROVED]
     where = outside(passed)
     assert [k for k, place in enumerate(where) if place] == [42]
+    below = replace(passed.inner, angle=np.full_like(passed.inner.angle, -0.1))
+    assert outside(replace(passed, inner=below))[42] == "open side"
+    assert not any(outside(replace(passed, inner=replace(below, load=0.0 * below.load))))
 
 
 @compiled_only
@@ -72,6 +75,7 @@ def test_a_ball_off_the_inner_ring_explains_nothing() -> None:
         assert has_lost.sum() == 4 and (found.status[has_lost] == "converged").all()
         lost = replace(found, status=np.full(12, "not_converged"))
         assert set(ends(scene, traction, lost)) == {UNEXPLAINED}
+        assert set(ends(scene, replace(traction, cage_drag=1e5), lost)) == {f"{UNEXPLAINED}: skids"}
 
 
 def two_bearings() -> tuple[qs.Scene, Traction, FrictionMotion]:
