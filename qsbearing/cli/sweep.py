@@ -180,7 +180,7 @@ def _executor(stack: ExitStack, scheduler: str | None) -> Executor | None:
 
     from distributed import Client
 
-    for name in ("distributed", "distributed.client"):
+    for name in ("distributed", "distributed.client", "tornado.application"):
         logging.getLogger(name).setLevel(logging.CRITICAL)  # what concerns the user is said in a sentence
     try:
         client = stack.enter_context(Client(scheduler, timeout=5))

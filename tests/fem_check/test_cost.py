@@ -227,10 +227,10 @@ def test_the_accuracy_of_a_choice_includes_its_uncertainty():
             "seconds": {"median": 2.0},
             "peak_memory_MB": 10.0 * count,
         }
-        for count, h in ((4, 0.4), (8, 0.2), (16, 0.1))
+        for count, h in ((8, 0.2), (12, 0.4 / 3.0), (16, 0.1))
     ]
     assert mesh_choice.choices({"meshes": entries}) == [
-        MeshChoice((4, 8, 16), pytest.approx(2.25 * 8.0 * 0.1**1.5 + 1e-3), 6.0, 160.0)
+        MeshChoice((8, 12, 16), pytest.approx(2.25 * 8.0 * 0.1**1.5 + 1e-3), 6.0, 160.0)
     ]
 
 

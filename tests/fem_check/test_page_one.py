@@ -13,6 +13,7 @@ import pytest
 from fem_check.checks.free_ball import HYPOTHESIS
 from fem_check.report import evidence, page_one, questions, random_scenes
 from fem_check.report.evidence import Evidence, Kept
+from fem_check.report.rows import quantity
 from fem_check.report.sections import robustness, traceability
 from fem_check.running import kept_files
 from fem_check.running.known import NO_LIMIT, NOT_CONVERGED
