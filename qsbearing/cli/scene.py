@@ -89,9 +89,9 @@ def _loaded(read: Callable[[str], T], source: str) -> T:
     try:
         with warnings_as_notes():
             loaded = read(source)
+        _told_by_sweep(source)
     except SceneError as error:
         refuse(str(error))
-    _told_by_sweep(source)
     try:
         thread_count()
     except ValueError as error:  # a mistake in its environment variable
@@ -105,10 +105,12 @@ def _told_by_sweep(source: str) -> None:
         return
     from pathlib import Path
 
-    from qsbearing.files.netcdf import attributes_of
+    from qsbearing.files.netcdf import attributes_of, damage_told
     from qsbearing.studies.remarked import KEPT, of_results
 
-    for each in of_results(attributes_of(Path(source), KEPT)):
+    with damage_told(Path(source)):
+        said = of_results(attributes_of(Path(source), KEPT))
+    for each in said:
         note_remark(each, f"{source}: ")
 
 

@@ -174,11 +174,18 @@ def shapes_of(named: Iterable[tuple[str, Any]]) -> Shapes:
                 continue  # at once, for most values are plain numbers
             if isinstance(value, Material):
                 shapes |= shapes_of([(f"{path}.{name}", value)])
-            elif np.ndim(value):
-                shape = np.shape(value)
+            elif shape := _shape(value):
                 # the last axis of deviations is the balls'
                 shapes[f"{path}.{name}"] = shape[:-1] if name in getattr(holder, "of_each_ball", ()) else shape
     return shapes
+
+
+def _shape(value: Any) -> tuple[int, ...]:
+    """None of rows of unlike lengths, which are refused as no numbers."""
+    try:
+        return np.shape(value)
+    except ValueError:
+        return ()
 
 
 def clash_errors(shapes: Shapes) -> list[ErrorDetail]:

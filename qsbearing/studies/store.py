@@ -23,6 +23,7 @@ from qsbearing.studies import dataset
 from qsbearing.studies.chunk import Chunk, Plan, empty_chunk, solve_chunk
 from qsbearing.studies.netcdf import write_netcdf
 from qsbearing.studies.points import Points
+from qsbearing.studies.remarked import of_results
 
 if TYPE_CHECKING:
     import xarray
@@ -291,6 +292,8 @@ def open_results(file: str | os.PathLike[str]) -> xarray.Dataset:
         raise refused(place, f"is not a results file of this version (made by {made})", "Run the sweep again")
     try:
         json_of(results.attrs.get("study"), place)
+        with damage_told(place):
+            of_results(results.attrs)
     except SceneFileError:
         results.close()
         raise

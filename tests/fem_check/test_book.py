@@ -330,8 +330,8 @@ COMPILED_ERRORS = {
     ),
     "stiffness +1 %": (
         "qsbearing/model/contact/hertz.py",
-        "return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
-        "return 1.01 * pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * K**3))",
+        "return pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * (K * K * K)))",
+        "return 1.01 * pi * k * effective_modulus * sqrt(E / (4.5 * curvature_sum * (K * K * K)))",
         {"iso_16281_seven_balls", "hamrock_209_film", "boresi_contacts"},
     ),
 }

@@ -20,6 +20,9 @@ from qsbearing.studies.keys import known
 from qsbearing.studies.store import open_results
 from qsbearing.studies.study import Study
 from qsbearing.studies.sweep import sweep
+from tests.cli.command import call
+
+h5netcdf = pytest.importorskip("h5netcdf")
 
 B218 = {"bearing": {"name": "B218"}, "operation": {"speed_rpm": 10000, "axial_load_N": 17800}}
 BOTH = {"ball": ["centrifugal_force", "gyroscopic_moment"], "raceway_control": "outer"}
@@ -151,3 +154,14 @@ def test_results_do_not_depend_on_which_points_are_looked_at(monkeypatch: pytest
     for name in whole.data_vars:
         if name not in ("residual", "iterations"):
             np.testing.assert_allclose(some[name].values, whole[name].values, rtol=1e-9)
+
+
+@pytest.mark.parametrize("kept", ['[{"code": "slip', '[{"code": "slip"}]', "[1]", '{"a": 1}'])
+@pytest.mark.parametrize("command", ["run", "plot"])
+def test_remarks_that_a_damaged_file_kept_are_refused(command: str, kept: str, tmp_path: Path) -> None:
+    made = tmp_path / "r.nc"
+    sweep(Study.of("b218", {"speed_rpm": [0, 10_000]}), out=made).close()
+    with h5netcdf.File(made, "a") as file:
+        file.attrs["remarks"] = kept
+    ran = call(command, str(made))
+    assert ran.exit_code == 2 and "damaged" in ran.stderr

@@ -92,13 +92,16 @@ def expansion_errors(effect: Any) -> list[ErrorDetail]:
         cause, detail = "It determines how stiffly the housing holds the ring", "a housing is given"
         errors.append(ErrorDetail(f"{path}.housing_outside_diameter", "missing", cause=cause, detail=detail))
     given = {name: getattr(effect, name) for name in TEMPERATURES if getattr(effect, name) is not None}
-    for name, temperature in {**given, "reference_temperature": effect.reference_temperature}.items():
+    for name, temperature in given.items():
         errors += temperature_errors(f"{path}.{name}", temperature)
-    unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
-    if not given and unused.any():
-        problem = "is given, but no other temperature is"
-        cause = Sentence("Give {temperatures}", temperatures=tuple(map(Field, TEMPERATURES)))
-        errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
+    wrong = temperature_errors(f"{path}.reference_temperature", effect.reference_temperature)
+    errors += wrong
+    if not given and not wrong:
+        unused = np.asarray(effect.reference_temperature) != 20.0 + zero_celsius
+        if unused.any():
+            problem = "is given, but no other temperature is"
+            cause = Sentence("Give {temperatures}", temperatures=tuple(map(Field, TEMPERATURES)))
+            errors.append(ErrorDetail(f"{path}.reference_temperature", problem, cause=cause, where=unused))
     return errors + within(f"{path}.yield_strength", effect.yield_strength, PRESSURE, *RANGES["yield_strength"])
 
 

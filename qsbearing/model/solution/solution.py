@@ -108,9 +108,9 @@ class Solution(SolutionOfArcs, OfSolvedCases):
         """Contacts with the outer raceway."""
         return RacewayContacts(partial(self._array, row=results.AT_OUTER))
 
-    @cached_property
+    @property
     def operating_point(self) -> OperatingPoint:
-        """The solution as the indicators of effects read it."""
+        """The solution as the indicators of effects read it; not kept, since it holds the solution."""
         return OperatingPoint(self)
 
     def __repr__(self) -> str:

@@ -219,6 +219,7 @@ NO_NUMBERS = {
     "complex": 1j,
     "complex array": np.array([1.0 + 2.0j]),
     "nan in an array": np.array([1.0, np.nan]),
+    "rows of unlike lengths": [1.0, [2.0]],
 }
 
 

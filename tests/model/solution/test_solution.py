@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import qsbearing as qs
+from qsbearing.remarks.of_solution import warnings
 from tests.qsbearing.scenes import B218, BOTH, OUTER, solved, turning
 
 COMBINED = qs.Scene(
@@ -235,6 +236,8 @@ def test_a_solution_is_freed_when_it_is_let_go() -> None:
     assert solution.outer.load is contacts.load, "read once"
     assert solution.inner.required_friction is solution.inner.required_friction
     assert solution.effective_stiffness.shape == (3, 2, 5)
+    assert solution.operating_point.load.shape == (3, 2, 16)
+    assert warnings(solution)
     gc.disable()
     try:
         del solution
