@@ -62,17 +62,14 @@ class Solution(SolutionOfArcs, OfSolvedCases):
         moved: Moved | None = None,
     ) -> None:
         super().__init__(maker.shape, seconds, solve)
+        self.threads = threads
+        """At most so many solved it, and read it off."""
         self.scene: Scene = maker.scene
         """What was solved, with the effects that were chosen."""
         self._preloaded = preloaded
         self._moved = moved  # arrays and stiffness where friction moves the balls; None by a hypothesis
         known = None if moved is None else moved.known
-        self._solved = SolvedCases(maker, cases, results, positions, controls, threads, known)
-
-    @property
-    def threads(self) -> int:
-        """At most so many solved it, and read it off."""
-        return self._solved.threads
+        self._keep_solved(SolvedCases(maker, cases, results, positions, controls, threads, known))
 
     @property
     def balance(self) -> FrictionMotion | None:

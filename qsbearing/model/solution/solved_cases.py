@@ -108,7 +108,8 @@ class SolvedCases:
 class OfSolvedCases:
     """What keeps the records of its cases, for `solved_of`."""
 
-    _solved: SolvedCases
+    def _keep_solved(self, solved: SolvedCases) -> None:
+        self._solved = solved
 
 
 def solved_of(solution: OfSolvedCases) -> SolvedCases:
