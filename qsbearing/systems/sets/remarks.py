@@ -35,7 +35,7 @@ from qsbearing.systems.sets.axial_growth import SIDES
 from qsbearing.systems.sets.bearing_set import BearingSet
 from qsbearing.systems.sets.drives import torque_scale
 from qsbearing.systems.sets.location import carried, sliding
-from qsbearing.systems.sets.set_solution import SetSolution, outcome_of, sides_of
+from qsbearing.systems.sets.set_solution import SetSolution, ends_of
 
 NOTICEABLE = 1e-3
 """Of the largest force on a row, or torque on the shaft: what rows press each other with below it, or torques leave,
@@ -45,7 +45,7 @@ changes no digit that matters."""
 @ended.register
 def _(solution: SetSolution, index: Index = None) -> str:
     """In a sentence or two."""
-    outcome = outcome_of(solution)
+    outcome, sides = ends_of(solution)
     if index is None and solution.shape:
         how = np.ravel(solution.status)
         counts = [f"{(how == status).sum()} {status}" for status in Status if (how == status).any()]
@@ -56,7 +56,7 @@ def _(solution: SetSolution, index: Index = None) -> str:
             f"Shaft and rows are in equilibrium: largest imbalance {outcome.residual[k]:.1e} of the largest force, "
             f"after {outcome.iterations[k]} iterations of the shaft."
         )
-    for which, side in sides_of(solution).items():
+    for which, side in sides.items():
         number = int(np.broadcast_to(np.arange(side.codes.size).reshape(side.shape), solution.shape).flat[k])
         if not np.ravel(side.converged)[number]:
             place = tuple(map(int, np.unravel_index(number, side.shape))) if side.shape else None
@@ -66,7 +66,7 @@ def _(solution: SetSolution, index: Index = None) -> str:
 
 
 def _why(solution: SetSolution, k: int) -> str:
-    outcome = outcome_of(solution)
+    outcome, _ = ends_of(solution)
     names = [*(channel.label for channel in CHANNELS), "axial of the sprung rings"]
     names += [f"axial of floating group {n}" for n in range(1, len(solution.set.floating) + 1)]
     names += [f"axial of the outer ring of row {number + 1}" for number in sliding(solution.set)]
@@ -191,7 +191,7 @@ def _pressing_rows(cases: CaseRange) -> Iterator[Holding]:
     solution, part, of = cases.solution, cases.part, cases.solution.set
     signs = np.array([row.sign for row in of.rows])
     along = (solution.axial_loads.reshape(-1, len(of.rows))[part] * signs).T
-    least = np.maximum(NOTICEABLE * outcome_of(solution).largest, np.reshape(solution.rounding, -1))[part]
+    least = np.maximum(NOTICEABLE * ends_of(solution)[0].largest, np.reshape(solution.rounding, -1))[part]
     deep = np.array([row.bearing.kind is BearingKind.DEEP_GROOVE for row in of.rows])
     for group, preload in of.groups:
         meant = [of.rows[n].sprung or np.any(of.rows[n].offset) for n in group]

@@ -445,11 +445,6 @@ class SetSolution(SolutionOfCases):
         return None if other is None else np.broadcast_to(other.axial_loads, (*self.shape, len(self.rows)))
 
 
-def outcome_of(solution: SetSolution) -> Outcome:
-    """How the flattened cases ended, and where."""
-    return solution._outcome
-
-
-def sides_of(solution: SetSolution) -> dict[tuple[int, ...], SetSolution]:
-    """Of a preload given as a force: the rows of each direction alone, at rest and cold, by number from 0."""
-    return solution._sides
+def ends_of(solution: SetSolution) -> tuple[Outcome, dict[tuple[int, ...], SetSolution]]:
+    """How the flattened cases ended; and of a preload given as a force the rows of each direction alone, at rest."""
+    return solution._outcome, solution._sides
