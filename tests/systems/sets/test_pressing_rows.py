@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import qsbearing as qs
 from qsbearing.cli import cli
 from qsbearing.results.set_record import set_record
-from qsbearing.systems.sets.set_solution import outcome_of
+from qsbearing.systems.sets.set_solution import ends_of
 from tests.systems.sets.arrangements import ROWS, S6210C, grooved_both_ways, rows, solved
 
 FILE = """
@@ -61,7 +61,7 @@ def test_what_rows_press_each_other_with_is_said(count: int, clearances: tuple[f
     assert force > 1.0 and force == pytest.approx(np.maximum(-along, 0.0).sum(), rel=1e-6)
     ((which, pressed),) = said_of(found)
     assert pressed == pytest.approx(force, rel=1e-9)
-    assert set(which) == {n for n, load in enumerate(along, 1) if abs(load) > 1e-3 * outcome_of(found).largest[0]}
+    assert set(which) == {n for n, load in enumerate(along, 1) if abs(load) > 1e-3 * ends_of(found)[0].largest[0]}
 
 
 @pytest.mark.parametrize("arrangement", sorted(ROWS))

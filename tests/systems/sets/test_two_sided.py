@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import qsbearing as qs
 from qsbearing.model.units import um
-from qsbearing.systems.sets.set_solution import outcome_of
+from qsbearing.systems.sets.set_solution import ends_of
 from tests.systems.sets.arrangements import S6210C, grooved_both_ways, rows, solved
 from tests.systems.sets.test_equilibrium import load_of_springs
 
@@ -156,7 +156,7 @@ def test_one_state_of_the_rings_fits_and_it_is_the_one_found(seed: int) -> None:
             continue
         signs = np.array([row.sign for row in held])
         slid = np.zeros(count)
-        slid[list(free)] = outcome_of(other).q[0, 6:]
+        slid[list(free)] = ends_of(other)[0].q[0, 6:]
         presses = (other.axial_loads * signs >= -1e-6) | free
         if presses.all() and (slid * signs <= 1e-9).all():
             fitting.append(other.row_loads * 1.0)
@@ -249,7 +249,7 @@ def test_at_the_end_of_the_play_a_row_begins_to_carry(fraction: float) -> None:
 def test_a_shaft_whose_rings_all_draw_back_lies_amid_what_they_leave() -> None:
     """A cold shaft held from outside, under a radial load: both rings are free, and as far from what holds them."""
     found = warm(("-x", "+x"), -80.0, **ACROSS)
-    slid = outcome_of(found).q[0, 6:8]
+    slid = ends_of(found)[0].q[0, 6:8]
     assert found.is_axially_free and slid[0] > 1e-5
     assert slid[0] == pytest.approx(-slid[1], rel=1e-9)
     needed = warm(("both", "both"), -80.0, **ACROSS)
@@ -336,7 +336,7 @@ def test_a_ring_that_slides_takes_its_stiffness_out_of_the_shaft() -> None:
         return of_rows("+x", "-x", clearances=(10.0, 40.0), **dict(zip(names, moved, strict=True)))
 
     found = of_rows("+x", "-x", clearances=(10.0, 40.0), axial_load=200.0, radial_load_y=900.0, moment_z=1.0)
-    assert outcome_of(found).held[0, 6:8].tolist() == [True, False]
+    assert ends_of(found)[0].held[0, 6:8].tolist() == [True, False]
     step = np.array([1e-8, 1e-8, 1e-8, 1e-7, 1e-7])
     for i in range(5):
         change = np.eye(5)[i] * step[i]
