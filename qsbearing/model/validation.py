@@ -122,15 +122,12 @@ class Sentence(str):
 
 
 def _filled(template: str, values: dict[str, Any], spell: Callable[[Any], str]) -> str:
-    return template.format(**{name: _spelled(value, spell) for name, value in values.items()})
+    def said(value: Any) -> Any:
+        if isinstance(value, tuple):
+            return ("; " if any(isinstance(each, ErrorDetail) for each in value) else ", ").join(map(said, value))
+        return spell(value) if isinstance(value, Field | ErrorDetail) else value
 
-
-def _spelled(value: Any, spell: Callable[[Any], str]) -> Any:
-    # No function within that calls itself: it would keep alive what `spell` refers to, such as a solution.
-    if isinstance(value, tuple):
-        apart = "; " if any(isinstance(each, ErrorDetail) for each in value) else ", "
-        return apart.join(_spelled(each, spell) for each in value)
-    return spell(value) if isinstance(value, Field | ErrorDetail) else value
+    return template.format(**{name: said(value) for name, value in values.items()})
 
 
 class UnitAdvice(str):

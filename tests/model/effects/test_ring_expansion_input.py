@@ -167,6 +167,7 @@ def test_a_table_in_the_wrong_place(tmp_path: Path) -> None:
         ({"shaft_bore_diameter": 0.03}, "without shaft_interference the shaft has no effect"),
         ({"housing_interference": 0.0}, "housing_outside_diameter: missing"),
         ({"reference_temperature": 300.0}, "no other temperature is"),
+        ({"reference_temperature": [300.0, [310.0]]}, "reference_temperature = .* is not a number"),
         ({"inner_ring_temperature": -5.0}, "below absolute zero"),
         ({"inner_ring_temperature": np.array([300.0, np.nan])}, "not a finite number"),
         ({"shaft_interference": 0.01}, "1% of the seat's diameter"),
