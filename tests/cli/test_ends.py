@@ -123,8 +123,7 @@ def test_no_argument_shows_the_help_as_it_is(end: Callable[..., Ended]) -> None:
 
 
 WAITS = """
-import signal, sys, time
-signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell leaves it ignored in the background
+import sys, time
 from qsbearing.cli.output import BAD_INPUT, SOLVED, UNSOLVED
 from qsbearing.files import catalogue
 catalogue.find = lambda name: (print("at work", flush=True), time.sleep(60))

@@ -281,21 +281,13 @@ def test_a_set_has_no_table(tmp_path: Path) -> None:
     assert code == 2 and "a table is of one bearing" in said
 
 
-INTERRUPTIBLE = """
-import signal
-signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell leaves it ignored in the background
-from qsbearing.cli import main
-main()
-"""
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 def test_interrupted_it_leaves_no_file(tmp_path: Path) -> None:
     free = "axial_displacement_um", "radial_displacement_y_um", "radial_displacement_z_um"
     words = ["7210c", "--set", "operation.tilt_y_mrad=0", "--set", "operation.tilt_z_mrad=0", "--points", "10000000"]
     words += [word for each in free for word in ("--over", each)]
     words += ["--error", "0.0001", "--out", "t.nc", "--csv", "t.csv"]
-    program = [sys.executable, "-c", INTERRUPTIBLE, "table", *words]
+    program = [sys.executable, "-m", "qsbearing", "table", *words]
     with subprocess.Popen(program, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as running:
         end = time.monotonic() + 60.0
         while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < end:
