@@ -4,7 +4,6 @@ on one screen, old results never as if they were new, and for people without a m
 from __future__ import annotations
 
 import json
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -44,7 +43,7 @@ def address() -> Iterator[str]:
 @pytest.fixture
 def page(browser: Browser, address: str) -> Browser:
     browser.open(address)
-    wait(browser, "document.querySelectorAll('#effects tbody tr').length > 0")
+    browser.soon("document.querySelectorAll('#effects tbody tr').length > 0")
     return browser
 
 
@@ -52,7 +51,7 @@ def opened(browser: Browser, text: str) -> None:
     """A file, on the page that is there."""
     given = json.dumps({"text": text, "label": "mine"})
     assert browser.value(f"workbench.take('open', {given})")
-    wait(browser, f"!workbench.page.busy && {WHOLE}")
+    browser.soon(f"!workbench.page.busy && {WHOLE}")
 
 
 def press(browser: Browser, key: str, code: int) -> None:
@@ -64,13 +63,6 @@ def boxes(browser: Browser, *names: str) -> dict[str, Any]:
     """Where elements are in the window: left, top, right, bottom."""
     script = "(name => { const r = document.getElementById(name).getBoundingClientRect();"
     return {name: browser.value(f"{script} return [r.left, r.top, r.right, r.bottom]; }})({name!r})") for name in names}
-
-
-def wait(browser: Browser, script: str) -> None:
-    until = time.monotonic() + 60.0
-    while not browser.value(script):
-        assert time.monotonic() < until, script
-        time.sleep(0.05)
 
 
 def drag(browser: Browser, slider: str, pixels: float) -> None:
@@ -86,7 +78,7 @@ def write(browser: Browser, field: str, text: str) -> None:
     browser.type(text)
     browser.value(f"{field}.blur()")
     # The fields are new ones around it, and undo knows it.
-    wait(browser, "JSON.stringify(workbench.page.now) === workbench.page.settled")
+    browser.soon("JSON.stringify(workbench.page.now) === workbench.page.settled")
 
 
 def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, address: str, tmp_path: Path) -> None:
@@ -97,20 +89,20 @@ def test_a_dragged_slider_shows_what_run_prints(drawn: None, page: Browser, addr
     )
     first = page.value(f"{drawing}.outerHTML")
     drag(page, SLIDER, 40.0)
-    wait(page, f"{KEY} !== {before!r}")
+    page.soon(f"{KEY} !== {before!r}")
     dragged = float(page.value(f"{LOAD}.value"))
     assert dragged > load
     tables = started(address)
     tables["document"]["operation"]["axial_load_N"] = dragged
     found = ran(tables, tmp_path)
     pressure = max(ball["inner"]["max_pressure_MPa"] for ball in found["balls"])
-    wait(page, f"{KEY}.includes('{pressure:.0f} / ')")
+    page.soon(f"{KEY}.includes('{pressure:.0f} / ')")
     stiffness = found["effective_stiffness"]
     shown = " / ".join(f"{stiffness[f'{name}_N_per_um']:.4g}" for name in ("axial", "radial_y", "radial_z"))
     assert f"{shown} N/µm\naxial / radial y / radial z" in page.value(KEY)
     assert page.value(f"{drawing}.outerHTML") != first
     page.click(UNDO)
-    wait(page, f"{KEY} === {before!r}")
+    page.soon(f"{KEY} === {before!r}")
     assert float(page.value(f"{LOAD}.value")) == load
     assert page.complaints == []
 
@@ -119,11 +111,11 @@ def test_a_wrong_number_is_told_at_its_field(page: Browser) -> None:
     before = page.value(KEY)
     write(page, DIAMETER, "-3")
     said = f"document.getElementById({DIAMETER}.getAttribute('aria-describedby'))?.textContent"
-    wait(page, f"{said}?.includes('ball_diameter_mm = -3 mm') && {said}.includes('allowed')")
-    wait(page, f"{DIAMETER}.getAttribute('aria-invalid') === 'true'")
-    wait(page, "document.getElementById('key').classList.contains('stale')")
+    page.soon(f"{said}?.includes('ball_diameter_mm = -3 mm') && {said}.includes('allowed')")
+    page.soon(f"{DIAMETER}.getAttribute('aria-invalid') === 'true'")
+    page.soon("document.getElementById('key').classList.contains('stale')")
     page.click(UNDO)
-    wait(page, f"!{DIAMETER}.hasAttribute('aria-invalid') && {KEY} === {before!r}")
+    page.soon(f"!{DIAMETER}.hasAttribute('aria-invalid') && {KEY} === {before!r}")
     assert page.complaints == []
 
 
@@ -139,7 +131,7 @@ def hold(page: Browser, question: str) -> None:
 
 def test_an_old_answer_is_grey_and_says_of_which_input_it_is(page: Browser) -> None:
     """From the very change on, while the next one is worked out, and where there is none."""
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     before, shares = page.value(f"{LOAD}.value"), page.value(BOXES)
     assert any(each.endswith("%") for each in shares)
     hold(page, "solve")
@@ -153,54 +145,53 @@ def test_an_old_answer_is_grey_and_says_of_which_input_it_is(page: Browser) -> N
     assert at_once[0] == said and all("stale" in each for each in at_once[1]) and at_once[3]
     assert set(at_once[2]) == {"not yet solved"}
     page.value("window.back()")
-    wait(page, f"{SOLVED} && {grey}.every(each => !each.classList.contains('stale'))")
-    wait(
-        page,
+    page.soon(f"{SOLVED} && {grey}.every(each => !each.classList.contains('stale'))")
+    page.soon(
         f"{BOXES}.some(each => each.endsWith('%')) && JSON.stringify({BOXES}) !== {json.dumps(json.dumps(shares))}",
     )
     write(page, DIAMETER, "-3")
-    wait(page, f"{OF}.startsWith('Not solved. The results are of ball diameter ')")
+    page.soon(f"{OF}.startsWith('Not solved. The results are of ball diameter ')")
     write(page, LOAD, "-7")
-    wait(page, f"{OF}.includes(', axial load 12,345 N.') && {grey}.every(each => each.classList.contains('stale'))")
+    page.soon(f"{OF}.includes(', axial load 12,345 N.') && {grey}.every(each => each.classList.contains('stale'))")
     assert page.complaints == []
 
 
 def test_an_answer_to_an_input_that_has_changed_since_stays_grey(page: Browser) -> None:
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     hold(page, "solve")
     page.value(f"(e => {{ e.value = 700; e.oninput(); }})({LOAD})")
-    wait(page, "window.go !== undefined")
+    page.soon("window.go !== undefined")
     page.value(f"(e => {{ const go = window.go; e.value = 800; e.oninput(); window.go = undefined; go(); }})({LOAD})")
-    wait(page, f"window.go !== undefined && {OF}.includes('axial load 700 N')")
+    page.soon(f"window.go !== undefined && {OF}.includes('axial load 700 N')")
     assert page.value("document.getElementById('key').classList.contains('stale')")
     page.value("window.back()")
-    wait(page, SOLVED)
+    page.soon(SOLVED)
 
 
 def test_shares_of_effects_come_after_the_results(page: Browser) -> None:
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     hold(page, "effects")
     write(page, LOAD, "777")
-    wait(page, f"{SOLVED} && !document.getElementById('tables').classList.contains('stale')")
+    page.soon(f"{SOLVED} && !document.getElementById('tables').classList.contains('stale')")
     assert set(page.value(BOXES)) == {"not yet solved"}
     assert page.value("document.getElementById('effects').classList.contains('stale')")
     page.value("window.back()")
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     told = answers.effects(page.value("workbench.page.now.document"), "")["effects"]
     assert page.value(BOXES) == [each["most"] or each["verdict"] for each in told]
 
 
 def test_pinned_states_stand_beside_the_present_one(page: Browser) -> None:
     """With differences in the unit of each result."""
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     first, load = page.value("workbench.page.found.key"), float(page.value(f"{LOAD}.value"))
     page.click(PIN)
     assert "A 0 / 0 MPa" in page.value(KEY)
     write(page, LOAD, "900")
-    wait(page, f"{SOLVED} && {LOAD}.value === '900'")
+    page.soon(f"{SOLVED} && {LOAD}.value === '900'")
     page.click(PIN)
     write(page, LOAD, "700")
-    wait(page, f"{SOLVED} && {LOAD}.value === '700'")
+    page.soon(f"{SOLVED} && {LOAD}.value === '700'")
     third = page.value("workbench.page.found.key")
     second = page.value("workbench.page.pins[1].found.key")
     table = "[...document.querySelectorAll('#pinned tr')].map(row => [...row.cells].map(cell => cell.innerText))"
@@ -221,9 +212,9 @@ def test_pinned_states_stand_beside_the_present_one(page: Browser) -> None:
     page.click("document.getElementById('unpin B')")
     assert "\nA " in page.value(KEY) and "\nB " not in page.value(KEY)
     page.click("document.getElementById('go to A')")
-    wait(page, f"{SOLVED} && Number({LOAD}.value) === {load} && {KEY}.includes('A 0 / 0 N')")
+    page.soon(f"{SOLVED} && Number({LOAD}.value) === {load} && {KEY}.includes('A 0 / 0 N')")
     page.click(UNDO)
-    wait(page, f"{SOLVED} && {LOAD}.value === '700'")
+    page.soon(f"{SOLVED} && {LOAD}.value === '700'")
     page.click("document.getElementById('unpin A')")
     assert "\nA " not in page.value(KEY) and page.value("document.getElementById('states').hidden")
 
@@ -232,39 +223,39 @@ def test_keys_move_a_slider_and_undo(page: Browser) -> None:
     before, load = page.value(KEY), page.value(f"{LOAD}.value")
     page.value(f"{SLIDER}.focus()")
     press(page, "PageUp", 33)
-    wait(page, f"{KEY} !== {before!r}")
+    page.soon(f"{KEY} !== {before!r}")
     assert page.value(f"document.activeElement === {SLIDER}")
     for kind in ("rawKeyDown", "keyUp"):
         page.ask("Input.dispatchKeyEvent", type=kind, key="z", code="KeyZ", windowsVirtualKeyCode=90, modifiers=2)
-    wait(page, f"{KEY} === {before!r} && {LOAD}.value === {load!r}")
+    page.soon(f"{KEY} === {before!r} && {LOAD}.value === {load!r}")
 
 
 def test_the_focus_stays_where_tab_brings_it(page: Browser) -> None:
     page.value(f"(e => {{ e.focus(); e.select(); }})({LOAD})")
     page.type("1300")
     press(page, "Tab", 9)
-    wait(page, f"Number({SLIDER}.max) === 2600")  # the fields are new ones around the number typed
+    page.soon(f"Number({SLIDER}.max) === 2600")  # the fields are new ones around the number typed
     assert page.value("document.activeElement !== document.body")
 
 
 def test_a_switch_takes_an_effect_out(page: Browser) -> None:
     before = page.value(KEY)
     page.click("document.getElementById('effect gyroscopic_moment')")
-    wait(page, f"{KEY} !== {before!r}")
+    page.soon(f"{KEY} !== {before!r}")
     assert "friction" in before and "friction" not in page.value(KEY)
     assert page.value("document.getElementById('effects.moment_shares')") is None
     page.click(UNDO)
-    wait(page, f"{KEY} === {before!r}")
+    page.soon(f"{KEY} === {before!r}")
 
 
 def test_a_preload_is_chosen_in_place_of_what_excludes_it(page: Browser) -> None:
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     load = page.value(f"{LOAD}.value")
     choose(page, "document.getElementById('way preload')", "rigid_N")
-    wait(page, "document.getElementById('preload.rigid_N') !== null")
+    page.soon("document.getElementById('preload.rigid_N') !== null")
     assert page.value(LOAD) is None and page.value("document.getElementById('preload.rigid_N').value") == load
     write(page, "document.getElementById('preload.rigid_N')", "300")
-    wait(page, f"{KEY}.includes('300 / ') && {KEY}.includes('before fitting / mounted at rest / in operation')")
+    page.soon(f"{KEY}.includes('300 / ') && {KEY}.includes('before fitting / mounted at rest / in operation')")
 
 
 def choose(browser: Browser, control: str, value: str) -> None:
@@ -281,7 +272,7 @@ def test_a_key_is_added_with_the_number_that_is_typed_and_not_before(page: Brows
     assert page.value("JSON.stringify(workbench.page.now)") == before
     page.type("0.53")
     press(page, "Tab", 9)
-    wait(page, f"{SOLVED} && document.activeElement.id === 'bearing.inner_groove_radius_coefficient'")
+    page.soon(f"{SOLVED} && document.activeElement.id === 'bearing.inner_groove_radius_coefficient'")
     assert page.value("workbench.page.now.document.bearing.inner_groove_radius_coefficient") == 0.53
     assert page.value("document.getElementById('bearing.inner_groove_radius_mm')") is None
 
@@ -289,10 +280,10 @@ def test_a_key_is_added_with_the_number_that_is_typed_and_not_before(page: Brows
 def test_daily_use_needs_no_scrolling(browser: Browser, address: str, drawn: None) -> None:
     """Of b218, on a screen of 1280 x 900: speed and load first, results beside them."""
     browser.open(address)
-    wait(browser, "!workbench.page.busy && document.querySelectorAll('#effects tbody tr').length > 0")
+    browser.soon("!workbench.page.busy && document.querySelectorAll('#effects tbody tr').length > 0")
     document = answers.start("b218")["document"]
     assert browser.value(f"workbench.take('check', {json.dumps({'document': document, 'label': 'b218'})})")
-    wait(browser, f"!workbench.page.busy && {WHOLE}")
+    browser.soon(f"!workbench.page.busy && {WHOLE}")
     ways = [f"way {channel.label} load" for channel in CHANNELS]
     bar = ("pin", "undo", "save", "report", "link")
     inputs = ("operation.speed_rpm", "operation.axial_load_N", *ways, "way preload", "switches", "add")
@@ -307,7 +298,7 @@ def test_daily_use_needs_no_scrolling(browser: Browser, address: str, drawn: Non
 
 def test_on_a_phone_results_stay_above_the_inputs(page: Browser) -> None:
     page.ask("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=False)
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     found = boxes(page, "results", "operation.speed_rpm", "warnings")
     assert found["results"][3] <= found["operation.speed_rpm"][1] < found["warnings"][1]
     for target in ("add", "tables"):
@@ -328,18 +319,18 @@ def test_rows_are_tabs_and_the_tool_comes_first(page: Browser, drawn: None) -> N
     page.value("document.getElementById('tab 1').focus()")
     press(page, "Enter", 13)
     page.ask("Input.dispatchKeyEvent", type="char", text="\r")
-    wait(page, f"{row}.startsWith('axial load\\n{loads[1]} N')")
+    page.soon(f"{row}.startsWith('axial load\\n{loads[1]} N')")
     assert page.value("document.activeElement.id") == "tab 1"
     assert page.value("document.getElementById('tab 1').getAttribute('aria-pressed')") == "true"
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     assert page.value("document.getElementById('section').innerHTML") != first
     assert page.value("document.getElementById('shaft').innerHTML") == shaft
     field = "document.getElementById('shaft.load 1.radial_y_N')"
     before = page.value(KEY)
     write(page, field, "650")
-    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r}")
     write(page, field, "1e30")
-    wait(page, f"{field}.getAttribute('aria-invalid') === 'true' && {OF}.includes('shaft, load 1, radial y 650 N')")
+    page.soon(f"{field}.getAttribute('aria-invalid') === 'true' && {OF}.includes('shaft, load 1, radial y 650 N')")
     assert page.complaints == []
 
 
@@ -348,8 +339,8 @@ def test_every_input_is_reached_by_tab_and_shows_it(page: Browser) -> None:
     page.value("document.getElementById('table bearing').querySelector('summary').focus()")
     page.ask("Input.dispatchKeyEvent", type="char", text=" ")
     press(page, " ", 32)
-    wait(page, "document.getElementById('table bearing').open")
-    wait(page, f"!workbench.page.busy && {WHOLE}")
+    page.soon("document.getElementById('table bearing').open")
+    page.soon(f"!workbench.page.busy && {WHOLE}")
     wanted = page.value(
         "[...document.querySelectorAll('input, select, button, summary, #key')]"
         ".filter(e => !e.disabled && e.checkVisibility() && (e.type !== 'radio' || e.checked))"
@@ -377,7 +368,7 @@ def test_the_page_fits_its_window_and_bars_nobody(page: Browser, text: str) -> N
     """Nothing is wider than what holds it, and axe-core finds no violation of any of its rules."""
     if text:
         opened(page, text)
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     page.click(PIN)
     for width in WIDTHS:
         page.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)

@@ -16,7 +16,7 @@ from qsbearing.app.inputs import ASIDE
 from qsbearing.files.file_errors import SceneFileError
 from tests.app.served import served
 from tests.app.test_answers import ran
-from tests.app.test_page import KEY, OF, SOLVED, UNDO, boxes, hold, opened, press, wait
+from tests.app.test_page import KEY, OF, SOLVED, UNDO, boxes, hold, opened, press
 from tests.app.test_sets import SPINDLE
 from tests.app.test_shaft_drawing import MORE
 from tests.documents.browser import OVERFLOWS, WIDTHS, Browser, barriers, installed
@@ -45,7 +45,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 @pytest.fixture
 def page(browser: Browser, address: str) -> Browser:
     browser.open(address)
-    wait(browser, SOLVED)
+    browser.soon(SOLVED)
     return browser
 
 
@@ -88,7 +88,7 @@ def shows(found: dict[str, Any]) -> str:
 def test_a_row_is_dragged_along_the_shaft(page: Browser, tmp_path: Path) -> None:
     before, first = page.value(KEY), boxes(page, ROW, "drawn row 1.position_mm")
     drag(page, ROW, 60.0, 4.0)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
     place = number(page, PLACE)
     after = boxes(page, ROW, "drawn row 1.position_mm")
     distances = [found[ROW][0] - found["drawn row 1.position_mm"][0] for found in (first, after)]
@@ -99,9 +99,9 @@ def test_a_row_is_dragged_along_the_shaft(page: Browser, tmp_path: Path) -> None
     def moved(tables: dict[str, Any]) -> None:
         tables["rows"][1]["position_mm"] = place
 
-    wait(page, shows(run_with(tmp_path, moved)))
+    page.soon(shows(run_with(tmp_path, moved)))
     page.click(UNDO)
-    wait(page, f"{KEY} === {before!r}")
+    page.soon(f"{KEY} === {before!r}")
     assert number(page, PLACE) == 20.0
     assert page.complaints == []
 
@@ -112,20 +112,20 @@ def test_keys_move_a_row_and_open_its_number(page: Browser) -> None:
     said = "document.getElementById('drawn-now').textContent"
     assert page.value(said) == "row 2, position: 20 mm"
     press(page, "ArrowRight", 39)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r} && !{UNDO}.disabled")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r} && !{UNDO}.disabled")
     step = number(page, PLACE) - 20.0
     assert 0.0 < step <= 1.0 and page.value(said).startswith(f"row 2, position: {20.0 + step:g} mm")
     assert page.value("document.activeElement.id") == ROW, "though the fields are new ones"
     press(page, "PageDown", 34)
-    wait(page, f"document.getElementById({PLACE!r}).value === '{20.0 - 9.0 * step:g}'")
+    page.soon(f"document.getElementById({PLACE!r}).value === '{20.0 - 9.0 * step:g}'")
     slider = f"document.getElementById('{PLACE} slider')"
-    wait(page, f"Number({slider}.min) === {20.0 - 9.0 * step - ASIDE:g}")  # the fields are new ones around it
+    page.soon(f"Number({slider}.min) === {20.0 - 9.0 * step - ASIDE:g}")  # the fields are new ones around it
     press(page, "Enter", 13)
     assert page.value("document.activeElement.id") == PLACE
     assert page.value("document.activeElement.closest('details').open")
     for kind in ("rawKeyDown", "keyUp"):
         page.ask("Input.dispatchKeyEvent", type=kind, key="z", code="KeyZ", windowsVirtualKeyCode=90, modifiers=2)
-    wait(page, f"document.getElementById({PLACE!r}).value === '{20.0 + step:g}'")
+    page.soon(f"document.getElementById({PLACE!r}).value === '{20.0 + step:g}'")
 
 
 def test_a_double_click_opens_the_number(page: Browser) -> None:
@@ -137,18 +137,18 @@ def test_a_double_click_opens_the_number(page: Browser) -> None:
 def test_a_diameter_is_dragged_by_its_edge(page: Browser, tmp_path: Path) -> None:
     before, pixel = page.value(KEY), scale(boxes(page, ROW, "drawn row 1.position_mm"))
     drag(page, f"drawn {DIAMETER}", 3.0, -12.0)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r}")
     outer = number(page, DIAMETER)
     assert outer == pytest.approx(50.0 + 2.0 * 12.0 * pixel, abs=1.1), "the edge is where the pointer is"
 
     def wider(tables: dict[str, Any]) -> None:
         tables["shaft"]["sections"][0]["outer_diameter_mm"] = outer
 
-    wait(page, shows(run_with(tmp_path, wider)))
+    page.soon(shows(run_with(tmp_path, wider)))
     focus(page, f"drawn {DIAMETER}")
     press(page, "ArrowDown", 40)
-    wait(page, f"Number(document.getElementById({DIAMETER!r}).value) < {outer}")
-    wait(page, SOLVED)
+    page.soon(f"Number(document.getElementById({DIAMETER!r}).value) < {outer}")
+    page.soon(SOLVED)
     assert page.complaints == []
 
 
@@ -160,17 +160,17 @@ def test_what_is_wrong_is_told_in_the_words_of_a_number_that_is_typed(page: Brow
         before = number(page, LENGTH)
         press(page, "PageDown", 34)
         assert number(page, LENGTH) < before
-    wait(page, f"{OF}.startsWith('Not solved.') && {wrong}.getAttribute('aria-invalid') === 'true'")
+    page.soon(f"{OF}.startsWith('Not solved.') && {wrong}.getAttribute('aria-invalid') === 'true'")
     tables = answers.opened(SPINDLE, "spindle")["document"]
     tables["shaft"]["sections"][0]["length_mm"] = number(page, LENGTH)
     with pytest.raises(SceneFileError) as caught:
         answers.solved(tables, "spindle")
     (said,) = (str(each) for each in caught.value.errors if each.key == LENGTH)
-    wait(page, f"document.getElementById({wrong}.getAttribute('aria-describedby'))?.textContent.trim() === {said!r}")
+    page.soon(f"document.getElementById({wrong}.getAttribute('aria-describedby'))?.textContent.trim() === {said!r}")
     assert " ".join(said.split()) in page.value("document.getElementById('drawn-now').innerText.replace(/\\s+/g, ' ')")
     assert page.value(f"document.getElementById('drawn {LENGTH}').classList.contains('wrong')")
     page.click(UNDO)
-    wait(page, f"!{wrong}.hasAttribute('aria-invalid')")
+    page.soon(f"!{wrong}.hasAttribute('aria-invalid')")
     assert page.complaints == []
 
 
@@ -180,17 +180,17 @@ def test_a_row_is_turned_round(page: Browser, tmp_path: Path) -> None:
         focus(page, f"turns row {row}.carries")
         press(page, "Enter", 13)
         word = "-x" if row == 1 else "+x"
-        wait(page, f"document.getElementById('row {row}.carries').value === '{word}'")
+        page.soon(f"document.getElementById('row {row}.carries').value === '{word}'")
         if row == 1:  # no row is left that carries +x, against which the preload would press
-            wait(page, f"{OF}.startsWith('Not solved.')")
+            page.soon(f"{OF}.startsWith('Not solved.')")
             assert "has no row to press against" in page.value("document.getElementById('drawn-now').textContent")
-    wait(page, f"{SOLVED} && {KEY} !== {before!r}")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r}")
 
     def turned(tables: dict[str, Any]) -> None:
         for row, carries in zip(tables["rows"], ("-x", "+x"), strict=True):
             row["carries"] = carries
 
-    wait(page, shows(run_with(tmp_path, turned)))
+    page.soon(shows(run_with(tmp_path, turned)))
 
 
 def test_loads_and_what_stands_on_the_shaft_are_at_their_places(page: Browser) -> None:
@@ -202,30 +202,30 @@ def test_loads_and_what_stands_on_the_shaft_are_at_their_places(page: Browser) -
     assert gear == pytest.approx(first + 30.0 / 20.0 * (second - first), abs=2.0)
     before = number(page, "shaft.gear 1.pitch_diameter_mm")
     drag(page, rim, 0.0, -10.0)
-    wait(page, f"Number(document.getElementById('shaft.gear 1.pitch_diameter_mm').value) > {before}")
+    page.soon(f"Number(document.getElementById('shaft.gear 1.pitch_diameter_mm').value) > {before}")
     assert page.complaints == []
 
 
 def shown_map(page: Browser) -> None:
     page.value(f"{MAP}.open = true")
-    wait(page, DRAWN)
+    page.soon(DRAWN)
 
 
 def test_the_point_of_the_map_is_dragged(page: Browser, tmp_path: Path) -> None:
     before, speed, load = page.value(KEY), number(page, SPEED), number(page, LOAD)
     shown_map(page)
     drag(page, POINT, 70.0, -40.0)
-    wait(page, f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
+    page.soon(f"{SOLVED} && {KEY} !== {before!r} && {SETTLED}")
     now = {"speed_rpm": number(page, SPEED), "axial_load_N": number(page, LOAD)}
     assert now["speed_rpm"] > speed and now["axial_load_N"] > load
     found = run_with(tmp_path, lambda tables: tables["operation"].update(now))
-    wait(page, shows(found))
+    page.soon(shows(found))
     told = page.value(f"document.getElementById({POINT!r}).getAttribute('aria-valuetext')")
     words, _, about = told.partition(": tool effective stiffness radial y ≈ ")
     assert words == f"speed {now['speed_rpm']:,.6g} rpm, axial load {now['axial_load_N']:,.6g} N"
     assert float(about.removesuffix(" N/µm")) == pytest.approx(found["radial_y_N_per_um"], rel=0.02)
     page.click(UNDO)
-    wait(page, f"{KEY} === {before!r}")
+    page.soon(f"{KEY} === {before!r}")
     assert (number(page, SPEED), number(page, LOAD)) == (speed, load)
     assert page.complaints == []
 
@@ -238,9 +238,9 @@ def test_keys_move_the_point_and_the_map_stays(page: Browser) -> None:
     focus(page, POINT)
     for name, code, key, before in (("ArrowLeft", 37, SPEED, speed), ("ArrowUp", 38, LOAD, load)):
         press(page, name, code)
-        wait(page, f"Number(document.getElementById({key!r}).value) !== {before}")
+        page.soon(f"Number(document.getElementById({key!r}).value) !== {before}")
     assert number(page, SPEED) < speed and number(page, LOAD) > load
-    wait(page, SOLVED)
+    page.soon(SOLVED)
     assert page.value("document.activeElement.id") == POINT and page.value(picture) == first
     assert not page.value("document.querySelector('#map-plot .stale')")
 
@@ -249,15 +249,15 @@ def test_a_map_of_other_inputs_is_grey_until_it_is_drawn_anew(page: Browser) -> 
     shown_map(page)
     page.value("document.getElementById('map-points').value = 5")  # soon done, else it waits to be asked for
     page.click("document.getElementById('map-draw')")
-    wait(page, f"{DRAWN} && {SAID} === '25 points.'")
+    page.soon(f"{DRAWN} && {SAID} === '25 points.'")
     first = page.value("document.querySelector('#map-plot canvas').toDataURL()")
     hold(page, "map_values")
     focus(page, ROW)
     press(page, "PageUp", 33)
-    wait(page, "document.querySelector('#map-plot .stale') !== null")
-    wait(page, "window.go !== undefined")
+    page.soon("document.querySelector('#map-plot .stale') !== null")
+    page.soon("window.go !== undefined")
     page.value("window.back()")
-    wait(page, f"{DRAWN} && document.querySelector('#map-plot .stale') === null")
+    page.soon(f"{DRAWN} && document.querySelector('#map-plot .stale') === null")
     assert page.value("document.querySelector('#map-plot canvas').toDataURL()") != first
 
 
@@ -265,14 +265,14 @@ def test_a_map_shows_how_far_it_is_and_is_stopped(page: Browser) -> None:
     shown_map(page)
     hold(page, "map_values")
     page.click("document.getElementById('map-draw')")
-    wait(page, "window.go !== undefined")
+    page.soon("window.go !== undefined")
     assert page.value("!document.getElementById('map-progress').hidden") and page.value(SAID) == "0 of 441 points"
     page.value("(() => { const go = window.go; window.go = undefined; go(); })()")
-    wait(page, f"window.go !== undefined && {SAID} === '3 of 441 points'")
+    page.soon(f"window.go !== undefined && {SAID} === '3 of 441 points'")
     assert page.value("document.getElementById('map-progress').value") == 3
     page.click("document.getElementById('map-stop')")
     page.value("window.back()")
-    wait(page, f"{SAID}.startsWith('Stopped after 3 of 441 points.')")
+    page.soon(f"{SAID}.startsWith('Stopped after 3 of 441 points.')")
     assert page.value("document.getElementById('map-progress').hidden && document.getElementById('map-stop').hidden")
 
 
@@ -288,25 +288,25 @@ def test_inputs_and_result_of_the_map_are_chosen(page: Browser) -> None:
 
     choose("y", SPEED)
     page.click("document.getElementById('map-draw')")
-    wait(page, f"{SAID} === 'Choose two different inputs.'")
+    page.soon(f"{SAID} === 'Choose two different inputs.'")
     choose("y", PLACE)
     assert page.value("document.getElementById('map-y-low').value") == "-30"
     choose("result", "row_1_axial_load")
     page.value("document.getElementById('map-points').value = 5")
     page.click("document.getElementById('map-draw')")
-    wait(page, f"{DRAWN} && {SAID}.startsWith('25 points.')")
+    page.soon(f"{DRAWN} && {SAID}.startsWith('25 points.')")
     assert "row 1 axial load" in page.value(f"document.getElementById({POINT!r}).getAttribute('aria-valuetext')")
     titles = page.value("[...document.querySelectorAll('#map-plot .title')].map(each => each.textContent)")
     assert titles == ["speed, rpm", "row 2, position, mm"]
     drag(page, POINT, 0.0, -20.0)
-    wait(page, f"Number(document.getElementById({PLACE!r}).value) > 20")
+    page.soon(f"Number(document.getElementById({PLACE!r}).value) > 20")
 
 
 def test_drawing_and_map_fit_and_bar_nobody(page: Browser) -> None:
     shown_map(page)
     for width in WIDTHS:
         page.resize(width)
-        wait(page, DRAWN)
+        page.soon(DRAWN)
         assert page.value("document.documentElement.scrollWidth") <= width
         assert page.value(OVERFLOWS) == [], width
     assert barriers(page) == []

@@ -17,7 +17,7 @@ pytest.importorskip("uvicorn")
 
 from qsbearing.cli import cli
 from tests.app.served import served
-from tests.app.test_page import KEY, SOLVED, WHOLE, boxes, press, wait, write
+from tests.app.test_page import KEY, SOLVED, WHOLE, boxes, press, write
 from tests.documents.browser import OVERFLOWS, WIDTHS, Browser, barriers, installed
 from tests.systems.sets.arrangements import PAIR_FILE
 
@@ -35,7 +35,7 @@ def address() -> Iterator[str]:
 @pytest.fixture
 def page(browser: Browser, address: str) -> Browser:
     visit(browser, address)
-    wait(browser, SOLVED)
+    browser.soon(SOLVED)
     return browser
 
 
@@ -59,7 +59,7 @@ def field(name: str) -> str:
 def ready(browser: Browser) -> None:
     """What was done is done, and what is shown is of it."""
     now = "JSON.stringify(workbench.page.now)"
-    wait(browser, f"{SOLVED} && {now} === JSON.stringify(workbench.page.shown) && {now} === workbench.page.settled")
+    browser.soon(f"{SOLVED} && {now} === JSON.stringify(workbench.page.shown) && {now} === workbench.page.settled")
 
 
 def keys(browser: Browser, text: str) -> None:
@@ -96,7 +96,7 @@ def saved(browser: Browser, button: str, folder: Path, file: str) -> Path:
     browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
     path = folder / file
     for _ in range(5):  # a click may miss what moves as an answer comes
-        wait(browser, SOLVED)
+        browser.soon(SOLVED)
         browser.click(field(button))
         for _ in range(150):
             if path.exists() and path.stat().st_size:
@@ -116,12 +116,12 @@ def shown_pressures(found: dict[str, Any]) -> str:
 def test_a_radial_load_on_a_bearing(page: Browser, tmp_path: Path, drawn: None) -> None:
     """By mouse, and once more by keys: one choice and one number. The tilt beside it is free, as the page shows."""
     page.click(f"{field('way radial y load')}.closest('label')")
-    wait(page, f"{field('operation.radial_load_y_N')} !== null")
+    page.soon(f"{field('operation.radial_load_y_N')} !== null")
     press(page, "Tab", 9)
     assert page.value("document.activeElement.id") == "operation.radial_load_y_N"
     page.type("800")
     press(page, "Tab", 9)
-    wait(page, "workbench.page.shown.document.operation.radial_load_y_N === 800")
+    page.soon("workbench.page.shown.document.operation.radial_load_y_N === 800")
     ready(page)
     text = (
         '[bearing]\nname = "7210C"\n[operation]\nspeed_rpm = 24500\naxial_load_N = 1220\nradial_load_y_N = 800\n'
@@ -134,13 +134,13 @@ def test_a_radial_load_on_a_bearing(page: Browser, tmp_path: Path, drawn: None) 
     place = found["displacement"]["radial_y_um"]
     page.value(f"{field('way radial y load')}.focus()")
     press(page, "ArrowRight", 39)
-    wait(page, f"{field('operation.radial_displacement_y_um')} !== null")
+    page.soon(f"{field('operation.radial_displacement_y_um')} !== null")
     assert page.value("document.activeElement.id") == "way radial y place"
     assert float(page.value(f"{field('operation.radial_displacement_y_um')}.value")) == pytest.approx(place, rel=1e-3)
     ready(page)
     assert shown_pressures(found).split()[0][:3] in page.value(KEY)  # nothing has moved
     press(page, "ArrowRight", 39)
-    wait(page, f"{field('way radial y free')}.checked && {field('operation.radial_displacement_y_um')} === null")
+    page.soon(f"{field('way radial y free')}.checked && {field('operation.radial_displacement_y_um')} === null")
     ready(page)
     assert page.value("workbench.page.now.document.operation.radial_load_y_N") is None
     assert page.complaints == []
@@ -150,13 +150,13 @@ def test_fits_for_a_hot_pair(page: Browser, tmp_path: Path, drawn: None) -> None
     """The file is opened, the growth of its rings switched on, a fit picked, and temperatures typed."""
     (tmp_path / "pair.toml").write_text(PAIR_FILE)
     upload(page, tmp_path / "pair.toml")
-    wait(page, "document.querySelectorAll('#tabs button').length === 2")
+    page.soon("document.querySelectorAll('#tabs button').length === 2")
     ready(page)
     cold = page.value(KEY)
     page.value(f"{field('effect ring_expansion')}.focus()")
     page.ask("Input.dispatchKeyEvent", type="keyDown", key=" ", code="Space", windowsVirtualKeyCode=32, text=" ")
     page.ask("Input.dispatchKeyEvent", type="keyUp", key=" ", code="Space", windowsVirtualKeyCode=32)
-    wait(page, f"{field('effects.ring_expansion.shaft_fit')} !== null")
+    page.soon(f"{field('effects.ring_expansion.shaft_fit')} !== null")
     ready(page)
     assert page.value(f"{field('effects.ring_expansion.shaft_fit')}.checkVisibility()")
     assert page.value(f"{field('effects.ring_expansion.bore_diameter_mm')}.value") == "50"
@@ -204,7 +204,7 @@ def test_a_second_state_is_compared_and_saved(page: Browser, address: str, tmp_p
     assert balls[0] == (tmp_path / "own.csv").read_text().splitlines()[0] and len(balls) == 16
     key, link = page.value(KEY), page.value("workbench.remember().then(() => location.href)")  # once it is there
     visit(page, link)
-    wait(page, f"{SOLVED} && workbench.page.pins.length === 1 && {KEY}.includes('\\nA ')")
+    page.soon(f"{SOLVED} && workbench.page.pins.length === 1 && {KEY}.includes('\\nA ')")
     assert page.value(KEY) == key and page.value(f"{field('operation.speed_rpm')}.value") == "12000"
     assert page.complaints == []
 
@@ -217,66 +217,66 @@ def test_the_report_is_handed_out(page: Browser, tmp_path: Path) -> None:
 
 def test_an_address_that_is_no_state_says_so(page: Browser, address: str) -> None:
     visit(page, f"{address}#no_state")
-    wait(page, f"{SOLVED} && {field('refused')}.innerText.includes('no state of this page')")
+    page.soon(f"{SOLVED} && {field('refused')}.innerText.includes('no state of this page')")
     assert page.value(f"{field('operation.axial_load_N')}.value") == "1220"
 
 
 def test_faults_of_a_file_that_is_not_opened_are_none_of_the_fields(page: Browser, tmp_path: Path) -> None:
     """Though it has keys of the same name, which the scene on the page has right."""
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     before = page.value(KEY)
     wrong = '[bearing]\nname = "B218"\nball_diameter_mm = -3\n[operation]\nspeed_rpm = "fast"\naxial_load_N = 5\n'
     (tmp_path / "wrong.toml").write_text(wrong)
     upload(page, tmp_path / "wrong.toml")
-    wait(page, f"{field('refused')}.innerText.includes('wrong.toml is not opened')")
+    page.soon(f"{field('refused')}.innerText.includes('wrong.toml is not opened')")
     told = page.value(f"{field('refused')}.innerText")
     assert "ball_diameter_mm" in told and "speed_rpm" in told
     assert page.value("document.querySelectorAll('[aria-invalid]').length") == 0
     assert page.value("[...document.querySelectorAll('.wrong')].every(each => each.textContent === '')")
     assert page.value(KEY) == before and page.value("document.querySelector('.stale')") is None
     page.click(f"{field('way radial z load')}.closest('label')")  # the work goes on, and the message with it
-    wait(page, f"{field('refused')}.innerText === ''")
+    page.soon(f"{field('refused')}.innerText === ''")
 
 
 def test_requirements_are_answered_and_edited_in_place(page: Browser) -> None:
     page.click(f"{field('requirements')}.querySelector('summary')")
     page.value(f"{field('require name')}.focus()")
-    wait(page, "document.querySelectorAll('#results-known option').length > 100")
+    page.soon("document.querySelectorAll('#results-known option').length > 100")
     page.type("max_pressure")
     page.value(f"{field('require end')}.value = 'most'")
     page.value(f"{field('require value')}.focus()")
     page.type("2000")
     press(page, "Enter", 13)
     page.ask("Input.dispatchKeyEvent", type="char", text="\r")
-    wait(page, f"{REQUIRED}.length === 1 && {REQUIRED}[0][4].startsWith('met, ')")
+    page.soon(f"{REQUIRED}.length === 1 && {REQUIRED}[0][4].startsWith('met, ')")
     ready(page)
     found = max(part["values"][0] for part in page.value("workbench.page.found.key")[0]["parts"])
     (row,) = page.value(REQUIRED)
     assert row[1] == f"{found:.4g}" and f"{100 * (1 - found / 2000):.2g} % to spare" in row[4]
     limit = field("require.max_pressure.most")
     write(page, limit, "1000")
-    wait(page, f"{REQUIRED}[0][4].startsWith('not met')")
+    page.soon(f"{REQUIRED}[0][4].startsWith('not met')")
     assert "1 not met" in page.value(f"{field('of')}.textContent")
     assert barriers(page) == []
     write(page, limit, "")
-    wait(page, f"{limit}.getAttribute('aria-invalid') === 'true'")
+    page.soon(f"{limit}.getAttribute('aria-invalid') === 'true'")
     page.click(field("require.max_pressure.most out"))
-    wait(page, f"{REQUIRED}.length === 0 && {field('headline')}.textContent === 'none'")
+    page.soon(f"{REQUIRED}.length === 0 && {field('headline')}.textContent === 'none'")
     assert page.value("workbench.page.now.document.require") is None
     page.value(f"{field('require name')}.focus()")
     page.type("no_such_result")
     page.value(f"{field('require value')}.focus()")
     page.type("1")
     page.click(field("require add"))
-    wait(page, f"{field('require.no_such_result.most wrong')}?.textContent.includes('no_such_result')")
+    page.soon(f"{field('require.no_such_result.most wrong')}?.textContent.includes('no_such_result')")
     assert page.complaints == []
 
 
 def test_what_is_missing_is_added_where_it_is_said(page: Browser) -> None:
-    wait(page, f"{field('add ring_expansion')} !== null")
+    page.soon(f"{field('add ring_expansion')} !== null")
     before = page.value(KEY)
     page.click(field("add ring_expansion"))
-    wait(page, f"{field('effect ring_expansion')}.checked")
+    page.soon(f"{field('effect ring_expansion')}.checked")
     ready(page)
     assert page.value(KEY) != before and page.value("document.querySelectorAll('[aria-invalid]').length") == 0
     assert page.value("document.activeElement.closest('details').id") == "table effects, ring_expansion"
@@ -290,7 +290,7 @@ def test_what_is_missing_is_added_where_it_is_said(page: Browser) -> None:
 def test_an_effect_of_which_nothing_is_known_asks_at_its_field(page: Browser) -> None:
     page.click(field("effect ball_expansion"))
     asked = field("effects.ball_expansion.ball_temperature_C")
-    wait(page, f"{asked}?.getAttribute('aria-invalid') === 'true' && {asked}.value === ''")
+    page.soon(f"{asked}?.getAttribute('aria-invalid') === 'true' && {asked}.value === ''")
     write(page, asked, "40")
     ready(page)
     assert page.value(f"!{asked}.hasAttribute('aria-invalid')")
@@ -298,33 +298,33 @@ def test_an_effect_of_which_nothing_is_known_asks_at_its_field(page: Browser) ->
 
 def test_on_a_phone_the_effects_are_folded_below_the_strip_of_results(page: Browser) -> None:
     page.ask("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=False)
-    wait(page, f"{WHOLE} && !{field('switches')}.open")
+    page.soon(f"{WHOLE} && !{field('switches')}.open")
     page.value("scrollTo(0, 0)")
     found = boxes(page, "results", "head", "way axial load", "switches", "requirements")
     tops = [box[1] for box in found.values()]
     assert tops == sorted(tops) and found["results"][1] == 0.0
     assert found["switches"][3] - found["switches"][1] < 60.0 and found["switches"][1] < 844.0
     page.click(f"{field('switches')}.querySelector('summary')")
-    wait(page, f"{field('effect centrifugal_force')}.checkVisibility()")
+    page.soon(f"{field('effect centrifugal_force')}.checkVisibility()")
     page.resize(1280)
-    wait(page, f"{field('switches')}.open")
+    page.soon(f"{field('switches')}.open")
 
 
 def test_all_of_it_open_fits_its_window_and_bars_nobody(page: Browser) -> None:
     """Every table open, two states pinned, requirements met and not."""
-    wait(page, f"{field('add ring_expansion')} !== null")
+    page.soon(f"{field('add ring_expansion')} !== null")
     page.click(field("pin"))
     page.click(field("add ring_expansion"))
-    wait(page, f"{field('effect ring_expansion')}.checked")
+    page.soon(f"{field('effect ring_expansion')}.checked")
     page.value(
         "workbench.page.now.document.require = {max_pressure: {most: 2000}, inner_load_max: {most: 1, source: 'x'}}"
     )
     write(page, field("operation.speed_rpm"), "20000")
-    wait(page, f"{REQUIRED}.length === 2")
+    page.soon(f"{REQUIRED}.length === 2")
     ready(page)
     page.click(field("pin"))
     page.value("for (const each of document.querySelectorAll('details')) each.open = true")
-    wait(page, WHOLE)
+    page.soon(WHOLE)
     for width in WIDTHS:
         page.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
         page.value("for (const each of document.querySelectorAll('details')) each.open = true")

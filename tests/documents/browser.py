@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import tempfile
 import time
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -47,6 +48,10 @@ WIDTHS = 390, 768, 1280
 def installed() -> str | None:
     """The browser's command, if there is one."""
     return next((path for name in NAMES if (path := shutil.which(name))), None)
+
+
+class RequestError(AssertionError):
+    """The browser has no answer to a request: a script's page is just being left, for instance."""
 
 
 class Browser:
@@ -112,6 +117,16 @@ class Browser:
         assert "exceptionDetails" not in found, found["exceptionDetails"]
         return found["result"].get("value")
 
+    def soon(self, script: str) -> Any:
+        """What an expression is worth once it is worth something; asked again while one page leads to another."""
+        until = time.monotonic() + PATIENCE
+        while time.monotonic() < until:
+            with suppress(RequestError):
+                if found := self.value(script):
+                    return found
+            time.sleep(0.05)
+        raise AssertionError(f"never: {script}")
+
     def middle(self, script: str) -> tuple[float, float]:
         """Where what the expression finds is, once it is in view and stands still: results that arrive above move it,
         and what is scrolled is hit only from the next frame on."""
@@ -158,7 +173,8 @@ class Browser:
         while time.monotonic() < until:
             answer = self._hear()
             if answer is not None and answer.get("id") == self._number:
-                assert "error" not in answer, (method, answer["error"])
+                if "error" in answer:
+                    raise RequestError(method, answer["error"])
                 return answer["result"]
         raise AssertionError(f"no answer to {method}")
 

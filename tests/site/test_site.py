@@ -8,13 +8,10 @@ import shutil
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Iterator
-from contextlib import suppress
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -139,7 +136,7 @@ def test_the_search_needs_no_network(site: tuple[Path, Path], browser: Browser, 
     browser.open(made / "index.html")
     browser.value("document.querySelector('[name=query]').focus()")
     browser.type(typed)
-    assert soon(browser, "document.querySelectorAll('.md-search-result__item').length") >= 1
+    assert browser.soon("document.querySelectorAll('.md-search-result__item').length") >= 1
     links = browser.value("[...document.querySelectorAll('.md-search-result__link')].map(a => a.pathname)")
     assert any(link.endswith(page) for link in links)
     assert browser.complaints == []
@@ -198,24 +195,14 @@ def test_a_version_offers_the_others(several: str) -> None:
     is_warned = "document.querySelector('[data-md-component=outdated]')?.hidden === false"
     with Browser() as browser:
         browser.open(several)
-        assert soon(browser, listed) == [f"{several}{__version__}/", f"{several}{OLDER}/"]
+        assert browser.soon(listed) == [f"{several}{__version__}/", f"{several}{OLDER}/"]
         assert browser.value("location.pathname") == f"/{__version__}/index.html"
         assert not browser.value(is_warned)
         browser.value(f"location.href = '{several}{OLDER}/limits.html'")
-        assert soon(browser, is_warned)
+        assert browser.soon(is_warned)
         newest = browser.value("document.querySelector('.md-banner a').href")
         assert newest == several
         assert browser.complaints == []
-
-
-def soon(browser: Browser, script: str) -> Any:
-    """What an expression is worth once it is worth something."""
-    for _ in range(100):
-        with suppress(AssertionError):  # asked while one page leads to another
-            if value := browser.value(script):
-                return value
-        time.sleep(0.1)
-    raise AssertionError(f"never: {script}")
 
 
 @in_browser
