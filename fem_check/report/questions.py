@@ -154,19 +154,21 @@ def _unmeasured(evidence: Evidence) -> list[str]:
 
 def _by_assumption(rows: Sequence[RowRecord]) -> list[str]:
     """What becomes of a result of the free balls where their axes are assumed, or their friction is another."""
-    assumed, rubbed = ([row for row in rows if begins in row["case"]] for begins in (HYPOTHESIS, OTHER_FRICTION))
+    of_hypotheses, of_friction = (
+        [row for row in rows if begins in row["case"]] for begins in (HYPOTHESIS, OTHER_FRICTION)
+    )
     said = []
-    if assumed:
-        one, (size, _) = assumed[0], row_text.in_unit(assumed[0])
-        said.append(f"{quantity(one['quantity'])} by the free ball {size * one['reference']:.3g}")
-        said.append(f"by hypotheses {_found(assumed)}")
-    if rubbed:
-        coefficients = span(row["case"].rpartition(OTHER_FRICTION)[2] for row in rubbed)
-        said.append(f"by friction of {coefficients} {_found(rubbed)}")
+    if of_hypotheses:
+        free, (size, _) = of_hypotheses[0], row_text.in_unit(of_hypotheses[0])
+        said.append(f"{quantity(free['quantity'])} by the free ball {size * free['reference']:.3g}")
+        said.append(f"by hypotheses {_results(of_hypotheses)}")
+    if of_friction:
+        coefficients = span(row["case"].rpartition(OTHER_FRICTION)[2] for row in of_friction)
+        said.append(f"by friction of {coefficients}: {_results(of_friction)}")
     return said
 
 
-def _found(rows: Sequence[RowRecord]) -> str:
+def _results(rows: Sequence[RowRecord]) -> str:
     """From the smallest to the largest result, with the unit that readers see."""
     size, unit = row_text.in_unit(rows[0])
     return f"{span(f'{size * computed_value(row):.3g}' for row in rows)} {unit}"

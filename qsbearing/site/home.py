@@ -51,7 +51,8 @@ def trust() -> str:
     asked = import_module("fem_check.report.questions").all_of(evidence)
     text = "\n\n".join(
         [
-            "Answered from the records of the release, each line by its worst case. `fem-check report` has all.",
+            "Answered from the records in this version, each line by its worst case. `fem-check report` has all, and "
+            "says of which commits they are.",
             "| question | worst case | verdict |\n|---|---|---|\n" + "".join(map(_row, random.beside(evidence, asked))),
             *(f"**{words}** {'; '.join(parts)}." for words, parts in page_one.uses(evidence, asked).items()),
             _random([random.scenes(kept) for kept in evidence.random_scenes]),

@@ -206,7 +206,7 @@ def test_one_row_says_what_the_motion_of_balls_rests_on(shipped: Evidence) -> No
     (moves,) = {quantity(each["quantity"]) for each in free.data["rows"] if HYPOTHESIS in each["case"]}
     assert f"{moves} by the free ball " in row(shipped).worst, "of what the numbers are"
     assert f"by hypotheses {min(assumed):.3g} to {max(assumed):.3g} µm" in row(shipped).worst
-    assert "by friction of 0.03 to 0.1 " in row(shipped).worst
+    assert "by friction of 0.03 to 0.1: " in row(shipped).worst
     fails = dataclasses.replace(shipped, checks=shipped.checks | {"free_ball": altered(free, verdict="fail")})
     assert (row(shipped).verdict.kind, row(fails).verdict.kind) == ("finding", "fail")
 

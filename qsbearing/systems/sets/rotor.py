@@ -48,11 +48,10 @@ def rotor(of: BearingSet, held: NDArray, disks: Sequence[dict[str, Any]], longes
 
 
 def rotor_of(solution: Any, turned: NDArray, given: NDArray, disks: Sequence[dict[str, Any]], longest: float) -> Any:
-    """What `SetSolution.to_ross_rotor` gives.
+    """What `SetSolution.to_ross_rotor` gives, which says what `disks` and `longest` are.
 
     Args:
         turned, given: as for `held_by`.
-        disks, longest: as there.
     """
     if len(solution.shape) > 1:
         problem = "has several axes of cases; one is wanted, that of speed"
